@@ -1,24 +1,17 @@
-"""Log files of rtlog: messages as they came, in a file that survives crashes.
+"""Log files of rtlog: messages as they came, in files of MCAP, which others open, and which survive crashes.
 
-The format. Numbers are little-endian, without padding. A file is a magic word and blocks:
+A file has a header; a Metadata record `rtlog` (`created`: ns since the epoch); a Schema and a Channel record for each stream;
+then chunks of at most about 1 MiB or 0.1 s, each with its checksum and message indexes; in the end a summary with a
+checksum. Messages are plain CDR with its head of 4 octets, as OpenRTM::InPortCdr::put carries it, or JSON. A channel's metadata:
+`type`, the id of its data type; `description`, what datatypes.Type.to_bytes returns, so that no IDL is needed; `sources`, a
+JSON list of the ports that it came from.
 
-    file    89 'RTLOG' 0D 0A, then blocks up to the end
-    block   kind (1 octet: H, R or I), length of the body (uint32), CRC-32 of kind, length and body (uint32), body
-    H       header: JSON, ASCII: {"created": ns, "program": "rtlog 0.1.0", "channels": [channel, …]}
-              channel: {"name": …, "type": "IDL:RTC/TimedLong:1.0", "typecode": hex or null, "sources": [path, …]}
-    R       record: number (uint64, from 0), time of arrival (int64, ns since the epoch), channel (uint16, counted from 0
-              in the last header before), flags (1 octet; 1: little-endian), then the message: plain CDR of the type,
-              aligned to its own start, as OpenRTM::InPortCdr::put carries it
-    I       index: JSON, ASCII: {"next": number, "first": ns, "last": ns, "counts": {channel's name: records},
-              "headers": [offset, …], "points": [[number, offset, latest arrival before it], …]},
-              then where this block begins (uint64) and 'rtlogend'
+A reader trusts nothing: it compares a length with the file before it reads, and verifies a chunk's checksum before it uses
+the messages. A file is only written at its end, a whole chunk at a time: a kill -9 loses 0.2 s, a power failure about 1 s. Half
+a chunk at the end is reported and left out. The summary is optional: it is written at the regular end, and used only if the
+file agrees with it; else the file is searched for chunks. Appending cuts off the summary, or a torn end.
 
-A reader trusts nothing: it compares a length with the file before it reads, and verifies a checksum before it uses a block. A
-file is only written at its end; messages go to the operating system at once (a kill -9 loses milliseconds) and to the disk
-every few seconds (which a power failure loses). Half a record at the end is reported and left out. The index is optional: it
-is written at the regular end, and used only if the file agrees with it; else the whole file is read. Appending cuts off the
-index, or a torn end, and adds another header. A typecode is what datatypes.Type.to_bytes returns: no IDL is needed to read it.
-
-Modules: blocks.py has the frame that writer.py writes and reader.py reads; recorder.py feeds a writer or textlog.py; simpkl.py
-reads rtshell's logs with pickles.py; decode.py says what entries mean, play.py sends them.
+Modules: mcap.py is the format, without I/O, and schemas.py describes types in it; writer.py and reader.py use both, mend.py
+completes files. recorder.py feeds a writer or textlog.py; simpkl.py reads rtshell's logs with pickles.py; decode.py says what
+entries mean, play.py sends them.
 """

@@ -6,6 +6,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.data import build_value, datatypes, values
+from rtshell_lite.datalog import schemas
 from rtshell_lite.text import printable, safe
 
 # where a type's timestamp is
@@ -42,6 +43,11 @@ class Channels:
                 return datatypes.from_bytes(channel.typecode)
             except errors.BadType:
                 pass  # damaged: look up its name
+        if channel.schema and channel.encoding == "cdr":
+            try:
+                return schemas.to_type(channel.schema)
+            except (errors.BadType, errors.BadIdl):
+                pass
         try:
             return self._types.named(channel.type_id)
         except errors.NoSuch:
@@ -144,6 +150,10 @@ def summary(log):
     yield f"First entry time: {date(log.first)}"
     yield f"End time: {date(log.last)}"
     yield "Number of entries: %d" % log.count
+    if not log.closed:
+        yield "State: INCOMPLETE, whole up to octet %d" % (log.size - log.torn)
+    for attachment in log.attachments:
+        yield f"Attachment: {printable(attachment[1])}, {date(attachment[0])}"
     for number, channel in enumerate(log.channels, 1):
         yield "Channel %d" % number
         yield f"  Name: {printable(channel.name)}"
@@ -175,6 +185,7 @@ def as_dict(log):
         "last": _seconds(log.last),
         "entries": log.count,
         "channels": channels,
+        "attachments": [attachment[1] for attachment in log.attachments],
         "closed": log.closed,
         "torn": log.torn,
         "damaged": log.damaged,

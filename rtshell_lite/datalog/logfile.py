@@ -4,7 +4,7 @@ import os
 import stat
 
 from rtshell_lite import errors, files, text
-from rtshell_lite.datalog import blocks
+from rtshell_lite.datalog import mcap
 
 
 def is_text(start):
@@ -13,7 +13,7 @@ def is_text(start):
 
 
 def load(name, modules=()):
-    """Open a log file, rtlog or simpkl by its content, for a `with` statement.
+    """Open a log file, MCAP or simpkl by its content, for a `with` statement.
 
     `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.Failed.
     """
@@ -24,7 +24,7 @@ def load(name, modules=()):
     try:
         size = os.fstat(file.fileno()).st_size
         start = file.read(32)
-        if start.startswith(blocks.MAGIC):
+        if start.startswith(mcap.MAGIC):
             from rtshell_lite.datalog import reader
 
             return reader.Log(file, where, size)

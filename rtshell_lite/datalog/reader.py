@@ -1,49 +1,59 @@
-"""Reading log files of rtlog's own form: nothing in them is trusted, and everything that is whole is read."""
+"""Reading logs in MCAP, ours and those of others: nothing in them is trusted, and everything that is whole is read."""
 
 import bisect
+import collections
+import json
+import os
+import zlib
 
 from rtshell_lite import errors
-from rtshell_lite.datalog import blocks
-from rtshell_lite.datalog.index import Index
-from rtshell_lite.datalog.records import Channel, Entry, is_moment
+from rtshell_lite.datalog import compression, mcap, schemas
+from rtshell_lite.datalog.mcap import HEAD, LARGEST
+from rtshell_lite.datalog.records import Channel, Entry
 
-MOST = 1000  # channels, and sources of a channel: more are hostile
+MOST = 1000  # sources of a channel: more are hostile
+RUN = 1 << 20  # octets that are read at a time
+WORDS = 16 << 20  # octets of a schema, a channel or the like
+
+# Where messages are: the offset of a chunk and the one after it, earliest and latest log time, the number of
+# its first message, how many there are. `is_chunk` is False for messages that are in no chunk.
+Stretch = collections.namedtuple("Stretch", "offset end first last number count is_chunk")
 
 
 class Log:
     """An open log, to be used in a `with` statement.
 
-    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (arrival of the first and the last
-    record, or None), `counts` (by channel's name), `torn` (octets of half a record at the end), `closed`
-    (False: recording was killed, or goes on), and `damaged` (records left out), which may grow while entries
-    are read.
+    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (the earliest and the latest arrival,
+    or None), `counts` (by channel's name), `attachments` (log time, name, media type, offset of the data, size),
+    `torn` (octets of half a record at the end), `closed` (False: recording was killed, or goes on), and `damaged`
+    (messages left out), which may grow while entries are read.
     """
 
-    form = "rtlog"
+    form = "mcap"
 
     def __init__(self, file, where, size):
-        """Read the header, and the index or, where that is missing or wrong, the file.
-        Raises errors.Failed.
-        """
+        """Find the channels and the messages. Raises errors.Failed."""
         self.where = where
         self.size = size
-        self.channels = []
-        self.torn = 0
-        self.closed = False
-        self._damaged = set()
-        # offset of a header: our numbers of its channels
         self._file = file
-        self._maps = {}
-        self._numbers = {}  # our number of a channel, by its name and type
-        file.seek(len(blocks.MAGIC))
-        try:
-            kind, body = blocks.read(file, size - len(blocks.MAGIC))
-            if kind != blocks.HEADER:
-                raise blocks.Damaged("no header")
-            self.started = self._header(len(blocks.MAGIC), body)
-        except blocks.Damaged:
+        self._damaged = {}  # by offset: messages left out
+        self.unread = collections.Counter()  # by encoding: messages of CDR that is not plain
+        self.closed = False
+        self.started = None
+        self.end = 0  # offset after the last whole record before the summary
+        head = self._head(len(mcap.MAGIC))
+        if head is None or head[0] != mcap.HEADER:
             raise errors.Failed(where, "its header is damaged, nothing can be read")
-        self.index, self._end = self._indexed() or self._scanned()
+        summary = self._summary()
+        if summary is None or not self._found(*summary):
+            self._found({}, None, [])
+        if self._compressed:
+            raise errors.Failed(self.where, compression.refusal(self._compressed))
+        if self.started is None:
+            self.started = self.first or 0
+        self.torn = 0
+        if not self.closed:
+            self.torn = size - self.end
 
     def __enter__(self):
         return self
@@ -51,33 +61,44 @@ class Log:
     def __exit__(self, *_):
         self._file.close()
 
-    count = property(lambda self: self.index.count)
-    first = property(lambda self: self.index.first)
-    last = property(lambda self: self.index.last)
-    counts = property(lambda self: self.index.counts)
-    damaged = property(lambda self: len(self._damaged))
+    first = property(lambda self: min((each.first for each in self._stretches if each.count), default=None))
+    last = property(lambda self: max((each.last for each in self._stretches if each.count), default=None))
+    damaged = property(lambda self: sum(self._damaged.values()))
+
+    @property
+    def counts(self):
+        named = collections.Counter()
+        for number, count in self._counts.items():
+            if number in self._numbers:
+                named[self.channels[self._numbers[number]].name] += count
+        return dict(named)
+
+    @property
+    def count(self):
+        if self._stretches:
+            return self._stretches[-1].number + self._stretches[-1].count
+        return 0
 
     def entries(self, start=0):
-        """The entries from record number `start` on, one by one."""
-        point = bisect.bisect_right([number for number, _, _ in self.index.points], start) - 1
-        if point >= 0:
-            offset = self.index.points[point][1]
-        else:
-            offset = self._end
-        for _, entry in self._records(offset, self._end):
-            if entry.number >= start:
-                yield entry
-        if self._whole < self._end:
-            self.torn = self.size - self._whole
+        """The entries from number `start` on, one by one."""
+        place = bisect.bisect_right([each.number for each in self._stretches], start) - 1
+        for stretch in self._stretches[max(place, 0) :]:
+            for entry in self._messages(stretch):
+                if entry.number >= start:
+                    yield entry
 
     def since(self, moment):
-        """The number of the first record that arrived at `moment` (ns) or later, or None."""
-        latest = [point[2] for point in self.index.points[1:]]  # the first point has nothing before it
-        point = bisect.bisect_left(latest, moment)
-        for entry in self.entries(self.index.points[point][0] if self.index.points else 0):
-            if entry.received >= moment:
-                return entry.number
+        """The number of the first entry that arrived at `moment` (ns) or later, or None."""
+        for stretch in self._stretches:
+            if stretch.last >= moment:
+                for entry in self._messages(stretch):
+                    if entry.received >= moment:
+                        return entry.number
         return None
+
+    def attached(self, attachment):
+        """The data of one of `attachments`."""
+        return self._octets(attachment[3], attachment[4])
 
     def notes(self):
         """What is wrong with the file, in words."""
@@ -87,190 +108,401 @@ class Log:
             yield "recording has not ended regularly, or goes on"
         if self.damaged:
             yield "%d damaged records are left out" % self.damaged
+        for encoding, count in sorted(self.unread.items()):
+            yield f"{count} messages are left out: their encoding {encoding} is not read"
 
-    def scan(self, index):
-        """Put all records into `index`, an Index;
-        returns the offset after the last whole block but the index.
+    def contents(self):
+        """(mcap.Contents, {schema: its id}, {(topic, schema, encoding, metadata): id of a channel}, the ChunkIndex
+        records) of the file, to go on with it.
         """
-        end = self._end
-        index.headers = sorted(self._maps)
-        for offset, entry in self._records(len(blocks.MAGIC), end):
-            index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
-        return end
+        made = mcap.Contents()
+        for kind, offset, end in self._others:
+            octets = self._octets(offset, end - offset)
+            if kind == mcap.METADATA:
+                made.add_metadata(offset, end - offset, mcap.metadata(octets[HEAD.size :])[0])
+            elif kind == mcap.ATTACHMENT:
+                logged, name, media, _, size = mcap.attachment(octets[HEAD.size :])
+                index = mcap.attachment_index(logged, name, media, size, offset, end - offset)
+                made.records[mcap.ATTACHMENT_INDEX].append(index)
+            else:
+                made.records[kind].append(octets)
+        indexes = [self._index(stretch, made) for stretch in self._stretches]
+        return made, {schema: number for number, schema in self._schemas.items()}, dict(self._ids), indexes
 
-    # ---- blocks ----
-
-    def _header(self, offset, body):
-        """Add a header's channels; returns when recording began."""
-        header = blocks.parsed(body)
-        ours = []
-        try:
-            for fields in header["channels"]:
-                channel = Channel(
-                    fields["name"],
-                    fields["type"],
-                    bytes.fromhex(fields["typecode"] or ""),
-                    tuple(fields["sources"]),
-                )
-                if not all(isinstance(word, str) for word in channel[:2] + channel.sources):
-                    raise ValueError("no text")
-                ours.append(self._channel(channel))
-            created = header["created"]
-        except (KeyError, TypeError, ValueError):
-            raise blocks.Damaged("no header")
-        if not is_moment(created):
-            raise blocks.Damaged("no header")
-        self._maps[offset] = ours
-        return created
-
-    def _channel(self, channel):
-        """The number of a channel; a later header may have it again, with the same name and type."""
-        number = self._numbers.setdefault(channel[:2], len(self.channels))
-        if number < len(self.channels):
-            known = self.channels[number]
-            more = tuple(source for source in channel.sources if source not in known.sources)
-            self.channels[number] = known._replace(sources=(known.sources + more)[:MOST])
-            return number
-        if len(self.channels) >= MOST or len(channel.sources) >= MOST:
-            raise blocks.Damaged("a header that cannot be")
-        self.channels.append(channel)
-        return number
-
-    def _records(self, offset, end):
-        """(offset, Entry) of the whole records between two offsets.
-        In the end, self._whole is after the last whole block.
-        """
-        headers = [header for header in sorted(self._maps) if header <= offset]
-        if headers:
-            channels = self._maps[headers[-1]]
-        else:
-            channels = []
-        number = -1
-        while offset < end:
-            self._file.seek(offset)  # between two records the caller may read elsewhere
-            try:
-                kind, body = blocks.read(self._file, end - offset)
-                if kind == blocks.HEADER:
-                    self._header(offset, body)
-                    channels = self._maps[offset]
-                if kind == blocks.RECORD:
-                    entry = _entry(body, channels, number)
-                    number = entry.number
-                    yield offset, entry
-            except blocks.Unsound as e:
-                if not self._sound(offset + e.args[0], end):
-                    break
-                self._damaged.add(offset)
-                offset += e.args[0]
+    def sound_records(self):
+        """The octets of all records up to `end`, one by one, without chunks that are damaged, and their indexes."""
+        stretches = {each.offset: each for each in self._stretches}
+        yield self._octets(0, len(mcap.MAGIC))
+        at = len(mcap.MAGIC)
+        while at < self.end:
+            kind, end = self._head(at)
+            if kind == mcap.CHUNK and self._records(stretches[at]) is None:
+                at = self._indexes(end)[2]
                 continue
-            except blocks.Damaged:
-                break
-            offset += blocks.BLOCK.size + len(body)
-        self._whole = offset
+            yield self._octets(at, end - at)
+            at = end
 
-    def _sound(self, offset, end):
-        """Whether there is a whole block at `offset`: else the length of the one before it may be wrong."""
-        if offset >= end:
-            return False  # a torn record may have its right length
-        self._file.seek(offset)
+    # ---- finding what is where -----------------------------------------------------------------------------
+
+    def _octets(self, offset, length):
+        return os.pread(self._file.fileno(), length, offset)
+
+    def _head(self, offset):
+        """(opcode, offset after the record) of the record at `offset`; None when there is no whole one."""
+        octets = self._octets(offset, HEAD.size)
+        if len(octets) < HEAD.size:
+            return None
+        kind, length = HEAD.unpack(octets)
+        end = offset + HEAD.size + length
+        if kind == 0 or end > self.size:
+            return None
+        return kind, end
+
+    def _summary(self):
+        """({offset of a chunk: (its length, messages, length of their indexes)}, {channel's id: messages}, bodies of
+        schemas and channels with their opcodes) as the end of the file says; None where it says nothing sound.
+        """
+        known = {}
+        counted = None
+        defined = []
         try:
-            blocks.read(self._file, end - offset)
-        except blocks.Damaged:
-            return False
+            at = self._checked_summary()
+            while at < self.size - mcap.FOOT.size:
+                kind, end = self._head(at) or (None, self.size)
+                if kind == mcap.CHUNK_INDEX:
+                    offset, length, places, size = mcap.chunk_index(self._body(at, end))
+                    known[offset] = length, mcap.messages_indexed(len(places), size), size
+                elif kind == mcap.STATISTICS:
+                    counted = mcap.statistics(self._body(at, end))[1]
+                elif kind in (mcap.SCHEMA, mcap.CHANNEL):
+                    defined.append((kind, self._body(at, end)))
+                at = end
+        except mcap.Damaged:
+            return None
+        self.closed = True
+        return known, counted, defined
+
+    def _checked_summary(self):
+        """Where the summary begins, whose checksum is right. Raises Damaged."""
+        start, expected = mcap.footer(self._octets(max(0, self.size - mcap.FOOT.size), mcap.FOOT.size))
+        if start == 0:
+            return self.size
+        end = self.size - mcap.UNCHECKED
+        crc = 0
+        for at in range(start, end, RUN):
+            crc = zlib.crc32(self._octets(at, min(RUN, end - at)), crc)
+        if start > end or expected and crc != expected:
+            raise mcap.Damaged("a summary whose checksum is wrong")
+        return start
+
+    def _body(self, offset, end):
+        if end - offset > WORDS:
+            raise mcap.Damaged("a long record")
+        return self._octets(offset + HEAD.size, end - offset - HEAD.size)
+
+    def _found(self, known, counted, defined):
+        """Find all records up to the end of the data, with the help of what _summary says; False when that is not so."""
+        self.channels = []
+        self.attachments = []
+        self.started = None
+        self._schemas = {}
+        self._ids = {}
+        self._numbers = {}  # our number of a channel, by its id
+        self._counts = counted or {}
+        self._stretches = []
+        self._others = (
+            []
+        )  # (opcode, begin, end) of Schema, Channel, Metadata, Attachment records outside of chunks
+        self._compressed = None
+        self.end = len(mcap.MAGIC)
+        for kind, body in defined:
+            self._define(kind, body)
+        is_known = counted is not None
+        kind = None
+        while kind != mcap.DATA_END and not self._compressed:
+            head = self._head(self.end)
+            if head is None:
+                break
+            kind, end = head
+            if kind == mcap.CHUNK:
+                end = self._chunk(end, known.get(self.end), is_known)
+            elif kind == mcap.MESSAGE:
+                end = self._loose(end)
+            elif kind != mcap.DATA_END:
+                self._other(kind, end)
+            if kind != mcap.DATA_END:
+                self.end = end
+        if kind != mcap.DATA_END:
+            self._without_end()
+        if is_known:
+            return kind == mcap.DATA_END and sum(self._counts.values()) == self.count
         return True
 
-    # ---- the index ----
-
-    def _indexed(self):
-        """(the index at the end of the file, its offset);
-        None where there is none that agrees with the file.
+    def _without_end(self):
+        """The file ends in the middle. A last chunk that is damaged is what a power failure leaves; the messages of a
+        sound one are counted, for its indexes may be cut off.
         """
-        position = blocks.index_position(self._file, self.size)
-        if position is None:
-            return None
-        self._file.seek(position)
+        self.closed = False
+        if not self._stretches or self._compressed:
+            return
+        last = self._stretches[-1]
+        if self._records(last) is None:
+            self._damaged.clear()
+            self.end = last.offset
+            self._stretches.pop()
+            return
+        counts = {channel: len(times) // 2 for channel, times in self._times(last).items()}
+        if last.is_chunk and sum(counts.values()) != last.count:
+            for channel, count in self._indexes(last.end)[0].items():
+                self._counts[channel] -= count
+            for channel, count in counts.items():
+                self._counts[channel] = self._counts.get(channel, 0) + count
+            self._stretches[-1] = last._replace(count=sum(counts.values()))
+
+    def _chunk(self, end, index, is_known):
+        """Note the chunk at self.end; returns the offset after it and its indexes."""
         try:
-            kind, body = blocks.read(self._file, self.size - position)
-            if kind != blocks.INDEX or self._file.tell() != self.size:
-                return None
-            index = self._believed(blocks.parsed(body, footer=True), position)
-            self.closed = True
-            return index, position
-        except (blocks.Damaged, KeyError, TypeError, ValueError, IndexError, AttributeError):
+            chunk = mcap.Chunk(self._octets(self.end, min(mcap.BEGINNING, end - self.end)))
+        except mcap.Damaged:
+            return end
+        if chunk.compression and not compression.is_read(chunk.compression):
+            self._compressed = chunk.compression
+            return end
+        if is_known and index is not None and index[0] == end - self.end and index[1] > 0:
+            self._add(end, chunk.first, chunk.last, index[1], True)
+            return end + index[2]
+        counts, _, after = self._indexes(end)
+        if not counts or not set(counts) <= set(self._numbers):
+            counts = self._look_inside(end, counts)
+        if not is_known:
+            for channel, count in counts.items():
+                self._counts[channel] = self._counts.get(channel, 0) + count
+        self._add(end, chunk.first, chunk.last, sum(counts.values()), True)
+        return after
+
+    def _add(self, end, first, last, count, is_chunk):
+        self._stretches.append(Stretch(self.end, end, first, last, self.count, count, is_chunk))
+
+    def _indexes(self, at):
+        """({channel's id: messages} as the MessageIndex records at `at` say, {id: their offsets}, the offset after them)"""
+        counts = {}
+        places = {}
+        while True:
+            head = self._head(at)
+            if head is None or head[0] != mcap.MESSAGE_INDEX or head[1] < at + HEAD.size + 6:
+                return counts, places, at
+            fields = self._octets(at + HEAD.size, 6)
+            channel = int.from_bytes(fields[:2], "little")
+            counts[channel] = counts.get(channel, 0) + int.from_bytes(fields[2:], "little") // 16
+            places[channel] = at
+            at = head[1]
+
+    def _look_inside(self, end, counts):
+        """Take the schemas and channels within the chunk at self.end; returns its messages by channel's id."""
+        octets = self._records(Stretch(self.end, end, 0, 0, 0, 0, True))
+        if octets is None:
+            return counts
+        counts = collections.Counter()
+        for kind, _, body, after in _walk(octets):
+            if kind in (mcap.SCHEMA, mcap.CHANNEL):
+                self._define(kind, octets[body:after])
+            elif kind == mcap.MESSAGE:
+                counts[int.from_bytes(octets[body : body + 2], "little")] += 1
+        return counts
+
+    def _loose(self, end):
+        """Note the messages at self.end that are in no chunk; returns the offset after them."""
+        times = []
+        at = self.end
+        while at - self.end < RUN:
+            octets = self._octets(at, mcap.MESSAGE_HEAD.size)
+            if len(octets) < mcap.MESSAGE_HEAD.size:
+                break
+            kind, length, channel, _, moment, _ = mcap.MESSAGE_HEAD.unpack(octets)
+            after = at + HEAD.size + length
+            if kind != mcap.MESSAGE or after > self.size or at + mcap.MESSAGE_HEAD.size > after:
+                break
+            self._counts[channel] = self._counts.get(channel, 0) + 1
+            times.append(moment)
+            at = after
+        if not times:
+            return end
+        self._add(at, min(times), max(times), len(times), False)
+        return at
+
+    def _other(self, kind, end):
+        """Take what a record outside of chunks says."""
+        try:
+            if kind in (mcap.SCHEMA, mcap.CHANNEL):
+                self._define(kind, self._body(self.end, end))
+            elif kind == mcap.METADATA:
+                self._described(self._body(self.end, end))
+            elif kind == mcap.ATTACHMENT:
+                body = self._octets(self.end + HEAD.size, min(end - self.end, WORDS))
+                logged, name, media, place, size = mcap.attachment(body)
+                if place + size > end - self.end:
+                    return
+                self.attachments.append((logged, name, media, self.end + HEAD.size + place, size))
+            else:
+                return
+            self._others.append((kind, self.end, end))
+        except mcap.Damaged:
+            pass
+
+    def _described(self, body):
+        name, texts = mcap.metadata(body)
+        created = texts.get("created", "")
+        if name == "rtlog" and self.started is None and created.isdigit() and len(created) < 19:
+            self.started = int(created)
+
+    def _define(self, kind, body):
+        if kind == mcap.SCHEMA:
+            number, schema = mcap.schema(body)
+            self._schemas.setdefault(number, schema)
+            return
+        number, schema_number, topic, encoding, about = mcap.channel(body)
+        if number in self._numbers:
+            return
+        schema = self._schemas.get(schema_number)
+        self._ids.setdefault((topic, schema, encoding, tuple(sorted(about.items()))), number)
+        channel = _channel(topic, schema, encoding, about)
+        for place, other in enumerate(self.channels):
+            if other[:2] == channel[:2]:
+                more = tuple(source for source in channel.sources if source not in other.sources)
+                self.channels[place] = other._replace(sources=(other.sources + more)[:MOST])
+                self._numbers[number] = place
+                return
+        self._numbers[number] = len(self.channels)
+        self.channels.append(channel)
+
+    # ---- messages ------------------------------------------------------------------------------------------
+
+    def _records(self, stretch):
+        """The octets of the records in a Stretch; None, which is counted, where they are damaged."""
+        octets = None
+        if stretch.end - stretch.offset <= LARGEST + (1 << 20):
+            octets = self._octets(stretch.offset, stretch.end - stretch.offset)
+        if octets is not None and stretch.is_chunk:
+            octets = self._unpacked(octets)
+        if octets is None:
+            self._damaged[stretch.offset] = max(stretch.count, 1)
+        return octets
+
+    def _unpacked(self, octets):
+        try:
+            chunk = mcap.Chunk(octets)
+        except mcap.Damaged:
+            return None
+        inner = memoryview(octets)[chunk.place : chunk.place + chunk.within]
+        if len(inner) < chunk.within:
+            return None
+        if chunk.compression:  # by what is read, or the file is refused
+            inner = compression.expanded(inner, min(chunk.size, LARGEST))
+        if inner is None or chunk.crc and zlib.crc32(inner) != chunk.crc:
+            return None
+        return bytes(inner)
+
+    def _messages(self, stretch):
+        octets = self._records(stretch)
+        if octets is None:
+            return
+        number = stretch.number
+        unpack = mcap.MESSAGE_HEAD.unpack_from
+        start = mcap.MESSAGE_HEAD.size
+        for kind, at, _, end in _walk(octets):
+            if kind != mcap.MESSAGE:
+                continue
+            if end - at < start:
+                self._damaged[-1 - number] = 1
+                continue
+            _, _, channel, _, moment, _ = unpack(octets, at)
+            entry = self._entry(number, moment, channel, octets[at + start : end])
+            number += 1
+            if entry:
+                yield entry
+
+    def _entry(self, number, moment, channel, data):
+        ours = self._numbers.get(channel)
+        if ours is None or moment >= 1 << 63:
+            self._damaged[-1 - number] = 1
+            return None
+        encoding = self.channels[ours].encoding
+        if encoding == "json":
+            return self._parsed(number, moment, ours, data)
+        if encoding != "cdr":
+            return Entry(number, moment, ours, True, data, None)
+        prefix = data[:4]
+        if prefix[:2] not in (b"\0\0", b"\0\1"):
+            self.unread[prefix[:2].hex() or "none"] += 1
+            return None
+        return Entry(number, moment, ours, prefix[1] == 1, data[4:], None)
+
+    def _parsed(self, number, moment, ours, data):
+        try:
+            return Entry(number, moment, ours, None, None, json.loads(data.decode("utf-8")))
+        except (ValueError, RecursionError):
+            self._damaged[-1 - number] = 1
             return None
 
-    def _believed(self, fields, position):
-        """The Index of a file, checked. Raises ValueError and whatever wrong types raise."""
-        index = Index()
-        index.next = fields["next"]
-        index.first = fields["first"]
-        index.last = fields["last"]
-        index.counts = fields["counts"]
-        index.headers = fields["headers"]
-        index.points = fields["points"]
-        _demand(index.headers[0] == len(blocks.MAGIC) and index.headers == sorted(set(index.headers)))
-        _demand(bool(index.points) == bool(index.count) and index.count <= index.next)
-        numbers = [point[0] for point in index.points]
-        offsets = [point[1] for point in index.points]
-        latest = [point[2] for point in index.points[1:]]
-        counts = list(index.counts.values())
-        _demand(
-            all(
-                isinstance(number, int)
-                for number in [index.next] + index.headers + counts + numbers + offsets + latest
-            )
-        )
-        _demand(latest == sorted(latest) and all(a < b for a, b in zip(numbers, numbers[1:])))
-        _demand(all(0 <= offset < position for offset in index.headers + offsets))
-        for offset in index.headers[1:]:
-            self._file.seek(offset)
-            kind, body = blocks.read(self._file, position - offset)
-            _demand(kind == blocks.HEADER)
-            self._header(offset, body)
-        if index.count:
-            self._compare(index, numbers, offsets, position)
-        return index
+    def _index(self, stretch, contents):
+        """The ChunkIndex of a Stretch, which is counted in `contents`; b"" for messages in no chunk."""
+        counts, places, after = self._indexes(stretch.end)
+        if not stretch.is_chunk or sum(counts.values()) != stretch.count:
+            counts = {channel: len(flat) // 2 for channel, flat in self._times(stretch).items()}
+            places = {}
+            after = stretch.end
+        contents.add_chunk(stretch.first, stretch.last, counts)
+        if not stretch.is_chunk:
+            contents.chunks -= 1
+            return b""
+        chunk = mcap.Chunk(self._octets(stretch.offset, min(mcap.BEGINNING, stretch.end - stretch.offset)))
+        length = stretch.end - stretch.offset
+        return mcap.chunk_index_record(chunk, stretch.offset, length, places, after - stretch.end)
 
-    def _compare(self, index, numbers, offsets, position):
-        """Check that the points are at records of their numbers,
-        and that the last record is the one it names.
-        """
-        for number, offset in zip(numbers, offsets):
-            self._file.seek(offset)
-            _demand(blocks.read_number(self._file, position - offset) == number)
-        last = None
-        for _, last in self._records(offsets[-1], position):
-            pass
-        _demand(
-            last is not None
-            and last.number == index.next - 1
-            and last.received == index.last
-            and is_moment(index.first)
-        )
+    def _times(self, stretch):
+        """{channel's id: [log time, offset in the chunk, log time, …]} of the messages in a Stretch"""
+        octets = self._records(stretch) or b""
+        found = {}
+        for kind, at, _, end in _walk(octets):
+            if kind == mcap.MESSAGE and end - at >= mcap.MESSAGE_HEAD.size:
+                _, _, channel, _, moment, _ = mcap.MESSAGE_HEAD.unpack_from(octets, at)
+                found.setdefault(channel, []).extend((moment, at))
+        return found
 
-    def _scanned(self):
-        """(an index made by reading the whole file, the offset after the last whole block)"""
-        index = Index()
-        start = len(blocks.MAGIC)
-        self.channels = []
-        self._maps = {}
-        self._numbers = {}
-        for offset, entry in self._records(start, self.size):
-            index.add(offset, entry.number, entry.received, self.channels[entry.channel].name)
-        self.torn = self.size - self._whole
-        index.headers = sorted(self._maps)
-        return index, self._whole
+    def lacking(self):
+        """(offset, octets) of the MessageIndex records of the last chunk, which has not all of its own; None: it has."""
+        if not self._stretches or not self._stretches[-1].is_chunk:
+            return None
+        stretch = self._stretches[-1]
+        if sum(self._indexes(stretch.end)[0].values()) == stretch.count:
+            return None
+        return stretch.end, mcap.message_indexes(self._times(stretch), stretch.end)[0]
 
 
-def _entry(body, channels, before):
-    number, received, channel, flags = blocks.ENTRY.unpack_from(body)
-    if channel >= len(channels) or not before < number < 1 << 62:
-        raise blocks.Damaged("a record that cannot be")
-    return Entry(
-        number, received, channels[channel], bool(flags & blocks.LITTLE), body[blocks.ENTRY.size :], None
-    )
+def _walk(octets):
+    """The records of a chunk as mcap.walk gives them, as far as they are whole."""
+    try:
+        yield from mcap.walk(octets)
+    except mcap.Damaged:
+        pass
 
 
-def _demand(condition):
-    if not condition:
-        raise ValueError("an index that does not agree with the file")
+def _channel(topic, schema, encoding, about):
+    """The Channel for what a file says; one that we wrote describes its type, and where it comes from."""
+    description = about.get("description", "").encode("ascii", "replace")
+    try:
+        sources = json.loads(about.get("sources", "[]"))
+    except (ValueError, RecursionError):
+        sources = []
+    if not isinstance(sources, list):
+        sources = []
+    sources = tuple(source for source in sources[:MOST] if isinstance(source, str))
+    more = tuple(sorted((k, v) for k, v in about.items() if k not in ("type", "description", "sources")))
+    if "type" in about:
+        return Channel(topic, about["type"], description, sources, encoding, None, more)
+    if schema is None:
+        return Channel(topic, "", b"", sources, encoding, None, more)
+    identifier = schema[0]
+    if encoding == "cdr":
+        identifier = schemas.type_id(schema[0])
+    return Channel(topic, identifier, b"", sources, encoding, schema, more)

@@ -9,16 +9,18 @@ import time
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, datatypes, inbox, port_arguments, reading
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import blocks, decode
+from rtshell_lite.datalog import decode, mcap
 from rtshell_lite.datalog.records import Channel
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
 VALUES = 200000  # that may wait to be written
+OCTETS = 32 << 20  # of them
+GATHER = 0.1  # seconds for which values are gathered: what a kill -9 costs
 TICK = 0.1  # seconds between two looks whether recording is over
 TIMESTAMP = 8  # octets
-SYNC = 5.0  # seconds between two fsyncs: what a power failure costs
+SYNC = 1.0  # seconds between two fsyncs: what a power failure costs
 
 
 class Channels:
@@ -60,9 +62,9 @@ class Channels:
             self.notes.append(f"{where}: recorded as bytes: {e}")
         self.types.append(type)
         if type:
-            self.found.append(Channel(name, type.id, type.to_bytes(), [where]))
+            self.found.append(Channel(name, type.id, type.to_bytes(), [where], "cdr", None, ()))
         else:
-            self.found.append(Channel(name, type_id, b"", [where]))
+            self.found.append(Channel(name, type_id, b"", [where], "cdr", None, ()))
         return len(self.found) - 1
 
 
@@ -79,7 +81,7 @@ class Recorder:
         """`types`: the datatypes.Type of each channel or None,
         a list that may grow until the first message.
         """
-        self.box = inbox.Inbox(VALUES)
+        self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
         self._most = most
         self._types = types
         self.count = self.octets = self.repeated = 0
@@ -126,7 +128,7 @@ class Recorder:
             self.failure = self.failure or e
 
     def _fits(self, channel, message):
-        if len(message.data) <= blocks.LARGEST:
+        if len(message.data) <= mcap.LARGEST:
             return True
         self.box.dropped[channel] += 1
         return False
@@ -192,7 +194,7 @@ class Limits:
 
 
 class File:
-    """The file to record to: `name`, None for one made from the time; `form`: rtlog, simpkl or text;
+    """The file to record to: `name`, None for one made from the time; `form`: mcap, simpkl or text;
     whether to append.
     """
 
@@ -207,14 +209,14 @@ class File:
         """
         name = self.name
         if name is None:
-            name = "rtlog_%d.rtlog" % time.time()
+            name = "rtlog_%d.mcap" % time.time()
             notes.note(f"recording to {name}")
         if self.form == "text":
             from rtshell_lite.datalog import textlog
 
             return textlog.Writer(name, channels.found, channels.types, self.append)
         if self.form == "simpkl":
-            notes.note("simpkl files are only read; recording in rtlog's own form")
+            notes.note("simpkl files are only read; recording as MCAP")
         from rtshell_lite.datalog import writer
 
         return writer.Writer(name, channels.found, begun, self.append)

@@ -3,11 +3,13 @@
 import collections
 
 # A stream in a log: its name for playing, its data type's id, that type as bytes (b"": unknown), the ports it
-# came from.
-Channel = collections.namedtuple("Channel", "name type_id typecode sources")
+# came from; the encoding of its messages (cdr, json, …), and what the file says of their type, where somebody
+# else wrote it: (name, encoding, data), or None; what else is known of it, texts by name.
+Channel = collections.namedtuple("Channel", "name type_id typecode sources encoding schema about")
+Channel.__new__.__defaults__ = ("cdr", None, ())
 
 # One message: its number, when it arrived (ns since the epoch), its channel's number, and either its CDR and
-# whether that is little-endian, or (simpkl) its `value` of dicts, lists, text and numbers.
+# whether that is little-endian, or (simpkl, JSON) its `value` of dicts, lists, text and numbers.
 Entry = collections.namedtuple("Entry", "number received channel little data value")
 
 

@@ -24,6 +24,7 @@ class Log:
     """
 
     form = "simpkl"
+    attachments = ()
 
     def __init__(self, file, where, size, modules=()):
         """Read the header; `modules` are names of Python modules whose classes may appear.
@@ -148,7 +149,7 @@ class Log:
 
 def _channel(fields):
     sources = [_text(source) for source in fields.get("_raw_specs") or ()]
-    return Channel(_text(fields["_name"]), _text(fields["_type_name"]), b"", tuple(sources))
+    return Channel(_text(fields["_name"]), _text(fields["_type_name"]), b"", tuple(sources), "cdr", None, ())
 
 
 def _moment(seconds, nanoseconds):

@@ -1,14 +1,39 @@
-"""Writing log files."""
+"""Writing log files: MCAP whose chunks are written whole, so that the file can be read at any time."""
 
+import json
 import os
 import stat
+import struct
+import tempfile
 
 from rtshell_lite import __version__, errors, files, text
-from rtshell_lite.datalog import blocks
-from rtshell_lite.datalog.index import Index
+from rtshell_lite.data import datatypes
+from rtshell_lite.datalog import decode, mcap, schemas
+from rtshell_lite.datalog.mcap import CHUNK_SIZE
 
-CHUNK = 1 << 20  # octets given to the operating system at once
 LARGE = 1 << 16  # octets of a part that is written without being copied
+INDEXES = 4 << 20  # octets of ChunkIndex records that are kept in memory; more are in a temporary file
+STAMPS = {True: struct.Struct("<II"), False: struct.Struct(">II")}  # by byte order
+
+
+class Stream:
+    """What a Writer knows of a channel: its `id` in the file, how many messages it has (`count`), and whether
+    they begin with a timestamp.
+    """
+
+    def __init__(self, channel, number):
+        self.channel = channel
+        self.id = number
+        self.count = 0
+        self.is_plain = channel.encoding != "cdr"
+        self.is_stamped = False
+
+    def published(self, moment, little, data):
+        """When a message says that it was made, ns since the epoch; else when it arrived."""
+        if not self.is_stamped or len(data) < 8:
+            return moment
+        seconds, nanoseconds = STAMPS[little].unpack_from(data)
+        return seconds * 10**9 + nanoseconds or moment
 
 
 class Writer:
@@ -17,75 +42,66 @@ class Writer:
     def __init__(self, name, channels, begun, append=False):
         """Create the file with its header, or prepare it for appending. Raises errors.Failed, too.
 
-        `begun` is when recording began, ns since the epoch. An old file of that name is replaced when the
+        `begun` is when recording began, ns since the epoch; `channels` are those of which messages come: None to
+        only complete an old file. An old file of that name is replaced when the
         header of the new one is on the disk.
         """
         self.name = name
-        self.channels = channels
+        self.streams = []
+        self._begun = begun
         self._synced = True
         self._failed = False
-        # end: offset after the last whole block
-        self.index = Index()
-        self.end = 0
-        header = blocks.text(
-            blocks.HEADER,
-            {
-                "created": begun,
-                "program": "rtlog " + __version__,
-                "channels": [
-                    {
-                        "name": channel.name,
-                        "type": channel.type_id,
-                        "sources": list(channel.sources),
-                        "typecode": channel.typecode.hex() if channel.typecode else None,
-                    }
-                    for channel in channels
-                ],
-            },
-        )
+        self.end = 0  # offset after the last whole record
+        self.contents = mcap.Contents()
+        self._indexes = tempfile.SpooledTemporaryFile(INDEXES)
+        self._schemas = {}  # (name, encoding, data): id
+        self._known = {}  # (topic, schema, encoding, metadata): id of a channel
         self._file = None
         try:
             self._target = files.destination(name)
             if append and os.path.exists(name) and os.path.getsize(name):
-                self._go_on(header)
+                self._go_on(channels)
             else:
-                self._create(header)
+                self._create(channels)
         except (errors.Failed, OSError) as e:
+            self._indexes.close()
             if self._file:
                 self._file.close()
             if isinstance(e, OSError) and str(e.filename).endswith(".tmp"):
                 e.filename = name  # the one that the user knows
             raise
 
-    def _create(self, header):
+    channels = property(lambda self: [stream.channel for stream in self.streams])
+
+    def _create(self, channels):
         if files.is_special(self._target):
             self._file = files.open_special(self._target, 0)
-            self._start(header)
+            self._start(channels)
         elif os.path.exists(self._target):
-            self._replace(header)
+            self._replace(channels)
         else:
-            self._create_first(header)
+            self._create_first(channels)
 
-    def _create_first(self, header):
+    def _create_first(self, channels):
         try:
             self._file = files.create(self._target, buffering=0)
         except FileExistsError:  # since the last look
             raise errors.Failed(text.printable(self.name), "another rtlog is recording to it")
         begun = False
         try:
-            self._begin(header, self._target)
+            self._begin(channels, self._target)
             begun = True
         finally:  # also after Ctrl-C
             if not begun and _is_still(self._file, self._target):
                 os.remove(self._target)
 
-    def _replace(self, header):
+    def _replace(self, channels):
         with open(self._target, "rb") as old:
             self._lock(old, self._target)
             temporary = files.Temporary(self._target, 0)
             try:
                 self._file = temporary.file
-                self._begin(header, temporary.path)
+                self._begin(channels, temporary.path)
                 temporary.take_place()
             finally:
                 temporary.remove()
@@ -98,81 +114,134 @@ class Writer:
         if not _is_still(file, path):
             raise errors.Failed(text.printable(self.name), "another rtlog is recording to it")
 
-    def _begin(self, header, path):
+    def _begin(self, channels, path):
         """Write the header of a new file to the disk."""
         self._lock(self._file, path)
-        self._start(header)
+        self._start(channels)
         os.fsync(self._file.fileno())
 
-    def _start(self, header):
-        self._put([blocks.MAGIC])
-        self.index.headers.append(self.end)
-        self._put([header])
+    def _start(self, channels):
+        self._put([mcap.MAGIC + mcap.header("rtlog " + __version__)])
+        self._begin_part(channels)
 
-    def _go_on(self, header):
-        from rtshell_lite.datalog import reader
+    def _begin_part(self, channels):
+        """Say when this part of the recording began, and describe its channels."""
+        described = mcap.metadata_record("rtlog", {"created": str(self._begun)})
+        self.contents.add_metadata(self.end, len(described), "rtlog")
+        self._put([described])
+        for channel in channels:
+            self.add(channel)
+
+    def _go_on(self, channels):
+        from rtshell_lite.datalog import logfile
 
         self._file = open(self._target, "r+b", 0)
         lock(self._file, self.name)
-        if self._file.read(len(blocks.MAGIC)) != blocks.MAGIC:
+        if self._file.read(len(mcap.MAGIC)) != mcap.MAGIC:
             raise errors.Failed(text.printable(self.name), "not a log that can be appended to")
-        size = os.fstat(self._file.fileno()).st_size
-        with open(self._target, "rb") as file:
-            old = reader.Log(file, text.printable(self.name), size)
-            self._check(old.channels)
-            self.end = old.scan(self.index)
+        with logfile.load(self._target) as old:
+            _check(self.name, channels or [], old.channels)
+            self.end = old.end
             if not self._is_torn(old.torn):
                 raise errors.Failed(
                     text.printable(self.name),
                     "it is damaged %d octets before its end, which would be lost; "
                     "record to another file" % old.torn,
                 )
-        os.ftruncate(self._file.fileno(), self.end)
-        self._file.seek(self.end)
-        self.index.headers.append(self.end)
-        self._put([header])
+            lacking = b""
+            if not old.closed:
+                self.end, lacking = old.lacking() or (old.end, b"")
+            self._cut()
+            self._file.seek(self.end)
+            self._put([lacking])
+            self.contents, self._schemas, self._known, indexes = old.contents()
+        for index in indexes:
+            self._indexes.write(index)
+        if channels is not None:
+            self._begin_part(channels)
 
     def _is_torn(self, size):
         """Whether the last `size` octets are what a sudden end leaves, not records after a damaged one."""
         self._file.seek(self.end)
-        head = self._file.read(blocks.BLOCK.size)
-        if size <= CHUNK or not head.strip(b"\0"):  # file systems leave zeros after a power failure
+        head = self._file.read(mcap.HEAD.size)
+        if size <= CHUNK_SIZE or not head.strip(b"\0"):  # file systems leave zeros after a power failure
             return True
-        kind, length, _ = blocks.BLOCK.unpack(head)
-        return (
-            kind == blocks.RECORD and size - blocks.BLOCK.size <= length <= blocks.ENTRY.size + blocks.LARGEST
-        )
+        kind, length = mcap.HEAD.unpack(head)
+        is_cut = size - mcap.HEAD.size <= length <= mcap.LARGEST + CHUNK_SIZE
+        return kind in (mcap.CHUNK, mcap.ATTACHMENT, mcap.DATA_END) and is_cut
 
-    def _check(self, old):
-        types = {channel.name: channel.type_id for channel in old}
-        for channel in self.channels:
-            if types.get(channel.name, channel.type_id) != channel.type_id:
-                raise errors.Failed(
-                    text.printable(self.name),
-                    "%s is of type %s in it, not %s"
-                    % (
-                        text.printable(channel.name),
-                        text.printable(types[channel.name]),
-                        text.printable(channel.type_id),
-                    ),
-                )
+    def add(self, channel):
+        """Add a records.Channel, of which messages will come; returns its number, counted from 0."""
+        type = _described(channel)
+        schema = channel.schema or type and schemas.of_type(type)
+        about = dict(channel.about)
+        if channel.sources:
+            about["sources"] = json.dumps(list(channel.sources))
+        if channel.schema is None:
+            about.update(type=channel.type_id, description=channel.typecode.decode("ascii", "replace"))
+        stream = Stream(channel, self._channel_id(channel, schema, about))
+        if type and channel.encoding == "cdr":
+            stream.is_stamped = decode.place_of_timestamp(type.descriptor) == decode.FIRST
+        self.streams.append(stream)
+        return len(self.streams) - 1
+
+    def _channel_id(self, channel, schema, about):
+        """The id of a channel, which is written unless the file has it."""
+        key = (channel.name, schema, channel.encoding, tuple(sorted(about.items())))
+        if key not in self._known:
+            number = max(self._known.values(), default=-1) + 1
+            schema_number = 0
+            if schema:
+                schema_number = self._schema_id(schema)
+            made = mcap.channel_record(number, schema_number, channel.name, channel.encoding, about)
+            self._put([made])
+            self.contents.records[mcap.CHANNEL].append(made)
+            self._known[key] = number
+        return self._known[key]
+
+    def _schema_id(self, schema):
+        if schema not in self._schemas:
+            number = max(self._schemas.values(), default=0) + 1
+            made = mcap.schema_record(number, *schema)
+            self._put([made])
+            self.contents.records[mcap.SCHEMA].append(made)
+            self._schemas[schema] = number
+        return self._schemas[schema]
 
     def write(self, messages):
         """Append messages, each (channel number, received, little, data),
         and pass them to the operating system.
         """
-        parts = []
-        size = 0
+        packer = mcap.Packer()
+        counts = {}
         for channel, received, little, data in messages:
-            block = blocks.entry(self.index.next, received, channel, little, data)
-            self.index.add(self.end + size, self.index.next, received, self.channels[channel].name)
-            parts += block
-            size += sum(map(len, block))
-            if size >= CHUNK:
-                self._put(parts)
-                parts = []
-                size = 0
-        self._put(parts)
+            stream = self.streams[channel]
+            moment = max(received, 0)
+            prefix = b""
+            if not stream.is_plain:
+                prefix = mcap.PREFIXES[little]
+            packer.add(stream.id, stream.count, moment, stream.published(moment, little, data), prefix, data)
+            stream.count += 1
+            counts[stream.id] = counts.get(stream.id, 0) + 1
+            if packer.size >= CHUNK_SIZE:
+                self._write(packer, counts)
+                packer = mcap.Packer()
+                counts = {}
+        if counts:
+            self._write(packer, counts)
+
+    def _write(self, packer, counts):
+        octets, index = packer.records(list(_pieces(packer.parts)), self.end)
+        self._put(octets)
+        self.contents.add_chunk(packer.first, packer.last, counts)
+        self._indexes.write(index)
+
+    def attach(self, moment, name, media_type, data):
+        """Put a file into the log: `data` are its octets, `moment` is ns since the epoch."""
+        made = mcap.attachment_record(moment, name, media_type, data)
+        index = mcap.attachment_index(moment, name, media_type, len(data), self.end, len(made))
+        self._put([made])
+        self.contents.records[mcap.ATTACHMENT_INDEX].append(index)
 
     def _put(self, parts):
         size = 0
@@ -207,13 +276,24 @@ class Writer:
         self._synced = True
 
     def close(self):
-        """Write the index, flush to the disk, and close."""
+        """Write the summary, flush to the disk, and close."""
         try:
             if not self._failed:
-                self._put([self.index.block(self.end)])
+                self._close()
             self.sync()
         finally:
             self._file.close()
+            self._indexes.close()
+
+    def _close(self):
+        closing = mcap.Closing(self.contents, self.end)
+        data_end = self.end
+        self._put([closing.begin])
+        self._indexes.seek(0)
+        for portion in iter(lambda: self._indexes.read(CHUNK_SIZE), b""):
+            self._put([closing.chunk_indexes(portion)])
+        self._put([closing.end()])
+        self.end = data_end
 
 
 def _pieces(parts):
@@ -227,6 +307,27 @@ def _pieces(parts):
         yield part
         small = []
     yield b"".join(small)
+
+
+def _described(channel):
+    """The datatypes.Type that a channel comes with, or None."""
+    if not channel.typecode:
+        return None
+    try:
+        return datatypes.from_bytes(channel.typecode)
+    except errors.BadType:
+        return None
+
+
+def _check(name, channels, old):
+    """Raise errors.Failed when one of the channels is in the file already, with another type."""
+    types = {channel.name: channel.type_id for channel in old}
+    for channel in channels:
+        if types.get(channel.name, channel.type_id) != channel.type_id:
+            words = (channel.name, types[channel.name], channel.type_id)
+            raise errors.Failed(
+                text.printable(name), "%s is of type %s in it, not %s" % tuple(map(text.printable, words))
+            )
 
 
 def _is_still(file, name):

@@ -35,7 +35,7 @@ A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose
     Sources:
       /localhost/Src0.rtc:out.numbers
   $ rtlog -d --json -f old.rtlog
-  {"channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "old.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1103, "started": 1795247464.7500002, "torn": 0}
+  {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "old.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1103, "started": 1795247464.7500002, "torn": 0}
   $ TZ=Asia/Tokyo rtlog -d -f python2.rtlog
   Name: python2.rtlog
   Size: 797B
@@ -43,6 +43,7 @@ A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose
   First entry time: 2026-11-21 16:51:04 (1795247464.750000000)
   End time: 2026-11-21 16:51:04 (1795247464.760000000)
   Number of entries: 2
+  State: INCOMPLETE, whole up to octet 797
   Channel 1
     Name: numbers
     Data type: IDL:RTC/TimedLong:1.0
@@ -81,7 +82,7 @@ Cut off in the middle, and with something else inside, what is whole is read:
   1,1795247464.760000000,numbers,1001,5,7
   rtlog: cut.rtlog: the last 83 octets cannot be read and are left out: it does not end
   $ (cat old.rtlog; printf 'cos\nsystem\n(S"touch /tmp/x"\ntR.') > evil.rtlog; rtlog -d --json -f evil.rtlog
-  {"channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
+  {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
   rtlog: evil.rtlog: the last 31 octets cannot be read and are left out: os.system is not a class that a log holds; -m MODULE names a module of your own
 
 Classes of other modules than the standard ones are taken when their module is named, or an IDL file with their types; nothing
@@ -104,6 +105,56 @@ is imported:
   $ rtlog --json --idl arm.idl -f own.rtlog | head -n 1; rtlog -d --idl arm.idl -f own.rtlog | grep -c Arm
   {"number": 0, "port": "numbers", "received": 1795247464.7500002, "type": "IDL:Arm/TimedLong:1.0", "value": {"data": 0, "tm": {"nsec": 5, "sec": 1000}}}
   1
+
+MCAP that somebody else wrote, with a type in the words of ROS, and with messages of JSON; and cut off:
+
+  $ base64 -d << END | gzip -d > other.mcap
+  > H4sIAAAAAAACA+v0dXYMMODlYpRkQABBIM5NTizQLagsycjP0zfUM9MzYOtlhMmnLN+87QEvjE6Fipu/veYEomF85n1Q5YxgA4tK
+  > kvVzi9P1QzJzU1N88vPS2UGC+cVGQMEZUHmQnEJJLldmXomxkUJKYkmigrJCokJeaW5SahGXLZUBl2+wu5UCzF6uUoitxanJMGYe
+  > iM0iDfcGIwMHkNaHOKeYGchOTikCe1UeqoaJgRVIBpcklqRyARlZxfl5xckZqbmJTEBedS2LFFwdEwMbyKxikFIWqFKQDKsa3Dps
+  > gQ0SfgG0mRUqyy4GVy6ApNwMqpstCGbMqX+PwPrb5ntsBdJaUPE0kZIlIBrGR7cepg3J+pdQ69mxKJ8yU24LmvJXUOV8WJTHmUSh
+  > K38NVS6KRbnG+anoyt9AlctgUf4p8yK68rdQ5cog5WbwyAADaMjAlFcr5eanpCpZKSiVJ+ZkK+koKOWkphcD+dGGOgpGsbXsYXDb
+  > AlBCigElKPRhfKhf42B8qGd6YXyoa/egRywTJGKhrnsNFeVnQcqvwySnEZ2LiMiRROQ0bidYUCMpRQAm5NwHDX0RsKVscBWwzMXh
+  > xYC9bNSCik6DquQCG3AAypNHsg5WasJojhAG7Dn3PlRBNJSGuMmKGeammVBWHZLhsNwNo/kEYSnnKFT1ewY0GZYt0BTmji7D/Rsq
+  > 440uw+EGLZY2oMtwfWNlQAFwGV50GSYRKAPmNJiCk5qWhp3Q6goADruKmrcGAAA=
+  > END
+  $ rtlog --json -f other.mcap
+  {"number": 0, "port": "/numbers", "received": 1000000000.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 0, "tm": {"nsec": 5, "sec": 1000}}}
+  {"number": 1, "port": "/numbers", "received": 1000000001.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 7, "tm": {"nsec": 5, "sec": 1001}}}
+  {"number": 2, "port": "/numbers", "received": 1000000002.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 14, "tm": {"nsec": 5, "sec": 1002}}}
+  {"number": 3, "port": "/numbers", "received": 1000000003.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 21, "tm": {"nsec": 5, "sec": 1003}}}
+  {"number": 4, "port": "/numbers", "received": 1000000004.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 28, "tm": {"nsec": 5, "sec": 1004}}}
+  {"number": 5, "port": "/numbers", "received": 1000000005.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 35, "tm": {"nsec": 5, "sec": 1005}}}
+  {"number": 6, "port": "/state", "received": 1000000007.0, "type": "State", "value": {"legs": [1, 2], "mode": "walk"}}
+  $ rtlog --csv -f other.mcap | head -n 2
+  number,received,port,tm.sec,tm.nsec,data,mode,legs[0],legs[1]
+  0,1000000000.000000000,/numbers,1000,5,0,,,
+  $ head -c 1000 other.mcap > torn.mcap; rtlog -d -f torn.mcap 2>&1 | grep 'INCOMPLETE\|torn'
+  Name: torn.mcap
+  State: INCOMPLETE, whole up to octet 952
+  rtlog: torn.mcap: the last 48 octets are no whole record and are left out
+
+For others it is made whole in a copy, or in place:
+
+  $ rtlog --mend torn.mcap
+  rtlog: torn.mcap: the last 48 octets are no whole record and are left out
+  $ rtlog -d --json -f torn-mended.mcap | grep -o '"closed.*damaged": 0\|"entries": [0-9]*, "file'
+  "closed": true, "damaged": 0
+  "entries": 7, "file
+  $ rtlog --mend torn.mcap
+  rtlog: torn-mended.mcap: exists already; -f OUT names another file
+  [1]
+  $ rtlog -q --mend torn.mcap -f out.mcap; cmp out.mcap torn-mended.mcap
+  $ rtlog -q --mend torn.mcap --in-place; cmp out.mcap torn.mcap
+  $ rtlog --mend old.rtlog
+  rtlog: old.rtlog: a log of rtshell; only MCAP can be mended
+  [1]
+  $ rtlog --mend torn.mcap -d
+  rtlog: --mend takes only -f OUT or --in-place (see --help)
+  [2]
+  $ rtlog --in-place -d -f torn.mcap
+  rtlog: --in-place is for --mend (see --help)
+  [2]
 
 Not logs:
 
@@ -128,7 +179,7 @@ Not logs:
   $ printf '\200\004cos\nsystem\n.' > x; rtlog -d -f x
   rtlog: x: its header cannot be read: os.system is not a class that a log holds; -m MODULE names a module of your own
   [1]
-  $ printf '\211RTLOG\r\n' > x; rtlog -d -f x
+  $ printf '\211MCAP0\r\n' > x; rtlog -d -f x
   rtlog: x: its header is damaged, nothing can be read
   [1]
 

@@ -10,7 +10,7 @@ A number of entries, over all ports; nothing is left behind in the components, a
   rtlog: 5 messages, 60 octets recorded
   $ TZ=UTC rtlog -d -f a.rtlog | sed 's/[0-9]\{4\}-.*/TIME/'
   Name: a.rtlog
-  Size: 908B
+  Size: 1.79KiB (1829B)
   Start time: TIME
   First entry time: TIME
   End time: TIME
@@ -82,11 +82,11 @@ Until a time; -1, or no end at all, is until Ctrl-C, and stdin does not matter:
 Without a file name there is one of the time; -q does not report it:
 
   $ mkdir here; cd here; rtlog -i -e 1 Source0.rtc:number 2>&1 | sed 's/[0-9]\{5,\}/EPOCH/'; ls | sed 's/[0-9]\{5,\}/EPOCH/'; cd ..
-  rtlog: recording to rtlog_EPOCH.rtlog
+  rtlog: recording to rtlog_EPOCH.mcap
   rtlog: Recording 1 entries.
-  rtlog_EPOCH.rtlog
+  rtlog_EPOCH.mcap
   $ cd here; rm *; rtlog -q -i -e 1 Source0.rtc:number; ls | sed 's/[0-9]\{5,\}/EPOCH/'; cd ..
-  rtlog_EPOCH.rtlog
+  rtlog_EPOCH.mcap
 
 A file of that name is replaced, not before there is something to record; --append goes on with it:
 
@@ -111,13 +111,13 @@ A file of that name is replaced, not before there is something to record; --appe
 
 A file that was cut off is read up to its last whole record, and can be appended to:
 
-  $ head -c 800 a.rtlog > cut.rtlog; rtlog -q --csv -f cut.rtlog | cut -d, -f1,3
+  $ head -c 1000 a.rtlog > cut.rtlog; rtlog -q --csv -f cut.rtlog | cut -d, -f1,3
   number,port
   0,numbers
   1,numbers
   2,numbers
   $ rtlog -d --json -f cut.rtlog 2>&1 | sed 's/.*closed/closed/; s/[0-9][0-9.]\{2,\}/N/g'
-  closed": false, "damaged": 0, "entries": 3, "file": "cut.rtlog", "first": N, "form": "rtlog", "last": N, "size": N, "started": N, "torn": N}
+  closed": false, "damaged": 0, "entries": 3, "file": "cut.rtlog", "first": N, "form": "mcap", "last": N, "size": N, "started": N, "torn": N}
   rtlog: cut.rtlog: the last N octets are no whole record and are left out
   $ rtlog -q -i -e 1 --append -f cut.rtlog Source0.rtc:number.numbers; rtlog -d --json -f cut.rtlog | grep -o '"closed": [a-z]*\|"torn": [0-9]*'
   "closed": true
@@ -147,9 +147,9 @@ In the two other forms of rtshell: text, and simpkl, which is only read:
   rtlog: Recording 1 entries.
   3
   $ rtlog -l simpkl -i -e 1 -f s.log Source0.rtc:number; rtlog -d --json -f s.log | grep -o 'form": "[a-z]*'
-  rtlog: simpkl files are only read; recording in rtlog's own form
+  rtlog: simpkl files are only read; recording as MCAP
   rtlog: Recording 1 entries.
-  form": "rtlog
+  form": "mcap
 
 Fetched instead of pushed; with properties of the connection, as in rtcon:
 
@@ -182,7 +182,7 @@ Wrong usage:
   rtlog: -s is for playing (see --help)
   [2]
   $ rtlog Source0.rtc:number -l foo
-  rtlog: argument -l/--logger: not one of rtlog, simpkl, text: foo (see --help)
+  rtlog: argument -l/--logger: not one of mcap, simpkl, text: foo (see --help)
   [2]
   $ rtlog Source0.rtc:number -t x
   rtlog: argument -t/--timeout: not a number of seconds above 0: x (see --help)
@@ -228,4 +228,4 @@ invocation: -p -f LOG A:in
 invocation: -p --anyway -f LOG A:in
 lasting: -f OUT A:out
 prepared: rtec Source0.rtc rate 200; rtact Source0.rtc ConsoleOut0.rtc
-example: rtlog --json -f run.rtlog | grep force <- rtlog -f run.rtlog -t 1 Source0.rtc:number.force
+example: rtlog --json -f run.mcap | grep force <- rtlog -f run.mcap -t 1 Source0.rtc:number.force

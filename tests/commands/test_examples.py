@@ -53,7 +53,7 @@ NAMES = [
     (r"(rtvlog.*) Arm0.rtc", r"\1"),
     ("Arm0.rtc:status", "Source0.rtc:number"),
     ("Arm0.rtc:joints", "Source0.rtc:number"), ("Hand0.rtc:force", "Source0.rtc:number"), ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
-    ("rtlog -f run.rtlog -t 60", "rtlog -f run.rtlog -t 1"), ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
+    ("rtlog -f run.mcap -t 60", "rtlog -f run.mcap -t 1"), ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
     (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
     ("/robot1:2809", "/localhost:@PORT@"),

@@ -159,9 +159,27 @@ def _prepared(python, wheel):
 
 
 def prepare_compat(python):
-    """An environment with the real libraries for profiles, from the package index; returns its interpreter. Raises Failed."""
-    words = ["PyYAML", "rtsprofile-aist"]
-    return _environment(python, os.path.join(STORE, "compat-" + python.full), " ".join(words), words, "yaml, rtsprofile")
+    """An environment with the real libraries for profiles and logs, from the package index; returns its interpreter. Raises
+    Failed.
+    """
+    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support"]
+    return _environment(python, os.path.join(STORE, "compat-" + python.full), " ".join(words), words, "yaml, rtsprofile, mcap, mcap_ros2")
+
+
+def prepare_npm():
+    """The directory of the packages that read logs in JavaScript; None where npm cannot install them."""
+    directory = os.path.join(STORE, "compat-npm")
+    modules = os.path.join(directory, "node_modules")
+    words = ["@mcap/core", "@foxglove/rosmsg", "@foxglove/rosmsg2-serialization", "@foxglove/omgidl-parser",
+             "@foxglove/omgidl-serialization"]
+    if not all(os.path.isdir(os.path.join(modules, word)) for word in words):
+        os.makedirs(directory, exist_ok=True)
+        try:
+            subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", directory] + words,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300, check=True)
+        except (OSError, subprocess.SubprocessError):
+            return None
+    return modules
 
 
 def fetch_omniorb(python):

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import tempfile
+import zlib
 
 import random_profiles
 import random_values
@@ -13,7 +14,7 @@ from rtshell_lite import errors, path, text
 from rtshell_lite.giop import descriptors
 from rtshell_lite.data import datatypes, literals, type_json, values
 from rtshell_lite.data.idl import parser, tokens
-from rtshell_lite.datalog import blocks, decode, export, logfile, records, writer
+from rtshell_lite.datalog import decode, export, logfile, mcap, records, writer
 from rtshell_lite.xmlprofile import rtsprofile
 
 IDL = os.path.join(os.path.dirname(tokens.OWN), "idl")
@@ -89,8 +90,8 @@ class Yaml(Profiles):
 
 class Logs(Target):
     name = "logs"
-    words = [bytes([number]) for number in range(256)] + [b"rtlogend", blocks.MAGIC, b'"', b"[", b"]", b"{", b"null", b'"channels":',
-                                                          b"cos\nsystem\n", b"R.", b"\x8c\x05"]
+    words = [bytes([number]) for number in range(256)] + [mcap.MAGIC, mcap.BIG, mcap.LITTLE, b'"', b"[", b"]", b"{", b"null", b"cdr",
+                                                          b"json", b"ros2msg", b"omgidl", b"cos\nsystem\n", b"R.", b"\x8c\x05"]
 
     def prepare(self):
         self._directory = tempfile.TemporaryDirectory()
@@ -109,15 +110,24 @@ class Logs(Target):
         data = [long.encode(values.Expression("1", None, long).value(1.5)), b"own", texts.encode(
             values.Expression('["a", "\\u65e5"]', None, texts).value(1.5))]
         out.write([(i % 3, 10 ** 18 + i * 10 ** 6, True, data[i % 3]) for i in range(count)])
-        out.close() if closed else out._file.close()
+        if closed:
+            out.close()
+        else:
+            out._file.close()
+            out._indexes.close()
         return content(self.file)
 
     def make(self, rng):
-        """Half of the cases of our form have good checksums, so that what follows them is fuzzed, too."""
+        """Half of the cases of MCAP have good lengths and checksums, so that what follows them is fuzzed, too."""
         data = rng.choice(self.seeds)
-        if not data.startswith(blocks.MAGIC) or rng.random() < 0.5:
+        if not data.startswith(mcap.MAGIC) or rng.random() < 0.5:
             return spoilt(rng, data, self.words, self.seeds)
-        bodies = list(_blocks(data))
+        octets = data[len(mcap.MAGIC):]
+        return mcap.MAGIC + self._rebuilt(rng, octets[:-len(mcap.MAGIC)] if octets.endswith(mcap.MAGIC) else octets, data)
+
+    def _rebuilt(self, rng, octets, data):
+        """Records, of which one or two are spoilt; those within a chunk, too."""
+        bodies = [(kind, octets[start:end]) for kind, _, start, end in mcap.walk(octets)]
         for _ in range(rng.choice((1, 1, 2))):
             chance, at = rng.random(), rng.randrange(len(bodies))
             kind, body = bodies[at]
@@ -125,10 +135,14 @@ class Logs(Target):
                 del bodies[at]
             elif chance < 0.2:
                 bodies.insert(at, rng.choice(bodies))
+            elif kind == mcap.CHUNK and chance < 0.7:
+                inner = spoilt(rng, body[40:], self.words, [data])
+                bodies[at] = (kind, mcap.CHUNK_HEAD.pack(0, 1 << 62, len(inner), zlib.crc32(inner)) + mcap.string("") +
+                              len(inner).to_bytes(8, "little") + inner)
             else:
-                bodies[at] = (rng.choice((kind, kind, kind, b"H", b"R", b"I")), spoilt(rng, body, self.words, [data]))
-            bodies = bodies or [(b"H", b"{}")]
-        return blocks.MAGIC + b"".join(part for kind, body in bodies for part in blocks.frame(kind, body))
+                bodies[at] = (rng.choice((kind, kind, kind, rng.randrange(1, 16))), spoilt(rng, body, self.words, [data]))
+            bodies = bodies or [(1, b"")]
+        return b"".join(mcap.record(kind, body) for kind, body in bodies) + mcap.MAGIC
 
     def check(self, data):
         with open(self.file, "wb") as file:
@@ -150,7 +164,7 @@ class Logs(Target):
         for line in told:
             if not line.isprintable():
                 raise Crash("not printable: %r" % line)
-        if log.form == "rtlog":
+        if log.form == "mcap" and all(entry.data is not None for entry in entries):
             self._again(log, entries)
 
     def _again(self, log, entries):
@@ -160,14 +174,6 @@ class Logs(Target):
         with logfile.load(self.file) as again:
             same(again.channels, log.channels, "channels")
             same([entry._replace(number=0) for entry in again.entries()], [entry._replace(number=0) for entry in entries], "entries")
-
-
-def _blocks(data):
-    at = len(blocks.MAGIC)
-    while at < len(data):
-        kind, length, _ = blocks.BLOCK.unpack_from(data, at)
-        yield kind, data[at + blocks.BLOCK.size:at + blocks.BLOCK.size + length]
-        at += blocks.BLOCK.size + length
 
 
 # ---- IDL files ------------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
-  tests/run --compat              profiles against PyYAML and the real rtsprofile, from the package index
+  tests/run --compat              profiles against PyYAML and the real rtsprofile, logs against the readers of MCAP
   tests/run --real DIR [--real DIR]  every command, in loops, on real components: DIR holds built examples of OpenRTM-aist, of C++ or
                                   Python; --rounds N of each loop (100), a word of a test's name for a part; with
                                   the ORB that RTSHELL_ORB names
@@ -262,16 +262,19 @@ def _work(waiting, finished):
 # ---- what to run ----
 
 def compat_jobs(args):
-    """The tests that need PyYAML and the real rtsprofile; skipped where these cannot be installed."""
+    """The tests that need PyYAML, the real rtsprofile, the readers of MCAP; skipped where these cannot be installed."""
     python = environments.find_python(args.python[0] if args.python else sys.executable)
-    modules = ["compat/test_rtsprofile"]
+    modules = ["compat/test_rtsprofile", "compat/test_mcap"]
     try:
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
-        why = "PyYAML and rtsprofile-aist cannot be installed: " + str(e).splitlines()[-1]
+        why = "PyYAML, rtsprofile-aist, mcap cannot be installed: " + str(e).splitlines()[-1]
         return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], PROCESSORS, source(module))
                 for module in modules]
     environment = dict(os.environ, PYTHONPATH=environments.ROOT)
+    npm = environments.prepare_npm()
+    if npm:
+        environment["RTSHELL_NPM"] = npm
     return [Job("%s %s" % (python.version, module), lambda module=module: run_module(module, interpreter, environment, args.pattern),
                 PROCESSORS, source(module)) for module in modules]
 
@@ -340,7 +343,7 @@ def options():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("pattern", nargs="*", help="part of a test's name")
     parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
-    parser.add_argument("--compat", action="store_true", help="compare with PyYAML and the real rtsprofile")
+    parser.add_argument("--compat", action="store_true", help="compare with PyYAML, the real rtsprofile, the readers of MCAP")
     parser.add_argument("--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated")
     parser.add_argument("--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round")
     parser.add_argument("--all", action="store_true", help="the matrix")

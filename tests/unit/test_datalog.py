@@ -9,15 +9,17 @@ import sys
 import tempfile
 import unittest
 import warnings
+import zlib
 from unittest import mock
 
 from rtshell_lite import __version__, errors
-from rtshell_lite.datalog import blocks, logfile, records, textlog, writer
-from rtshell_lite.datalog.index import POINTS, STRIDE, Index
+from rtshell_lite.data import datatypes
+from rtshell_lite.datalog import logfile, mcap, mend, records, textlog, writer
 
 PART = 6  # a short run takes one in PART of its tests
 LONG = "IDL:RTC/TimedLong:1.0"
-CHANNELS = [records.Channel("a", LONG, b"\1\2", ("/x:a",)), records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
+CHANNELS = [records.Channel("a", LONG, datatypes.Types().named("TimedLong").to_bytes(), ("/x:a",)),
+            records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]
 START = 1700000000 * 10 ** 9
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -45,6 +47,7 @@ class Case(unittest.TestCase):
             out.close()
         else:  # as kill -9 leaves it
             out._file.close()
+            out._indexes.close()
         with open(self.name, "rb") as file:
             return file.read()
 
@@ -72,27 +75,38 @@ class Files(Case):
             1000, written[0][1], written[-1][1], {"a": 500, "b": 500}, True))
         self.assertEqual(list(log.notes()), [])
 
-    def test_the_format_stays_as_it_is(self):
-        """Logs of earlier versions are read: numbers are little-endian, without gaps between them."""
-        block = b"".join(blocks.entry(7, -2, 3, True, b"data"))
-        self.assertEqual(block[:5] + block[9:], b"R\x17\0\0\0" + b"\7" + bytes(7) + b"\xfe" + b"\xff" * 7 + b"\3\0\1data")
+    def test_the_format_is_that_of_others(self):
+        """Numbers are little-endian, without gaps; a message has the head of plain CDR; the footer says where the summary is."""
         data = self.write(messages(1))
-        self.assertEqual((data[:9], data[-8:]), (b"\x89RTLOG\r\nH", b"rtlogend"))
-        self.assertEqual(data[struct.unpack("<Q", data[-16:-8])[0]:][:1], b"I")
-        self.assertIn(b'"program": "rtlog %s"' % __version__.encode(), data)
+        self.assertEqual((data[:9], data[-8:]), (b"\x89MCAP0\r\n\1", mcap.MAGIC))
+        message = struct.pack("<BQHIQQ", 5, 22 + 4 + 12, 0, 0, START, 0x30303030 * 10 ** 9 + 0x30303030) + b"\0\1\0\0" + b"00000000...."
+        self.assertEqual(data.count(message), 1)
+        start, _ = mcap.footer(data[-mcap.FOOT.size:])
+        self.assertEqual(data[start], mcap.SCHEMA)
+        self.assertEqual(data[start - 13], mcap.DATA_END)
+        self.assertEqual(zlib.crc32(data[start:-12]), struct.unpack("<I", data[-12:-8])[0])
+        self.assertIn(b"rtlog %s" % __version__.encode(), data)
+
+    def test_a_chunk_is_small_and_indexed(self):
+        data = self.write(messages(100, 40000))
+        with logfile.load(self.name) as log:
+            self.assertGreater(len(log._stretches), 3)
+            for stretch in log._stretches:
+                self.assertEqual(data[stretch.offset], mcap.CHUNK)
+                self.assertEqual(data[stretch.end], mcap.MESSAGE_INDEX)
 
     def test_only_what_is_torn_is_cut_off(self):
         """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
         data = self.write(messages(100, 40000), close=False)
         with logfile.load(self.name) as log:
-            place = log.index.points[1][1]
-        damaged = data[:place + 1] + struct.pack("<I", 7) + data[place + 5:]
+            place = log._stretches[1].offset
+        damaged = data[:place + 1] + struct.pack("<Q", 7 << 40) + data[place + 9:]
         self.put(damaged)
         with self.assertRaisesRegex(errors.Failed, "record to another file"):
             self.write([], append=True)
         with open(self.name, "rb") as file:
             self.assertEqual(file.read(), damaged)
-        for end in (b"R" + struct.pack("<II", 9 << 20, 1) + bytes(8 << 20), bytes(2 << 20)):
+        for end in (mcap.HEAD.pack(mcap.CHUNK, 9 << 20) + bytes(8 << 20), bytes(2 << 20)):
             self.put(data + end)
             self.write(messages(1), append=True)
             log, _ = self.read()
@@ -127,7 +141,7 @@ class Files(Case):
         for close in (True, False):
             self.write(written, close)
             with logfile.load(self.name) as log:
-                self.assertGreater(len(log.index.points), 5)
+                self.assertGreater(len(log._stretches), 5)
                 for number in (0, 1, 50, 51, 52, 53, 54, 499):
                     self.assertEqual(next(log.entries(number)).number, number)
                     self.assertEqual(log.since(written[number][1]), number)
@@ -136,11 +150,15 @@ class Files(Case):
                 self.assertIsNone(log.since(written[-1][1] + 1))
 
     def test_the_index_stays_small(self):
-        index = Index()
-        for number in range(200000):
-            index.add(number * STRIDE, number, number, "a")
-        self.assertLessEqual(len(index.points), POINTS)
-        self.assertEqual(index.points[0][:2], [0, 0])
+        """What a recording of many days has to remember is on the disk."""
+        with mock.patch.object(writer, "INDEXES", 1000):
+            out = writer.Writer(self.name, CHANNELS, START)
+            for number in range(50):
+                out.write(messages(2))
+            self.assertTrue(out._indexes._rolled)
+            out.close()
+        log, found = self.read()
+        self.assertEqual((len(found), log.count, log.closed), (100, 100, True))
 
     def test_a_clock_that_was_set_back(self):
         written = [(0, moment, True, b"x" * 600000) for moment in (50, 60, 10, 20, 70, 5)]
@@ -152,9 +170,8 @@ class Files(Case):
         for close in (True, False):
             first, more = messages(10), messages(3)
             data = self.write(first, close)
-            if not close:
+            if not close:  # within the message indexes, which costs none
                 self.put(data[:-5])
-                first = first[:-1]
             self.write(more, append=True)
             log, found = self.read()
             self.assertEqual(found, as_read(first + more))
@@ -206,7 +223,7 @@ class Files(Case):
         self.assertEqual(self.read()[1], as_read(written))
 
     def test_what_is_refused_is_closed(self):
-        self.put(blocks.MAGIC + b"no header")
+        self.put(mcap.MAGIC + b"no header")
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always", ResourceWarning)
             with self.assertRaises(errors.Failed):
@@ -242,31 +259,40 @@ class Files(Case):
 
 class Damage(Case):
     def test_cut_at_every_octet(self):
-        """kill -9, a full disk, a torn copy: all whole records are read."""
+        """kill -9, a full disk, a torn copy: all whole chunks are read."""
         written = messages(8)
-        data = self.write(written, close=False)
-        ends = [len(data) - (8 - i) * (len(data) - self._header_end(data)) // 8 for i in range(9)]
-        whole = self.write(written)
+        out = writer.Writer(self.name, CHANNELS, START)
+        ends = [(out.end, 0)]
+        for at in range(0, 8, 2):
+            out.write(written[at:at + 2])
+            with open(self.name, "rb") as file:
+                octets = file.read()
+            # a chunk is whole without its message indexes
+            with logfile.load(self.name) as log:
+                ends += [(log._stretches[-1].end, at + 2), (len(octets), at + 2)]
+        out.close()
+        with open(self.name, "rb") as file:
+            whole = file.read()
+        start = len(mcap.MAGIC) + len(mcap.header("rtlog " + __version__))
         for size in range(len(whole)):
             self.put(whole[:size])
             found = self.read()
-            if size < ends[0]:
+            if size < start:
                 self.assertIsNone(found, size)
                 continue
-            count = sum(end <= size for end in ends) - 1
+            count = max([count for end, count in ends if end <= size], default=0)
             self.assertEqual(found[1], as_read(written[:count]), size)
-            self.assertEqual((found[0].torn, found[0].closed), (size - ends[count], False))
-
-    @staticmethod
-    def _header_end(data):
-        _, length, _ = blocks.BLOCK.unpack_from(data, len(blocks.MAGIC))
-        return len(blocks.MAGIC) + blocks.BLOCK.size + length
+            self.assertEqual((found[0].torn, found[0].closed), (size - found[0].end, False))
+            out = os.path.join(self.directory.name, "mended")
+            mend.mend(self.name, out)
+            with logfile.load(out) as log:
+                self.assertEqual((list(log.entries()), log.closed), (as_read(written[:count]), True))
 
     def test_changed_anywhere(self):
         """No changed octet gives a message that never was, or anything but errors.Failed."""
         chance = random.Random(1)
         written = messages(30)
-        data, known = self.write(written), set(as_read(written))
+        data, known = self.write(written), {entry._replace(number=0, channel=0) for entry in as_read(written)}
         for _ in range(1500):
             changed = bytearray(data)
             for _ in range(chance.choice([1, 1, 2, 8])):
@@ -281,16 +307,41 @@ class Damage(Case):
             self.put(bytes(changed))
             found = self.read()
             if found:
-                self.assertLessEqual(set(found[1]), known)
+                self.assertLessEqual({entry._replace(number=0, channel=0) for entry in found[1]}, known)
+                if found[0].closed:  # then the summary has a checksum
+                    self.assertEqual(found[0].channels, CHANNELS)
 
-    def test_a_damaged_record_costs_itself(self):
+    def test_a_damaged_chunk_costs_itself(self):
         written = messages(30)
-        data = bytearray(self.write(written))
+        out = writer.Writer(self.name, CHANNELS, START)
+        for at in (0, 10, 20):
+            out.write(written[at:at + 10])
+        out.close()
+        with open(self.name, "rb") as file:
+            data = bytearray(file.read())
         data[data.index(b"00000011")] ^= 1
         self.put(bytes(data))
         log, found = self.read()
-        self.assertEqual([entry.number for entry in found], [n for n in range(30) if n != 11])
-        self.assertEqual((log.damaged, log.torn), (1, 0))
+        self.assertEqual([entry.number for entry in found], [n for n in range(30) if n // 10 != 1])
+        self.assertEqual((log.damaged, log.torn), (10, 0))
+        with self.assertRaisesRegex(errors.Failed, "damaged in its middle"):
+            mend.mend(self.name)
+        sound = os.path.join(self.directory.name, "sound")
+        self.assertEqual(mend.mend(self.name, sound), ["10 damaged records are left out"])
+        with logfile.load(sound) as log:
+            self.assertEqual((log.count, log.closed, log.damaged), (20, True, 0))
+
+    def test_mended_in_place(self):
+        data = self.write(messages(10), close=False)
+        self.put(data + b"\6torn")
+        mend.mend(self.name)
+        log, found = self.read()
+        self.assertEqual((found, log.closed, log.torn), (as_read(messages(10)), True, 0))
+        with open(self.name, "rb") as file:
+            mended = file.read()
+        mend.mend(self.name)
+        with open(self.name, "rb") as file:
+            self.assertEqual(file.read(), mended)
 
     def test_killed_while_recording(self):
         """The file holds all that the recorder said it had written, and nothing else."""

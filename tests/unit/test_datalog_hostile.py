@@ -1,87 +1,139 @@
 """Logs that somebody has made to do harm: they are refused, or read, within bounds."""
-import json
+import struct
 import tracemalloc
 import unittest
+import zlib
+from unittest import mock
 
-from rtshell_lite.datalog import blocks, logfile
+from rtshell_lite import errors
+from rtshell_lite.datalog import compression, logfile, mcap, schemas
 from test_datalog import Case, LONG, messages, as_read
+
+HEADER = mcap.MAGIC + mcap.header("x")
+
+
+def channel(number=0, **about):
+    return mcap.channel_record(number, 0, "a", "cdr", dict(dict(type=LONG), **about))
+
+
+def chunk(body, crc=None, compression="", size=None, within=None):
+    """A chunk of these octets, and what it says of them."""
+    return mcap.record(mcap.CHUNK, mcap.CHUNK_HEAD.pack(1, 2, len(body) if size is None else size,
+                                                        zlib.crc32(body) if crc is None else crc),
+                       mcap.string(compression), struct.pack("<Q", len(body) if within is None else within), body)
+
+
+def message(number=0, moment=1, data=b"\0\1\0\0x"):
+    return mcap.record(mcap.MESSAGE, struct.pack("<HIQQ", number, 0, moment, 0), data)
 
 
 class Hostile(Case):
-    def frame(self, kind, value):
-        return blocks.text(kind, value)
-
-    def header(self, **changes):
-        value = {"created": 1, "channels": [{"name": "a", "type": LONG, "typecode": None, "sources": []}]}
-        return blocks.MAGIC + self.frame(blocks.HEADER, dict(value, **changes))
-
-    def refused(self, data):
+    def all(self, data):
+        """What is read of these octets, at little cost: None, or (log, entries)."""
         self.put(data)
         tracemalloc.start()
         try:
-            return self.read() is None
+            return self.read()
         finally:
             peak = tracemalloc.get_traced_memory()[1]
             tracemalloc.stop()
             self.assertLess(peak, 20 << 20)
 
-    def test_headers(self):
-        nested = b"".join(blocks.frame(blocks.HEADER, b"[" * 100000))
-        bad = [{"channels": 1}, {"channels": [1]}, {"channels": [{}]}, {"created": "x"}, {"created": None},
-               {"created": True}, {"created": 10 ** 400},
-               {"channels": [{"name": 1, "type": LONG, "typecode": None, "sources": []}]},
-               {"channels": [{"name": "a", "type": LONG, "typecode": "xy", "sources": []}]},
-               {"channels": [{"name": "a", "type": LONG, "typecode": None, "sources": [["x"]]}]},
-               {"channels": [{"name": "%d" % i, "type": LONG, "typecode": None, "sources": []} for i in range(1001)]}]
-        for data in [b"", blocks.MAGIC, b"text", blocks.MAGIC + nested, blocks.MAGIC + self.frame(blocks.HEADER, [])] + \
-                [self.header(**each) for each in bad]:
-            self.assertTrue(self.refused(data), data[:80])
-        self.assertFalse(self.refused(self.header()))
+    def test_what_is_no_log(self):
+        for data in [b"", b"text", mcap.MAGIC, mcap.MAGIC + channel(), mcap.MAGIC + HEADER[8:-1], mcap.MAGIC * 2]:
+            self.assertIsNone(self.all(data), data[:80])
+        self.assertEqual(self.all(HEADER)[0].count, 0)
+
+    def test_channels(self):
+        """Whatever a channel says of itself, others are read."""
+        bad = [channel(7, description="[" * 100000), channel(7, sources="[" * 100000), channel(7, sources="1"), channel(7, sources="[[1]]"),
+               mcap.record(mcap.CHANNEL, b"x"), mcap.record(mcap.SCHEMA, b"\1\0\xff\xff\xff\xff"), channel(0, type="other"),
+               mcap.metadata_record("rtlog", {"created": "9" * 400}), mcap.metadata_record("rtlog", {"created": "x"}),
+               mcap.record(mcap.METADATA, b"\xff" * 9), mcap.record(mcap.ATTACHMENT, bytes(16) + b"\xff" * 30),
+               mcap.record(mcap.ATTACHMENT, bytes(24) + struct.pack("<Q", 1 << 62)), mcap.record(0x99, b"x")]
+        for record in bad:
+            log, found = self.all(HEADER + channel() + record + chunk(message()))
+            self.assertEqual([(entry.data, log.channels[entry.channel].name) for entry in found], [(b"x", "a")], record[:80])
+        many = b"".join(channel(n) for n in range(3000))
+        self.assertEqual(self.all(HEADER + many + chunk(message()))[0].count, 1)
 
     def test_lengths(self):
         """A length is not believed: nothing is allocated for it."""
-        for length in (1 << 20, 1 << 28, (1 << 32) - 1):
-            self.refused(blocks.MAGIC + blocks.BLOCK.pack(blocks.HEADER, length, 0) + b"x")
-            self.refused(self.header() + blocks.BLOCK.pack(blocks.RECORD, length, 0) + b"x" * 1000)
+        for length in (1 << 20, 1 << 40, (1 << 64) - 1):
+            for kind in range(1, 16):
+                self.all(HEADER + mcap.HEAD.pack(kind, length) + b"x")
+        for odd in (chunk(b"x", size=1 << 60), chunk(b"x", within=1 << 60), chunk(mcap.HEAD.pack(5, 1 << 60)), chunk(b"")):
+            self.assertEqual(self.all(HEADER + channel() + odd + chunk(message()))[1][0].data, b"x")
 
-    def test_records(self):
-        good = b"".join(blocks.entry(0, 1, 0, True, b"x"))
-        short = b"".join(blocks.frame(blocks.RECORD, b"x"))
-        for record in (b"".join(blocks.entry(1, 1, 9, True, b"")), short, b"".join(blocks.entry(0, 1, 0, True, b"")),
-                       b"".join(blocks.entry((1 << 64) - 1, 1, 0, True, b"")), b"".join(blocks.frame(b"X", b""))):
-            self.put(self.header() + good + record)
-            log, found = self.read()
-            self.assertEqual(([entry.number for entry in found], log.torn), ([0], len(record)))
+    def test_messages(self):
+        good = chunk(message())
+        for body, damaged in ((message(9), 1), (mcap.record(mcap.MESSAGE, b"x"), 1), (message(moment=1 << 63), 1),
+                              (message(data=b"\0\7\0\0x"), 0), (message(data=b""), 0), (mcap.record(0x80, b"y"), 0)):
+            log, found = self.all(HEADER + channel() + good + chunk(body) + good)
+            self.assertEqual(([entry.data for entry in found], log.damaged), ([b"x", b"x"], damaged), body)
+        log, found = self.all(HEADER + channel() + good + chunk(message(), crc=7) + good)
+        self.assertEqual((len(found), log.damaged), (2, 1))
 
-    def test_indexes(self):
-        """Whatever an index says, all records are found."""
+    def test_what_is_not_json(self):
+        named = mcap.channel_record(0, 0, "a", "json", {})
+        for data in (b"{", b"[" * 100000, b"\xff", b"1e", b""):
+            log, found = self.all(HEADER + named + chunk(message(data=data) + message(data=b'{"a": [1]}')))
+            self.assertEqual([entry.value for entry in found], [{"a": [1]}])
+            self.assertEqual(log.damaged, 1)
+
+    def test_compression(self):
+        for name in ("lz4", "\x1b[2J", "zstd"):
+            data = HEADER + channel() + chunk(b"xyz", compression=name)
+            self.put(data)
+            with mock.patch.object(compression, "_zstd", lambda: None), self.assertRaisesRegex(errors.Failed, "compressed .*mcap decomp"):
+                logfile.load(self.name)
+
+    def test_what_python_can_decompress(self):
+        """As Python 3.14 and later; here another module is in its place."""
+        class Decompressor:
+            decompress = staticmethod(lambda octets, most: zlib.decompressobj().decompress(octets, most))
+
+        module = mock.Mock(ZstdDecompressor=Decompressor, ZstdError=zlib.error)
+        packed = zlib.compress(message())
+        good = chunk(packed, zlib.crc32(message()), "zstd", len(message()))
+        with mock.patch.object(compression, "_zstd", lambda: module):
+            log, found = self.all(HEADER + channel() + good + chunk(b"odd", 1, "zstd") + good)
+            self.assertEqual(([entry.data for entry in found], log.damaged), ([b"x", b"x"], 1))
+            self.assertEqual(self.all(HEADER + channel() + chunk(zlib.compress(bytes(1 << 25)), 1, "zstd", 5) + good)[0].damaged, 1)
+
+    def test_summaries(self):
+        """A summary that does not agree with the file is not used."""
         written = messages(5)
-        body = self.write(written, close=False)
-        true = json.loads(writer_index(self.name))
-        points = true["points"]
-        lies = [{"next": 9}, {"next": "5"}, {"next": None}, {"last": 1}, {"points": []}, {"points": [[0, 0, None]]},
-                {"points": 7}, {"points": [[1] + points[0][1:]]}, {"points": [[0, 1 << 80, None]]},
-                {"points": [[0, -1, None]]}, {"points": points + points}, {"headers": []}, {"headers": [8, 9]},
-                {"headers": [8, 1 << 70]}, {"headers": "ab"},
-                {"counts": {"a": 1.5, "b": 3.5}}, {"counts": {"a": 50}}, {"counts": [5]}, {"first": "x"}, {"first": 10 ** 400},
-                {"headers": [8, 8]}]
-        for lie in lies:
-            index = blocks.text(blocks.INDEX, dict(true, **lie), len(body))
-            self.put(body + index)
-            log, found = self.read()
-            self.assertEqual(found, as_read(written), lie)
-            self.assertFalse(log.closed, lie)
-        for position in (0, 8, len(body) - 1, len(body) + 1, (1 << 64) - 1):
-            self.put(body + blocks.text(blocks.INDEX, true, position))
-            self.assertEqual(self.read()[1], as_read(written), position)
-        self.put(body + b"".join(blocks.frame(blocks.INDEX, b"[" * 100000 + blocks.FOOTER.pack(len(body), b"rtlogend"))))
-        self.assertEqual(self.read()[1], as_read(written))
+        whole = self.write(written)
+        start, _ = mcap.footer(whole[-mcap.FOOT.size:])
+        data = whole[:start]
+        index = mcap.record(mcap.CHUNK_INDEX, struct.pack("<QQQQ", 0, 0, 1 << 63, 5), mcap.blob(b""), bytes(8), mcap.string(""), bytes(16))
+        counts = mcap.record(mcap.STATISTICS, struct.pack("<QHIIIIQQ", 77, 1, 1, 0, 0, 1, 0, 0), mcap.blob(struct.pack("<HQ", 0, 77)))
+        for summary in (index, counts, index + counts, mcap.record(mcap.CHUNK_INDEX, b"x"), mcap.HEAD.pack(8, 1 << 50), b"x" * 8):
+            for at in (len(data), 0, 8, len(data) + 7, 1 << 62):
+                end = mcap.HEAD.pack(mcap.FOOTER, 20) + struct.pack("<QQI", at, 0, 0) + mcap.MAGIC
+                self.assertEqual(self.all(data + summary + end)[1], as_read(written), (summary, at))
 
+    def test_schemas(self):
+        """Each is a type, or refused."""
+        good = "Time stamp\nfloat64[3] x  # y\nuint8 A=1\nstring[] names\n" + "=" * 80 + "\nMSG: p/Time\nint32 sec\nuint32 nsec\n"
+        made = schemas.to_type(("p/Odd", "ros2msg", good.encode()))
+        self.assertEqual(made.name, "p.Odd")
+        bad = ["Nothing x", "int32", "int8 x", "p/Odd x", "float64[999999999] x", "wstring x", "", "x\0y z", "int32 x\nint32 x",
+               "int32 _d", "$ x"]
+        for words in bad:
+            with self.assertRaises(errors.Error, msg=words):
+                schemas.to_type(("p/Odd", "ros2msg", words.encode()))
+        for words in ('#include "/etc/passwd"\n', "module p {", "", "struct Other { long x; };", "typedef long Odd;" * 40000):
+            with self.assertRaises(errors.Error, msg=words[:40]):
+                schemas.to_type(("p::Odd", "omgidl", words.encode()))
+        with self.assertRaises(errors.BadType):
+            schemas.to_type(("p/Odd", "protobuf", b""))
 
-def writer_index(name):
-    """The JSON of the index that belongs to a file without one."""
-    with logfile.load(name) as log:
-        return log.index.block(0)[blocks.BLOCK.size:-blocks.FOOTER.size].decode()
+    def test_names_of_standard_types(self):
+        for name, expected in (("rtc/TimedLong", "IDL:RTC/TimedLong:1.0"), ("rtc/msg/TimedLong", "IDL:RTC/TimedLong:1.0"), (
+                "std_msgs/msg/Header", "IDL:std_msgs/Header:1.0"), ("RTC::TimedLong", "IDL:RTC/TimedLong:1.0"), ("x", "IDL:x:1.0")):
+            self.assertEqual(schemas.type_id(name), expected)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,11 @@ class Contents:
         self.exceptions = exceptions
 
 
+def parse_text(text, name):
+    """The same for IDL as text, which may not include files."""
+    return Parser(tokens.of_text(text, name)).types()
+
+
 class Parser:
     """Reads tokens and collects the types and interfaces that they define."""
 

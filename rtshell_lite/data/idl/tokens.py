@@ -55,6 +55,10 @@ def tokens(path, include=(), find=None):
     """
     source = _Source(list(include), find)
     source.file(path, 0)
+    return _ended(source, path)
+
+
+def _ended(source, path):
     if source.found:
         last = source.found[-1]
     else:
@@ -62,6 +66,14 @@ def tokens(path, include=(), find=None):
     return source.found + [
         last._replace(kind="end", word="the end of the file", column=last.column + len(last.word))
     ]
+
+
+def of_text(text, name):
+    """The tokens of IDL that is no file of ours; `name` is for messages. Raises BadIdl, also for #include."""
+    source = _Source([], None)
+    source.files = MOST_FILES
+    _File(source, name, text, 0).scan()
+    return _ended(source, name)
 
 
 class _Source:
