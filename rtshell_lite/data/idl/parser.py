@@ -24,6 +24,11 @@ def parse_file(path, include=()):
     return read_file(path, include).types
 
 
+def parse_text(text, name):
+    """The types of IDL that is no file of ours, and may not include files; `name` is for messages."""
+    return Parser(tokens.of_text(text, name)).contents().types
+
+
 def read_file(path, include=(), find=None):
     """The Contents of an IDL file and its includes; find(name) gives the path of one that is in no place that
     `include` names, or None. Raises what `parse_file` raises.
@@ -40,11 +45,6 @@ class Contents:
         self.types = types
         self.interfaces = interfaces
         self.exceptions = exceptions
-
-
-def parse_text(text, name):
-    """The same for IDL as text, which may not include files."""
-    return Parser(tokens.of_text(text, name)).types()
 
 
 class Parser:
