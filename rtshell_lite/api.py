@@ -34,6 +34,8 @@ __all__ = [
     "Component",
     "Error",
     "Port",
+    "Service",
+    "call",
     "capture",
     "check",
     "component",
@@ -46,6 +48,7 @@ __all__ = [
     "next_value",
     "restore",
     "send",
+    "service",
     "set_timeout",
     "values",
 ]
@@ -449,6 +452,96 @@ async def send(port, value, idl=(), anyway=False):
         await writing.linger([writer], None)
     if writer.failure:
         raise writer.failure
+
+
+# ---- services ----------------------------------------------------------------------------------------------
+
+LIMIT = 60.0  # seconds that an operation may take
+
+
+@_plain
+async def call(path, operation, *args, idl=(), limit=LIMIT):
+    """Call an operation of a service port, PATH:PORT or PATH:PORT.INSTANCE, or of a component itself, PATH: what it
+    returns, a tuple where that is several values. An attribute `speed` is read as _get_speed, set as _set_speed.
+
+    `args` are values of their types, or dicts of their members. `idl` are IDL files; more are found by
+    RTSHELL_IDL. It is sent once, never again. Raises errors.Raised for an exception of the IDL, with its `name`
+    and its `value`, errors.MayBeDone after `limit` seconds, errors.Refused for a component that is not Active, BadValue.
+    """
+    return await _call(await _provider(path, operation, idl), operation, args, {}, limit)
+
+
+async def _provider(path, name, idl):
+    from rtshell_lite.data import calling, datatypes
+
+    return await calling.find(paths.parse(path), datatypes.Types(idl=idl), name)
+
+
+async def _call(provider, name, args, named, limit):
+    from rtshell_lite.data import call_values
+
+    operation = provider.operation(name)
+    values = call_values.of_values(operation, args, named, provider.find_type)
+    return await provider.call(operation, values, limit)
+
+
+class Service:
+    """What a service port, or a component itself, serves; its attributes are the operations:
+
+        arm = api.service("/localhost/Arm0.rtc:manip")
+        arm.moveLinear(goal, speed=0.5)
+
+    An attribute `speed` of the IDL is read by _get_speed() and set by _set_speed(3.5). After a failure that shows that
+    its process has ended, the next use looks it up again.
+    """
+
+    def __init__(self, path, idl, limit):
+        self._path = str(paths.parse(path))
+        self._idl = idl
+        self._limit = limit
+        self._provider = None
+
+    def __repr__(self):
+        return f"Service({self._path!r})"
+
+    def __dir__(self):
+        return list(self._found().operations())
+
+    def __getattr__(self, name):
+        if name.startswith("__") or name not in self._found().operations():
+            raise AttributeError(f"{self._path}: no such operation: {name}")
+        return functools.partial(self._call, name)
+
+    @_plain
+    async def _find(self):
+        from rtshell_lite.data import calling, datatypes
+
+        return await calling.single(paths.parse(self._path), datatypes.Types(idl=self._idl))
+
+    def _found(self):
+        if self._provider is None:
+            self._provider = self._find()
+        return self._provider
+
+    def _call(self, name, *args, **named):
+        """Call an operation. Raises what `call` raises."""
+        provider = self._found()
+        try:
+            return self._call_of(provider, name, args, named)
+        except errors.Unreachable:
+            self._provider = None
+            raise
+
+    @_plain
+    async def _call_of(self, provider, name, args, named):
+        return await _call(provider, name, args, named, self._limit)
+
+
+def service(path, idl=(), limit=LIMIT):
+    """The Service at PATH:PORT, PATH:PORT.INSTANCE or PATH; see `call`. Raises errors.Error."""
+    found = Service(path, idl, limit)
+    dir(found)
+    return found
 
 
 # ---- systems -----------------------------------------------------------------------------------------------

@@ -188,14 +188,16 @@ class _Item:
     and `wait` for its outcome.
     """
 
-    __slots__ = ("call", "seconds", "has_answered", "begun", "wait", "is_withdrawn")
+    __slots__ = ("call", "seconds", "has_answered", "begun", "wait", "is_withdrawn", "may_take_long")
 
     def __init__(self, call, now):
         self.call = call
         self.seconds = max(call.seconds or 0, now.timeout)
-        if call.seconds and isinstance(call.operation, Schema):
-            self.seconds = call.seconds
         self.has_answered = self.is_withdrawn = False
+        # of a user's IDL: it may take longer than its caller waits, which is no silence of the process
+        self.may_take_long = isinstance(call.operation, Schema)
+        if call.seconds and self.may_take_long:
+            self.seconds = call.seconds
         self.begun = None
         self.wait = loop.Wait()
 
@@ -259,7 +261,7 @@ class _Queue:
         self.open.discard(item)
         if item.wait.is_over:  # given up before
             return
-        if isinstance(error, errors.Silent):
+        if isinstance(error, errors.Silent) and not item.may_take_long:
             self.session.fall_silent(self.endpoint, error.why, item.begun)
             self._check_rest()
         elif error is None or isinstance(error, errors.Refused):
@@ -279,7 +281,8 @@ class _Queue:
             if is_over:
                 self._give_up(item, session.NO_TIME)
             elif now - item.begun > item.seconds + session.GRACE:
-                self.session.fall_silent(self.endpoint, session.no_answer(item.seconds), item.begun)
+                if not item.may_take_long:
+                    self.session.fall_silent(self.endpoint, session.no_answer(item.seconds), item.begun)
                 self._give_up(item, session.no_answer(item.seconds))
         self._check_rest()
         if self.open:

@@ -6,7 +6,7 @@ servers themselves.
     values = call_values.of_words(operation, ["hi"], provider.find_type)
     result = await provider.call(operation, values, 60.0)
 
-An operation is asked once, whatever happens: it may move a robot (docs/protocol.md 23).
+An operation is asked once, whatever happens: it may move a robot (docs/protocol.md 7).
 """
 
 import collections
@@ -268,9 +268,7 @@ async def find(path, types, name):
     several have.
     """
     if path.port is None:
-        found = await itself(path, types)
-        found.check_known()
-        return found
+        return await single(path, types)
     known = await providers(path, types)
     having = [provider for provider in known if has(provider, name)]
     if len(having) > 1:
@@ -289,6 +287,19 @@ def _no_operation(where, name, known):
     """The NoSuch for an operation, with candidates."""
     known = list(collections.OrderedDict.fromkeys(known))
     return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, known))
+
+
+async def single(path, types):
+    """The only Provider at a Path, whose IDL is known. Raises NoSuch where there are several."""
+    if path.port is None:
+        found = [await itself(path, types)]
+    else:
+        found = await providers(path, types)
+    if len(found) > 1:
+        listed = " or ".join(provider.where for provider in found)
+        raise errors.NoSuch(str(path), "single interface", f"it is {listed}")
+    found[0].check_known()
+    return found[0]
 
 
 def has(provider, name):

@@ -1,4 +1,4 @@
-"""Service ports: the interfaces that they provide, and the references of these (docs/protocol.md 23)."""
+"""Service ports: the interfaces that they provide, and the references of these (docs/protocol.md 7)."""
 
 import binascii
 import collections
@@ -88,7 +88,7 @@ async def _forget(port, where, connector_id):
 
 
 async def is_inactive(node):
-    """Whether a component is in no context Active, and so serves none of its interfaces (docs/protocol.md 23)."""
+    """Whether a component is in no context Active, and so serves none of its interfaces (docs/protocol.md 7)."""
     try:
         return await component.state(node) != "Active"
     except errors.Error:

@@ -272,6 +272,60 @@ class World(unittest.TestCase):
                          "KeyboardInterrupt 0\nno value within 0.6s [2]\n")
 
 
+class Services(unittest.TestCase):
+    """Operations of a service port as functions."""
+
+    IDL = [os.path.join(ROOT, "mock_components", "robot.idl")]
+
+    @classmethod
+    def setUpClass(cls):
+        worlds.start_name_server()
+        cls.world = worlds.World("these", "Robot")
+        cls.path = "/127.0.0.1:%d/test.host_cxt/Robot0.rtc" % worlds.Server.port
+        api.component(cls.path).activate(wait=10)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.world.close()
+        worlds.Server.stop()
+
+    def test_call(self):
+        port = self.path + ":svc"
+        self.assertEqual(api.call(port, "say", "\u65e5\u672c", idl=self.IDL), "\u65e5\u672c")
+        where, distance = api.call(port, "move_to", {"x": 3, "y": 4}, 0.0, idl=self.IDL)
+        self.assertEqual((where.x, where.y, distance), (3.0, 4.0, 5.0))
+        self.assertIsNone(api.call(port, "rest", 0.0, idl=self.IDL))
+        self.assertEqual(api.call(self.path, "get_sdo_id"), "Robot0")
+        for what, words, kind in (("say", (), errors.BadValue), ("say", ("a", "b"), errors.Usage), ("sey", ("a",), errors.NoSuch),
+                                  ("rest", ("a",), errors.BadValue)):
+            with self.assertRaises(kind):
+                api.call(port, what, *words, idl=self.IDL)
+        with self.assertRaises(errors.NoSuch):  # its IDL is not known
+            api.call(port, "say", "a")
+        with self.assertRaises(errors.MayBeDone) as caught:
+            api.call(port, "rest", 5.0, idl=self.IDL, limit=0.2)
+        self.assertEqual(caught.exception.status, 4)
+
+    def test_service(self):
+        arm = api.service(self.path + ":svc.arm", self.IDL)
+        arm._set_speed(3.5)
+        self.assertEqual(arm._get_speed(), 3.5)
+        where, _ = arm.move_to(seconds=0, goal=arm.move_to({"x": 1, "y": 2}, 0)[0])  # what it returns can be given back
+        self.assertEqual(str(arm.turn([where.x], False)[1]), "MOVING")
+        self.assertEqual(arm.keep({"_type": "long", "_value": 7}).content, 7)
+        with self.assertRaises(errors.Raised) as caught:
+            arm.move_to({"x": 30, "y": 4}, 0)
+        self.assertEqual((caught.exception.name, caught.exception.value.nearest.x), ("OutOfReach", 10.0))
+        self.assertIn("say", dir(arm))
+        with self.assertRaises(AttributeError):
+            arm.sey
+        self.assertEqual(api.component(self.path).ports()[0].connections, [])
+        with self.assertRaises(errors.NoSuch):
+            api.service(self.path + ":svc", self.IDL)  # it has two interfaces
+        with self.assertRaises(errors.NoSuch):
+            api.service(self.path + ":svc.arm")
+
+
 class Documents(unittest.TestCase):
     def test_the_example(self):
         worlds.start_name_server()
@@ -285,7 +339,7 @@ class Documents(unittest.TestCase):
         with open(os.path.join(DOCS, "library.md"), encoding="utf-8") as file:
             named = set(re.findall(r"\bapi\.(\w+)", file.read()))
         self.assertEqual(named - set(api.__all__), set())
-        self.assertEqual(set(api.__all__) - named - {"Component", "Port"}, set())
+        self.assertEqual(set(api.__all__) - named - {"Component", "Port", "Service"}, set())
 
 
 class Types(unittest.TestCase):

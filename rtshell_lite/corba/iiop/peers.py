@@ -349,7 +349,7 @@ class Peers:
             why = None
         for request in failed:
             silence = why or session.no_answer(request.seconds)
-            if not is_over:
+            if not is_over and not request.is_once:  # which may take longer than its caller waits
                 self.session.fall_silent(peer.endpoint, silence, request.sent)
             request.resume(None, errors.Silent(str(request.call.where), silence))
         if is_over:
