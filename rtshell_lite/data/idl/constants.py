@@ -1,6 +1,7 @@
 """Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums."""
 
 import operator
+import re
 
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
@@ -18,6 +19,7 @@ from rtshell_lite.giop.descriptors import (
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.text import literal
 
+_ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{1,2})|.)", re.DOTALL)
 DEEPEST = 50  # brackets within brackets
 WIDEST = 128  # bits of an intermediate number
 LEVELS = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
@@ -151,9 +153,18 @@ def text(parser, token):
     else:
         word = token.word
     try:
-        return literal(word.replace("\\?", "?"))
+        return literal(_ESCAPE.sub(_python_escape, word))
     except ValueError as e:
         raise parser.fault(str(e), token)
+
+
+def _python_escape(match):
+    """An escape of C as Python spells it: it has no \\?, and needs two digits after \\x."""
+    if match.group() == "\\?":
+        return "?"
+    if match.group(1):
+        return f"\\x{int(match.group(1), 16):02x}"
+    return match.group()
 
 
 def check(parser, descriptor, value, token):

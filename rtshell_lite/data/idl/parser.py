@@ -7,7 +7,7 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS
 from rtshell_lite.data.idl import constants, exports, tokens, types
 from rtshell_lite.data.idl.interfaces import Interface
-from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, Entry, Scope
+from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scope
 from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
@@ -257,7 +257,9 @@ class Parser:
         token = self.token
         if token.kind != "name":
             raise self.fault(f"expected a name, not {printable(token.word)}")
-        if token.word.lower() in KEYWORDS:
+        if (
+            token.word.lower() in KEYWORDS and token.word in SPELLED
+        ):  # in another case, _Factory may be declared
             raise self.fault(f"expected a name, not {token.word}")
         self._last = self.advance().word.lstrip("_")
         return self._last

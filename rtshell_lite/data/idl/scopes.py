@@ -1,5 +1,7 @@
 """The names of an IDL file: their meanings, scopes and repository ids."""
 
+from rtshell_lite.giop.descriptors import TYPECODE
+
 DEEPEST = 40  # scopes in scopes, types in types
 # Words that cannot be names. Those of CORBA 3 (component, home, uses, …) can, as in omniidl: real files have
 # them.
@@ -9,6 +11,7 @@ false fixed float in inout interface local long module native object octet onewa
 readonly sequence short string struct supports switch true truncatable typedef union unsigned valuebase
 valuetype void wchar wstring""".split()
 )
+SPELLED = KEYWORDS - {"false", "object", "true", "valuebase"} | {"FALSE", "Object", "TRUE", "ValueBase"}
 
 
 class Entry:
@@ -60,6 +63,8 @@ class Scope:
             if name.lower() in scope.names:
                 return scope.names[name.lower()]
             todo += scope.bases
+        if name == "TypeCode" and self.name == "CORBA" and self.parent and not self.parent.name:
+            return Entry(name, "type", TYPECODE)  # no file declares it
         return None
 
     def seen(self, name):

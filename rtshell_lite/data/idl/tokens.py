@@ -41,11 +41,20 @@ _SKIPPED = re.compile(
 _COMMENT = re.compile(r"/\*.*?\*/|\\\r?\n", re.DOTALL)
 _DIRECTIVE = re.compile(r"#\s*([A-Za-z]*)\s*(.*)", re.DOTALL)
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_PARAMETERS = re.compile(r"\(\s*(?:[A-Za-z_]\w*\s*(?:,\s*[A-Za-z_]\w*\s*)*)?\)", re.ASCII)
 _CONDITION = re.compile(
     r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
     r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))",
     re.ASCII,
 )
+
+
+class Macro:
+    """A #define: the names of its parameters, None for one without brackets, and its (kind, word) tokens."""
+
+    def __init__(self, parameters, body):
+        self.parameters = parameters
+        self.body = body
 
 
 def tokens(path, include=(), find=None):
@@ -80,7 +89,7 @@ class _Source:
     def __init__(self, include, find):
         self.include = include
         self.find = find
-        self.macros = {}
+        self.macros = {"__OMNIIDL__": Macro(None, [("number", "0x040300")])}  # real files ask for it
         self.found = []
         self.files = 0
 
@@ -134,7 +143,10 @@ class _File:
             elif kind == "directive" and active:
                 raise self.fault("a # within a line")
             elif active and kind not in ("space", "comment"):
-                self._token(Token(kind, word, self.path, self.line, self.at - self.line_start + 1))
+                end = self._token(
+                    Token(kind, word, self.path, self.line, self.at - self.line_start + 1), match.end()
+                )
+                word = self.text[self.at : end]
                 fresh = False
             if kind not in ("space", "comment", "directive") and word.strip():
                 fresh = False
@@ -143,7 +155,7 @@ class _File:
                 self.line += lines
                 self.line_start = self.at + word.rindex("\n") + 1
                 fresh = True
-            self.at = match.end()
+            self.at += len(word)
             if len(found) > MOST_TOKENS:
                 raise self.fault("too long")
         if self.conditions:
@@ -157,31 +169,77 @@ class _File:
             return "a string or character without its end"
         return "cannot be read: " + printable(self.text[self.at : self.at + 12].split("\n")[0])
 
-    def _token(self, token):
-        """Add a token, or the expansion of the macro of its name."""
-        if token.kind == "name" and token.word in self.source.macros:
-            self.source.found.extend(self._expanded(token))
-        else:
+    def _token(self, token, end):
+        """Add a token that ends at `end`, or the expansion of the macro of its name; returns where that ends."""
+        macro = None
+        if token.kind == "name":
+            macro = self.source.macros.get(token.word)
+        if macro is None:
             self.source.found.append(token)
-
-    def _expanded(self, token):
+            return end
         words = [(token.kind, token.word, frozenset())]
+        if macro.parameters is not None:
+            arguments, end = self._arguments(end)
+            words += [part + (frozenset(),) for part in arguments]
+        self.source.found.extend(self._expanded(words, token))
+        return end
+
+    def _arguments(self, at):
+        """The (kind, word) tokens from a bracket to its end, with both, and where they end; none where no bracket is."""
+        found = []
+        depth = 0
+        start = at
+        while True:
+            match = _TOKEN.match(self.text, at)
+            if match is None or match.lastgroup == "directive" or len(found) > MACRO:
+                raise self.fault("the parameters of a macro that cannot be read")
+            if match.lastgroup not in ("space", "comment"):
+                found.append((match.lastgroup, match.group()))
+                depth += (match.group() == "(") - (match.group() == ")")
+                if found[0] != ("mark", "("):
+                    return [], start
+                if not depth:
+                    return found, match.end()
+            at = match.end()
+
+    def _expanded(self, words, token):
+        """The tokens of words, (kind, word, names of the macros that it comes from) each, at the place of a token."""
         used = []
         while words:
             kind, word, seen = words.pop(0)
+            macro = None
             if kind == "name" and word not in seen:
-                body = self.source.macros.get(word)
-            else:
-                body = None
-            if body is None:
+                macro = self.source.macros.get(word)
+            if macro is None or macro.parameters is not None and (not words or words[0][1] != "("):
                 used.append(Token(kind, word, token.file, token.line, token.column))
-            elif isinstance(body, str):
-                raise self.fault(f"a macro with parameters: {word}")
             else:
-                words[:0] = [part + (seen | {word},) for part in body]
+                words[:0] = self._body(macro, words, word, seen | {word})
             if len(used) + len(words) > MACRO:
                 raise self.fault(f"a macro that grows too large: {token.word}")
         return used
+
+    def _body(self, macro, words, name, seen):
+        """The words of a macro, with its arguments, which are taken from the words that follow."""
+        body = [part + (seen,) for part in macro.body]
+        if macro.parameters is None:
+            return body
+        given = [[]]
+        depth = 0
+        while words:
+            part = words.pop(0)
+            depth += (part[1] == "(") - (part[1] == ")")
+            if depth == 0:
+                break
+            if part[1] == "," and depth == 1:
+                given.append([])
+            elif part[1] != "(" or depth > 1:
+                given[-1].append(part)
+        if given == [[]] and not macro.parameters:
+            given = []
+        if depth or len(given) != len(macro.parameters):
+            raise self.fault(f"a macro with {len(macro.parameters)} parameters: {name}")
+        named = dict(zip(macro.parameters, given))
+        return [part for each in body for part in named.get(each[1], [each])]
 
     # ---- preprocessor lines ------- ------------------------------------------------------------------------
 
@@ -223,19 +281,23 @@ class _File:
         if word is None:
             raise self.fault("#define needs a name")
         body = rest[word.end() :]
+        parameters = None
         if body[:1] == "(":
-            self.source.macros[word.group()] = "("
-            return
+            listed = _PARAMETERS.match(body)
+            if listed is None:
+                raise self.fault(f"a macro that cannot be read: {word.group()}")
+            parameters = _NAME.findall(listed.group())
+            body = body[listed.end() :]
         parts = []
         at = 0
         while at < len(body):
             match = _TOKEN.match(body, at)
-            if match is None:
+            if match is None or match.lastgroup == "directive":
                 raise self.fault(f"a macro that cannot be read: {word.group()}")
             if match.lastgroup not in ("space", "comment"):
                 parts.append((match.lastgroup, match.group()))
             at = match.end()
-        self.source.macros[word.group()] = parts
+        self.source.macros[word.group()] = Macro(parameters, parts)
 
     def _undef(self, rest):
         self.source.macros.pop(rest, None)
@@ -368,12 +430,11 @@ class _Condition:
         return word
 
 
-def _of_macro(body):
+def _of_macro(macro):
     """The number that a macro means in a condition; 0, as in C, for anything else. Raises ValueError."""
-    if isinstance(body, list) and len(body) == 1 and body[0][0] == "number":
-        word = body[0][1]
-    else:
-        word = "0"
+    word = "0"
+    if macro is not None and len(macro.body) == 1 and macro.body[0][0] == "number":
+        word = macro.body[0][1]
     if is_whole(word):
         return whole(word)
     return 0
