@@ -315,6 +315,11 @@ def profile_file(parser):
     parser.add_argument(
         "file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)"
     )
+    profile_options(parser)
+
+
+def profile_options(parser):
+    """How a profile is read: args.form, see `profile_form`, and args.map."""
     parser.add_argument(
         "-m",
         "--map",

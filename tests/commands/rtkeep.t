@@ -5,7 +5,7 @@ world: these ConsoleOut:Plain0 --flavour cpp2
 
   $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }
-  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i two ConsoleIn0.rtc:out Plain0.rtc:in
+  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i two ConsoleIn0.rtc:out Plain0.rtc:in
   $ rtcryo --all -o a.xml localhost:$PORT; rtdis ConsoleIn0.rtc; rtconf ConfigSample0.rtc set int_param0 7
 
 At boot: the commands that would do it; then it is done once. What is not so in time is the status.
@@ -69,7 +69,6 @@ At rest nobody is called who reports by himself: a question each --look seconds 
   $ sleep 1; ctl reset; ctl @these3 reset; sleep 2.5; ctl calls | grep -v put; ctl @these3 calls | awk '!/put/ {n += $1} END {print (n <= 2)}'
   1
   $ kill $keep; wait $keep
-  [143]
   $ ctl observers Motor0; ctl observers ConsoleIn0
 
 With --strict all is as in the file.
@@ -77,7 +76,6 @@ With --strict all is as in the file.
   $ rtkeep --strict a.xml > out 2>&1 & keep=$!
   $ soon 'grep rate.of out'; soon 'ctl observers Motor0 | grep Obs'; rtdeact Motor0.rtc; soon 'grep Motor0.*Active out'
   $ soon 'rtcheck a.xml'; kill $keep; wait $keep
-  [143]
 
 What cannot be meant:
 
@@ -101,6 +99,5 @@ What the tests that run all commands have to know of this one (see tests/support
 
 invocation: --once --within 1 FILE
 looking: --dry-run FILE
-lasting: FILE
 broken component: 5
 examples: endless

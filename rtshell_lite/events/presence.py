@@ -1,0 +1,328 @@
+"""Which of some components are there, and what changes about them, with as few questions as that takes.
+
+Components that take observers report what changes. Of others, each process is asked one small question every
+few seconds: the state of a component, or one of its connections. A connection that a process drops shows its
+end at once. Absent components are looked for by their names.
+
+Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its neighbours.
+"""
+
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb, session
+from rtshell_lite.events import observer
+from rtshell_lite.net import loop
+from rtshell_lite.robot import component, snapshot, tree
+
+SEEK = 0.3  # seconds between looks for the names of absent components; more where there are many
+BEAT = 10.0  # seconds between heartbeats of an observed component
+LATE = 2.5 * BEAT  # after so many seconds without one it is asked whether it lives
+AGAIN = 2.0  # seconds between questions to a dead object whose name is still bound
+TRIES = 5  # of a question whose connection is lost: to a process that ends, as a rule
+PAUSE = 0.15  # seconds between them
+HURRY = 0.3  # seconds that components have to answer when observers are taken back
+NEVER = "86400"  # seconds between reports of single values that are sent and received
+
+KINDS = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT", "CONFIG_EVENT")
+
+
+class Followed:
+    """One component that is followed; the methods below are called with what is noticed.
+
+    path   its Path, `where` as text
+    shown  its snapshot.Snapshot, None while it is absent; who follows it fills it
+    error  why it is absent, or None
+    """
+
+    def __init__(self, path):
+        self.path = path
+        self.where = str(path)
+        self.shown = self.subscription = self.error = None
+        self.is_hung = self.is_ending = False
+        self.heard = self.asked = 0.0
+        self.dead = None  # the identity of its object that is gone
+        self.number = 0  # of the next question
+
+    @property
+    def is_there(self):
+        """Whether it has answered, and is not known to be gone."""
+        return self.shown is not None
+
+    @property
+    def endpoint(self):
+        """(host, port) of its process."""
+        return self.shown.node.endpoint
+
+    @property
+    def place(self):
+        """(endpoint, path as text), for session.each."""
+        return self.endpoint, self.where
+
+    def appeared(self):
+        """It is there, or another object than before has its name."""
+
+    def vanished(self, seen):
+        """It is gone; `seen` says how."""
+
+    def hung(self, error):
+        """It does not answer."""
+
+    def answered(self):
+        """It answers again."""
+
+    def reported(self, event):
+        """It reports an observer.Event, no heartbeat."""
+
+    def seen(self, part):
+        """A question has shown that its "state" or its "ports" are not what `shown` has."""
+
+    async def observe(self):
+        """Lend it an observer, if it takes one, by the profile in `shown`. Raises Unreachable."""
+        offered = observer.taken(dict(self.shown.profile.properties))
+        known = [kind for kind in (observer.OBSERVER, observer.FSM_OBSERVER) if kind in offered]
+        if not known:
+            return
+        quiet = [(f"port_profile.{word}_event.min_interval", NEVER) for word in ("send", "receive")]
+        if self.subscription is None:
+            node = self.shown.node
+            self.subscription = observer.observer(node, known[0], KINDS, self._hear, BEAT, quiet)
+        try:
+            await self.subscription.attach()
+        except errors.Refused:
+            self.forget()
+
+    def forget(self):
+        """It has no observer of ours any more."""
+        if self.subscription is not None:
+            self.subscription.forget()
+            self.subscription = None
+
+    def _hear(self, event):
+        self.heard = time.monotonic()
+        if event.event == "FINALIZE":
+            self.is_ending = True
+        if event.kind != "HEARTBEAT" and event.event not in ("PORT_SEND", "PORT_RECEIVE"):
+            self.reported(event)
+
+
+class Presence:
+    """Follows components, `followed`: `async with presence:`.
+
+    look   seconds between questions to a process whose components report nothing
+    """
+
+    def __init__(self, followed, look):
+        self.followed = followed
+        self.look = look
+        self._looked = {}  # {endpoint: when it was last asked}
+        self._suspected = set()  # endpoints that are being asked whether they live
+        self._group = None
+
+    async def __aenter__(self):
+        session.current().on_end = self.suspect
+        self._group = loop.Group()
+        self.start(self._look_around())
+        return self
+
+    async def __aexit__(self, kind, error, traceback):
+        session.current().on_end = None
+        self._group.cancel()
+        try:
+            await self._group.__aexit__(kind, error, traceback)
+        finally:
+            await self._detach_all()
+
+    def start(self, work, place=None):
+        """Begin a task that ends with the block."""
+        self._group.start(work, place)
+
+    async def _detach_all(self):
+        """Take the observers back. Components of C++ do it at once, and answer at their next heartbeat."""
+        lent = [each for each in self.followed if each.subscription is not None]
+
+        async def detach(each):
+            await each.subscription.detach()
+
+        await loop.race(session.each(lent, detach, lambda each: each.place), loop.sleep(HURRY))
+        for each in lent:
+            each.forget()
+
+    async def still_absent(self, absent):
+        """These have been looked for, in vain."""
+
+    # ---- whether they live ----
+
+    def at(self, endpoint):
+        """Those that are there in a process."""
+        return [each for each in self.followed if each.is_there and each.endpoint == endpoint]
+
+    def suspect(self, endpoint):
+        """A connection with a process has ended, or it has been quiet for long: look whether it lives."""
+        if endpoint not in self._suspected and self.at(endpoint):
+            self._suspected.add(endpoint)
+            self.start(self._examine(endpoint), endpoint)
+
+    async def _examine(self, endpoint):
+        try:
+            here = self.at(endpoint)
+            for each in [each for each in here if each.is_hung or each.is_ending] or here[:1]:
+                await self.ask(each)
+        finally:
+            self._suspected.discard(endpoint)
+
+    async def ask(self, each):
+        """Ask a component whether it lives, and act on the answer."""
+        if not each.is_there:
+            return
+        try:
+            await _alive(each)
+        except errors.Error as e:
+            self.failed(each, e)
+            return
+        session.current().silent.pop(each.endpoint, None)
+        each.heard = max(each.heard, time.monotonic() - LATE + BEAT)
+        if each.is_hung:
+            each.is_hung = False
+            each.answered()
+
+    def failed(self, each, error):
+        """A component was asked in vain: it is gone, with all of its process where that refuses, or it hangs."""
+        if not each.is_there:
+            return
+        if isinstance(error, errors.Gone):
+            self._lose(each, error, "has exited")
+        elif isinstance(error, errors.ProcessGone):
+            for other in self.at(each.endpoint):
+                self._lose(other, error, "its process is gone")
+        elif not each.is_hung:
+            each.is_hung = True
+            each.hung(error)
+
+    @staticmethod
+    def _lose(each, error, seen):
+        if each.is_ending:
+            seen = "has exited"
+        each.forget()
+        each.dead = orb.identity(each.shown.node.ref)
+        each.shown = None
+        each.error = error
+        each.is_hung = each.is_ending = False
+        each.vanished(seen)
+
+    # ---- looking around ----
+
+    async def _look_around(self):
+        while True:
+            absent = [each for each in self.followed if not each.is_there]
+            if absent:
+                await self._seek(absent)
+            now = time.monotonic()
+            for endpoint in {each.endpoint for each in self.followed if _is_doubtful(each, now)}:
+                self.suspect(endpoint)
+            for each in self.followed:
+                if each.subscription is not None and now - each.heard > LATE:
+                    self.start(self._lend_again(each), each.endpoint)
+            for endpoint in {each.endpoint for each in self.followed if _is_polled(each)}:
+                self._poll(endpoint, now)
+            if absent:
+                await loop.sleep(max(SEEK, 0.01 * len(absent)))
+            else:
+                await loop.sleep(min(1.0, self.look / 2))
+
+    async def _seek(self, absent):
+        """Look whether absent components have come."""
+        found = await session.each(absent, self._found, lambda each: (tree.lane(each.path), each.where))
+        for each, node in zip(absent, found):
+            if isinstance(node, errors.Error):
+                each.error = node
+                continue
+            each.error = None
+            each.shown = snapshot.Snapshot(node)
+            each.heard = time.monotonic()
+            each.appeared()
+        await self.still_absent([each for each in absent if not each.is_there])
+
+    @staticmethod
+    async def _found(each):
+        """The Node of an absent component. Raises what says why it is absent."""
+        node = await tree.component(each.path)
+        now = time.monotonic()
+        if orb.identity(node.ref) == each.dead and now - each.asked < AGAIN:
+            raise each.error
+        each.asked = now
+        (node,) = await tree.check_alive([node])
+        if node.kind != "component":
+            each.dead = orb.identity(node.ref)
+            raise node.error
+        return node
+
+    @staticmethod
+    async def _lend_again(each):
+        """A component that lives may have lost its observer after a failed call."""
+        each.heard = time.monotonic()
+        try:
+            await each.subscription.attach()
+        except errors.Error:
+            pass  # whether it lives is asked elsewhere
+        each.seen("state")
+        each.seen("ports")
+
+    # ---- where there are no observers ----
+
+    def _poll(self, endpoint, now):
+        """Ask a process one question, if it is time."""
+        if now - self._looked.get(endpoint, 0) < self.look:
+            return
+        self._looked[endpoint] = now
+        polled = [each for each in self.at(endpoint) if _is_polled(each)]
+        questions = [(each, *question) for each in polled for question in _questions(each)]
+        if questions:
+            polled[0].number += 1
+            self.start(self._put(*questions[polled[0].number % len(questions)]), endpoint)
+
+    async def _put(self, each, ref, connector_id):
+        shown = each.shown
+        try:
+            if connector_id is None:
+                is_changed = await component.state_in(shown.node, ref) not in shown.states
+            else:
+                profile = await orb.call(each.where, ref, "get_connector_profile", connector_id)
+                is_changed = not profile.connector_id
+        except errors.Refused:
+            is_changed = True
+        except errors.Error:
+            await self.ask(each)
+            return
+        if is_changed and each.shown is shown:
+            each.seen("state" if connector_id is None else "ports")
+
+
+def _is_polled(each):
+    return each.is_there and each.shown.states and each.subscription is None and not each.is_hung
+
+
+def _is_doubtful(each, now):
+    is_late = each.is_there and each.subscription is not None and now - each.heard > LATE
+    return is_late or each.is_there and (each.is_hung or each.is_ending)
+
+
+def _questions(each):
+    """(reference, id of a connector or None for its state) for what a component is asked in turn."""
+    found = [(context.ref, None) for context in each.shown.contexts[:1]]
+    for port in each.shown.ports:
+        found += [(port.ref, connector.id) for connector in port.connectors]
+    return found
+
+
+async def _alive(each):
+    """Raise what shows that a component is gone, or hangs; a process that ends drops its connections first."""
+    ref = each.shown.node.ref
+    for _ in range(TRIES):
+        try:
+            return await orb.is_alive(each.where, ref)
+        except (errors.Silent, errors.Gone, errors.ConnectionRefused):
+            raise
+        except errors.Unreachable:
+            await loop.sleep(PAUSE)
+    return await orb.is_alive(each.where, ref)

@@ -1,0 +1,95 @@
+"""How often what fails is tried again: restart policies, as those of systemd."""
+
+import collections
+import random
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.system import capture
+
+HEALTH = 60.0  # seconds without a failure after which earlier ones are forgotten
+DAY = 86400.0
+RESTARTS = ("always", "on-error", "no")
+PREFIX = "keep."  # of the extended properties of a component that say how it is kept
+
+# `restart` is one of RESTARTS; given up after `burst` failures in `within` seconds; from `first` to `most`
+# seconds between attempts.
+Policy = collections.namedtuple("Policy", "restart burst within first most")
+USUAL = Policy("always", 5, 60.0, 0.5, 30.0)
+
+
+def of(component, usual):
+    """The Policy of a model.Component: its extended properties keep.restart, keep.burst and keep.delay, words as
+    `parse` takes them, go before those of `usual`. Raises Failed.
+    """
+    words = [component.property(PREFIX + name) for name in ("restart", "burst", "delay")]
+    try:
+        return parse(words[0], words[1], words[2], usual)
+    except ValueError as e:
+        raise errors.Failed(capture.shown_path(component), f"its property {PREFIX}{e}")
+
+
+def parse(restart=None, burst=None, delay=None, usual=USUAL):
+    """The Policy of three words such as on-error, 5/60 and 0.5-30; None for what `usual` has.
+
+    Raises ValueError with the name of the word that is wrong and what it is not.
+    """
+    made = usual
+    if restart and restart not in RESTARTS:
+        raise ValueError("restart: not one of " + ", ".join(RESTARTS))
+    if restart:
+        made = made._replace(restart=restart)
+    if burst:
+        number, within = _two_numbers(burst, "/", "burst: not NUMBER/SECONDS")
+        made = made._replace(burst=int(number), within=within)
+    if delay:
+        first, most = _two_numbers(delay, "-", "delay: not FIRST-MOST")
+        made = made._replace(first=first, most=most)
+    return made
+
+
+def _two_numbers(text, between, complaint):
+    try:
+        one, other = [float(word) for word in text.split(between)]
+    except ValueError:
+        raise ValueError(complaint)
+    if not 0 < one <= DAY or not 0 < other <= DAY:
+        raise ValueError(complaint)
+    return one, other
+
+
+class Trial:
+    """How often something has failed of late, and when it may be tried again.
+
+    until     time.monotonic() before which it is not to be tried
+    given_up  True after too many failures, until `begin_again`
+    """
+
+    def __init__(self, policy):
+        self.policy = policy
+        self.failures = []  # type: list
+        self.until = 0.0
+        self.given_up = False
+
+    def fail(self):
+        """Note a failure: the next attempt comes at once after the first one, later after others, or never."""
+        now = time.monotonic()
+        if self.failures and now - self.failures[-1] > HEALTH:
+            self.failures = []
+        self.failures.append(now)
+        recent = [when for when in self.failures if now - when < self.policy.within]
+        self.given_up = len(recent) > self.policy.burst
+        delay = 0.0
+        if len(self.failures) > 1:
+            delay = min(self.policy.most, self.policy.first * 2 ** min(len(self.failures) - 2, 20))
+        self.until = now + delay * random.uniform(1, 1.25)
+
+    def why_given_up(self):
+        """In words."""
+        return f"given up after {self.policy.burst} failures in {self.policy.within:g}s"
+
+    def begin_again(self):
+        """Something about it has changed."""
+        self.failures = []
+        self.until = 0.0
+        self.given_up = False

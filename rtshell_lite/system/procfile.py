@@ -1,0 +1,97 @@
+"""Procfiles: the processes of a robot, in what order they start, and when each is ready.
+
+nameserver: rtm-naming                      a name and a command; words are split as in sh, $NAME is replaced
+nameserver.ready: localhost                 what answers when it is ready: a component, a manager, a name server
+arm: ./Arm0Comp -f rtc.conf
+arm.after: nameserver                       names: it starts when these are ready
+arm.env: LANG=C                             more environment
+arm.cwd: /opt/arm                           where it runs
+arm.stop: INT 5                             the signal that ends it; after so many seconds SIGKILL does
+arm.restart: on-error                       these three as policy.parse takes them
+arm.burst: 5/60
+arm.delay: 0.5-30
+"""
+
+import collections
+import os
+import re
+import signal
+
+from rtshell_lite import errors, files, path
+from rtshell_lite.system import policy
+from rtshell_lite.text import printable
+
+STOP = "TERM 5"
+WORDS = ("after", "ready", "env", "cwd", "stop", "restart", "burst", "delay")
+LINE = re.compile(r"([\w-]+)(?:\.(%s))?:\s*(\S.*)" % "|".join(WORDS))
+
+# One process of a Procfile: `command` a list of words, `after` names, `ready` a Path or None, `env` a dict,
+# `stop` the signal that ends it and after how many seconds SIGKILL does.
+Spec = collections.namedtuple("Spec", "name command after ready env cwd stop policy")
+
+
+def read(name, usual):
+    """The Specs of a Procfile in the order of starting; `usual` is the Policy of those without their own.
+    Raises Failed, BadPath, OSError.
+    """
+    found = collections.OrderedDict()
+    for number, line in enumerate(files.read(name).splitlines(), 1):
+        line = line.strip()
+        if not line or line.startswith("#"):
+            continue
+        matched = LINE.match(line)
+        try:
+            if not matched:
+                raise ValueError("not NAME: COMMAND, nor NAME.KEY: VALUE with KEY one of " + ", ".join(WORDS))
+            process, key, value = matched.groups()
+            found.setdefault(process, {})[key or "command"] = value
+        except ValueError as e:
+            raise errors.Failed("%s:%d" % (printable(name), number), e)
+    return _in_order([_spec(name, process, words, found, usual) for process, words in found.items()], name)
+
+
+def _spec(file, name, words, known, usual):
+    import shlex
+
+    try:
+        if "command" not in words:
+            raise ValueError("no command")
+        after = words.get("after", "").split()
+        for other in after:
+            if other not in known:
+                raise ValueError(f"after {other}, which is not there")
+        ready = words.get("ready")
+        return Spec(
+            name,
+            [os.path.expandvars(word) for word in shlex.split(words["command"])],
+            after,
+            path.parse(ready) if ready else None,
+            dict(word.split("=", 1) for word in shlex.split(words.get("env", ""))),
+            words.get("cwd"),
+            _stop(words.get("stop", STOP)),
+            policy.parse(words.get("restart"), words.get("burst"), words.get("delay"), usual),
+        )
+    except ValueError as e:
+        raise errors.Failed(f"{printable(file)}: {name}", printable(str(e)))
+
+
+def _stop(value):
+    """(number of a signal, seconds) of a value such as `INT 5`. Raises ValueError."""
+    word, _, seconds = value.partition(" ")
+    number = getattr(signal, "SIG" + word, None)
+    if number is None:
+        raise ValueError("stop: no such signal: " + word)
+    return number, float(seconds or STOP.split()[1])
+
+
+def _in_order(specs, name):
+    """Each behind those that it comes after. Raises Failed for a circle."""
+    ordered = []
+    while len(ordered) < len(specs):
+        started = {spec.name for spec in ordered}
+        due = [spec for spec in specs if spec not in ordered and started.issuperset(spec.after)]
+        if not due:
+            rest = ", ".join(spec.name for spec in specs if spec not in ordered)
+            raise errors.Failed(printable(name), "these wait for each other: " + rest)
+        ordered.append(due[0])
+    return ordered

@@ -1,0 +1,205 @@
+"""rtkeep as a service: a system and its processes, kept until a signal, steered by others, logged."""
+
+import os
+import signal
+import time
+
+from rtshell_lite import errors, notes
+from rtshell_lite.net import loop
+from rtshell_lite.system import keep, plan, steering
+from rtshell_lite.text import json_line
+from rtshell_lite.xmlprofile import model
+
+LOOK = 0.5  # seconds between looks whether all is as the file says, at the start
+
+
+class Nothing:
+    """In the place of Processes where there is no Procfile."""
+
+    all = ()
+
+    async def __aenter__(self):
+        return self
+
+    async def __aexit__(self, *_):
+        return None
+
+    def named(self, name):
+        """None."""
+
+    async def stop(self, stopped=None):
+        """Nothing."""
+
+
+class Service:
+    """Keeps what is read: `await Service(…).run(processes)` returns the exit status.
+
+    name       the file that is kept, for the lock
+    read       function that returns (profile, its Plan of starting, its Plan of stopping), for `reload`
+    options    keep.Options
+    show       called with each Happening
+    events     the file to which each goes as a line of JSON, or None
+    """
+
+    def __init__(self, name, read, options, show, events=None):
+        self.name = name
+        self._read = read
+        self._options = options
+        self.processes = Nothing()  # type: object
+        self._show = show
+        self._events = events
+        self.keeper = None
+        self.since = time.time()
+        self._files = None  # what was read last
+        self._wanted = None  # reload, stop, or the number of a signal
+        self._bell = loop.Bell()
+        self._second = loop.Bell()
+        self._is_hurried = False  # a second signal has come
+        self.is_leaving = False  # the components are left as they are
+        self.has_teardown = False
+
+    def tell(self, happening):
+        """Report a Happening."""
+        self._show(happening)
+        steering.notify(STATUS=happening.line())
+        if self._events is not None:
+            self._events.write(json_line(happening.as_dict()) + "\n")
+            self._events.flush()
+
+    def process_happened(self, name, seen, done="", begun=None):
+        """Report what happens to a process; `begun` by time.monotonic()."""
+        seconds = 0.0
+        if begun is not None:
+            seconds = time.monotonic() - begun
+        self.tell(keep.Happening(time.time(), name, seen, done, seconds, None))
+
+    async def run(self, processes):
+        """Keep it, and Processes or Nothing, until a signal or a request ends that; a second signal ends it at
+        once.
+        """
+        self.processes = processes
+        here = loop.current()
+        for number in (signal.SIGTERM, signal.SIGINT):
+            here.hear(number, lambda number=number: self._signalled(number))
+        here.hear(signal.SIGHUP, self._hang_up)
+        self._files = self._read()
+        async with steering.Door(self.name, self.answer), self.processes:
+            while self._wanted in (None, "reload"):
+                self._wanted = None
+                await self._keep(*self._files)
+            await loop.race(self.processes.stop(), self._second.wait())
+        return 128 + self._wanted if self._is_hurried else 0
+
+    async def _keep(self, profile, starting, stopping):
+        async with keep.Keeper(profile, starting, self._options, self.tell) as self.keeper:
+            async with loop.background(self._report()):
+                await self._bell.wait()
+            if self._wanted != "reload" and not self.is_leaving:
+                steering.notify(STOPPING=1)
+                await loop.race(self.keeper.stop(stopping, self.has_teardown), self._second.wait())
+
+    async def _report(self):
+        """Tell the service manager when all is so, and that we live."""
+        every = steering.watchdog()
+        is_ready = False
+        while True:
+            if every is not None:
+                steering.notify(WATCHDOG=1)
+            if not is_ready and self.keeper.is_settled():
+                is_ready = True
+                steering.notify(READY=1)
+            if is_ready and every is None:
+                return
+            await loop.sleep(LOOK if every is None else min(LOOK, every))
+
+    def _reload(self):
+        """Read the files again. Raises what is wrong with them; then nothing changes."""
+        self._files = self._read()
+        self._want("reload")
+
+    def _hang_up(self):
+        try:
+            self._reload()
+        except (errors.Error, OSError) as e:
+            notes.fail(e)
+
+    def _want(self, what):
+        self._wanted = what
+        self._bell.ring()
+
+    def _signalled(self, number):
+        if isinstance(self._wanted, int) or self._wanted == "stop":
+            self._is_hurried = True
+            self._wanted = number
+            self._second.ring()
+        else:
+            self._want(number)
+
+    # ---- requests ----
+
+    def answer(self, request):
+        """The lines of the answer to a request of `rtkeep COMMAND NAME …`. Raises NoSuch."""
+        command = request["command"]
+        if command == "status":
+            return [self.as_dict()] + [one.as_dict() for one in [*self.keeper.followed, *self.processes.all]]
+        if command == "reload":
+            self._reload()
+        elif command == "stop" and not request["names"]:
+            self._want("stop")
+        elif command in ("pause", "resume", "stop"):
+            for one in self._named(request["names"]):
+                getattr(self, "_" + command)(one)
+        else:
+            raise errors.Usage(f"no such command: {command}")
+        return []
+
+    def as_dict(self):
+        """For `rtkeep status`."""
+        return {
+            "kind": "rtkeep",
+            "object": self.name,
+            "pid": os.getpid(),
+            "since": self.since,
+            "settled": self.keeper.is_settled(),
+        }
+
+    def _named(self, names):
+        """Kepts and Processes; all where there are no names."""
+        if not names:
+            return [*self.keeper.followed, *self.processes.all]
+        found = []
+        for name in names:
+            one = self.keeper.named(name) or self.processes.named(name)
+            if one is None:
+                raise errors.NoSuch(self.name, "component or process in it", name)
+            found.append(one)
+        return found
+
+    def _pause(self, one):
+        if isinstance(one, keep.Kept):
+            one.is_paused = True
+        else:
+            one.is_wanted = False
+
+    def _resume(self, one):
+        if isinstance(one, keep.Kept):
+            one.take_back()
+        else:
+            self.processes.resume(one)
+
+    def _stop(self, one):
+        if isinstance(one, keep.Kept):
+            one.is_paused = True
+            self.keeper.start(self.keeper.deactivate(one))
+        else:
+            self.keeper.start(self.processes.stop([one]))
+
+
+def empty():
+    """The profile where only processes are kept."""
+    return model.RtsProfile(components=[])
+
+
+def plans(profile, name):
+    """(profile, its Plan of starting, its Plan of stopping). Raises Failed."""
+    return profile, plan.make(profile, "activation", name), plan.make(profile, "deactivation", name, False)

@@ -1,0 +1,205 @@
+"""One rtkeep for a file, and the door by which others ask and steer it: a UNIX socket beside a lock.
+
+A request and each line of its answer are JSON. The first line of an answer has `error`, a text or null.
+"""
+
+import fcntl
+import json
+import os
+import select
+import socket
+import stat
+import zlib
+
+from rtshell_lite import errors
+from rtshell_lite.net import loop
+from rtshell_lite.text import json_line, printable
+
+PATIENCE = 3.0  # seconds that either side waits for the other
+LONGEST = 1 << 20  # octets of a request
+
+
+def directory():
+    """The private directory of this user for locks and sockets. Raises OSError, Failed where it is not ours."""
+    runtime = os.environ.get("XDG_RUNTIME_DIR")
+    if runtime and os.path.isdir(runtime):
+        made = os.path.join(runtime, "rtkeep")
+    else:
+        made = "/tmp/rtkeep-%d" % os.geteuid()
+    try:
+        os.mkdir(made, 0o700)
+    except FileExistsError:
+        pass
+    found = os.lstat(made)
+    if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.geteuid() or found.st_mode & 0o077:
+        raise errors.Failed(made, "not a directory of ours that nobody else can write to")
+    return made
+
+
+def place(name):
+    """The path, without its ending, of the lock and the socket for a file."""
+    real = os.path.realpath(name)
+    base = os.path.basename(real).encode("utf-8", "surrogateescape")[:40].decode("utf-8", "ignore")
+    return os.path.join(directory(), "%s-%08x" % (base, zlib.crc32(os.fsencode(real))))
+
+
+class Lock:
+    """Held by the one rtkeep of a file until its process ends. Raises Failed, which names the other one."""
+
+    def __init__(self, name):
+        self.path = place(name) + ".lock"
+        self.fd = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
+        try:
+            fcntl.flock(self.fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            other = os.read(self.fd, 20).decode("ascii", "replace").strip()
+            os.close(self.fd)
+            raise errors.Failed(printable(name), f"is kept already, by process {printable(other)}")
+        os.ftruncate(self.fd, 0)
+        os.write(self.fd, b"%d\n" % os.getpid())
+
+
+class Door:
+    """Answers requests: `async with Door(name, answer):`; answer(request) returns the lines, dicts, of an answer.
+
+    It may raise errors.Error.
+    """
+
+    def __init__(self, name, answer):
+        self.path = place(name) + ".socket"
+        self.answer = answer
+        self._listener = None
+        self._group = None
+
+    async def __aenter__(self):
+        if os.path.lexists(self.path):  # of one that was killed: we hold the lock
+            os.unlink(self.path)
+        self._listener = socket.socket(socket.AF_UNIX)
+        self._listener.setblocking(False)
+        before = os.umask(0o177)
+        try:
+            self._listener.bind(self.path)
+        finally:
+            os.umask(before)
+        self._listener.listen(8)
+        self._group = loop.Group()
+        self._group.start(self._open())
+        return self
+
+    async def __aexit__(self, kind, error, traceback):
+        self._group.cancel()
+        try:
+            return await self._group.__aexit__(kind, error, traceback)
+        finally:
+            self._listener.close()
+            os.unlink(self.path)
+
+    async def _open(self):
+        while True:
+            await loop.ready(self._listener.fileno(), select.POLLIN)
+            try:
+                connection, _ = self._listener.accept()
+            except OSError:
+                continue
+            self._group.start(self._serve(connection))
+
+    async def _serve(self, connection):
+        with connection:
+            connection.setblocking(False)
+            await loop.race(self._exchange(connection), loop.sleep(PATIENCE))
+
+    async def _exchange(self, connection):
+        try:
+            lines = [dict(error=None)] + self.answer(json.loads(await _line(connection)))
+        except errors.Error as e:
+            lines = [dict(error=str(e))]
+        except (ValueError, KeyError, TypeError) as e:
+            lines = [dict(error=f"not understood: {e}")]
+        except OSError:
+            return
+        await _send(connection, "".join(json_line(line) + "\n" for line in lines))
+
+
+async def _line(connection):
+    data = b""
+    while not data.endswith(b"\n") and len(data) < LONGEST:
+        await loop.ready(connection.fileno(), select.POLLIN)
+        piece = connection.recv(1 << 16)
+        if not piece:
+            break
+        data += piece
+    return data.decode("utf-8", "replace")
+
+
+async def _send(connection, text):
+    data = text.encode("utf-8", "surrogateescape")
+    while data:
+        await loop.ready(connection.fileno(), select.POLLOUT)
+        try:
+            data = data[connection.send(data) :]
+        except OSError:
+            return
+
+
+# ---- asking ------------------------------------------------------------------------------------------------
+
+
+def running():
+    """The paths of the sockets of all rtkeeps of this user, sorted."""
+    where = directory()
+    return sorted(os.path.join(where, name) for name in os.listdir(where) if name.endswith(".socket"))
+
+
+async def ask(door, request):
+    """The lines, dicts, that the rtkeep at the socket `door` answers. Raises its errors.Error, Silent;
+    ConnectionRefused where none is.
+    """
+    with socket.socket(socket.AF_UNIX) as connection:
+        try:
+            connection.connect(door)
+        except OSError:
+            raise errors.ConnectionRefused(printable(os.path.basename(door)))
+        connection.setblocking(False)
+        found = []
+
+        async def exchange():
+            await _send(connection, json_line(request) + "\n")
+            data = b""
+            while True:
+                await loop.ready(connection.fileno(), select.POLLIN)
+                piece = connection.recv(1 << 16)
+                if not piece:
+                    break
+                data += piece
+            found.extend(json.loads(line) for line in data.decode("utf-8", "replace").splitlines())
+
+        await loop.race(exchange(), loop.sleep(PATIENCE))
+    if not found:
+        raise errors.Silent(printable(os.path.basename(door)), f"no answer within {PATIENCE:g}s")
+    if found[0]["error"]:
+        raise errors.Error(printable(found[0]["error"]))
+    return found[1:]
+
+
+# ---- the service manager of the system ---------------------------------------------------------------------
+
+
+def notify(**said):
+    """Tell systemd, or who speaks its protocol, how it is: READY=1, STATUS=…, WATCHDOG=1 (sd_notify(3))."""
+    where = os.environ.get("NOTIFY_SOCKET")
+    if not where:
+        return
+    message = "\n".join(f"{name}={value}" for name, value in said.items())
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as out:
+        try:
+            out.sendto(message.encode("utf-8", "replace"), "\0" + where[1:] if where[0] == "@" else where)
+        except OSError:
+            pass
+
+
+def watchdog():
+    """Seconds between the signs of life that the service manager wants, or None."""
+    try:
+        return int(os.environ.get("WATCHDOG_USEC", "")) / 2e6
+    except ValueError:
+        return None

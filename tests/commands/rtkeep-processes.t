@@ -1,0 +1,120 @@
+rtkeep --processes starts the processes of a robot, each when what it needs is ready, keeps them, and ends them in reverse.
+
+world: these ConsoleIn
+
+  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g; s/pid [0-9]*/pid N/; s/20[-0-9]* [0-9:]*/T/g' "$@"; }
+  $ export XDG_RUNTIME_DIR=$PWD
+  $ mocks() { echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$SESSION/python:$PYTHONPATH exec python3 -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/$1.control'"; }
+  $ mkfifo fifo; cat > Procfile <<EOF
+  > # processes of a robot
+  > motor: $(mocks Motor)
+  > motor.ready: /localhost:$PORT/test.host_cxt/Motor0.rtc
+  > motor.delay: 0.1-1
+  > out: $(mocks ConsoleOut)
+  > out.after: motor
+  > out.ready: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
+  > talk: sh -c 'echo \$WORD from \$PWD; echo more >&2; exec sleep 1000'
+  > talk.env: WORD=hello
+  > talk.after: motor out
+  > talk.stop: INT 5
+  > brief: true
+  > brief.restart: no
+  > missing: /nowhere/at/all
+  > missing.burst: 1/60
+  > EOF
+
+Each is started when those before it are ready; what they print is kept, and shown with -v.
+
+  $ mkdir logs; rtkeep -v --log logs --processes Procfile > out 2> err & keep=$!
+  $ soon 'grep talk.*more err'; soon 'grep missing.*given out'; said out | grep -v -e brief -e missing
+  motor: started, pid N
+  motor: Motor0.rtc answers: ready
+  out: started, pid N
+  out: ConsoleOut0.rtc answers: ready
+  talk: started, pid N
+  $ grep -e brief -e missing out | said | sort
+  brief: ended with status 0: not started again
+  brief: started, pid N
+  missing: cannot be started: No such file or directory
+  missing: cannot be started: No such file or directory: given up after 1 failures in 60s
+  $ grep talk: err | sed "s,$PWD,HERE,"; sed 's/^[-0-9T:]* //' logs/talk.log | sed "s,$PWD,HERE,"
+  rtkeep: talk: hello from HERE
+  rtkeep: talk: more
+  hello from HERE
+  more
+  $ rtkeep status | said
+  Procfile: pid N, since T; all is as the file says
+    motor    running  ready               T               pid N
+    out      running  ready               T               pid N
+    talk     running  ready               T               pid N
+    brief    stopped  stopped             T
+    missing  stopped  stopped (given up)  T  restarts: 1
+
+One that is killed comes back; the system is kept, too, where there is a file.
+
+  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo -o a.xml localhost:$PORT; kill $keep; wait $keep
+  rtcryo: 1 component without connections left out; --all saves them, too
+  $ ls | grep control; rtls
+  ConsoleIn0.rtc
+  $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
+  $ soon 'rtcheck a.xml'; kill -9 $(rtkeep status --json | sed -n 's/.*"object": "out", "pid": \([0-9]*\),.*/\1/p')
+  $ soon 'grep out:.ended.by.SIGKILL out'; soon 'rtcheck a.xml'; said out | grep -e out: -e Out | sort | uniq -c | sed 's/^ *//'
+  2 ConsoleOut0.rtc: Active
+  1 ConsoleOut0.rtc: its process is gone
+  2 out: ConsoleOut0.rtc answers: ready
+  1 out: ended by SIGKILL
+  2 out: started, pid N
+
+A second one for a file is refused, and named.
+
+  $ rtkeep a.xml 2>&1 | sed "s/process $keep/process N/"
+  rtkeep: a.xml: is kept already, by process N
+
+What is stopped by name stays stopped until it is resumed.
+
+  $ rtkeep stop talk; soon 'grep talk:.*told out'; rtkeep status | grep talk | said
+    talk                                            stopped  stopped             T
+    talk: hello from $TMP
+    talk: more
+  $ rtkeep resume talk; soon 'rtkeep status | grep talk.*ready'
+
+At the end components are deactivated, then the processes end, the last first. Nothing survives kill -9, either.
+
+  $ kill $keep; wait $keep; said out | grep -v Inactive | tail -4; ls | grep control; ctl @these state ConsoleIn0
+  talk: started, pid N
+  talk: ended by SIGINT: as it was told
+  out: ended with status 0: as it was told
+  motor: ended with status 0: as it was told
+  INACTIVE
+  $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
+  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep talk.*ready'
+  $ pids=$(rtkeep status --json | grep process | sed -n 's/.*"pid": \([0-9]*\),.*/\1/p'); echo $pids | wc -w; kill -9 $keep; wait $keep 2> nul
+  3
+  [137]
+  $ for pid in $pids; do soon "! kill -0 $pid"; done
+
+A component that lives is not started a second time.
+
+  $ rm -f *.control; : > out; mock these Motor > nul; rtkeep --processes Procfile > out 2>&1 & keep=$!
+  $ soon 'grep motor.*not.started out'; said out | grep motor
+  motor: Motor0.rtc answers already: not started
+  $ kill $keep; wait $keep
+
+What is wrong with a Procfile is said before anything is started:
+
+  $ try() { printf "$1\n" > p; rtkeep --processes p; }
+  $ try 'a b c'; try 'a: b\na.after: c'; try 'a: b\na.after: c\nc: d\nc.after: a'; try 'a: "b'; try 'a: b\na.stop: NOW 5'; try 'a.cwd: /'
+  rtkeep: p:1: not NAME: COMMAND, nor NAME.KEY: VALUE with KEY one of after, ready, env, cwd, stop, restart, burst, delay
+  rtkeep: p: a: after c, which is not there
+  rtkeep: p: these wait for each other: a, c
+  rtkeep: p: a: No closing quotation
+  rtkeep: p: a: stop: no such signal: NOW
+  rtkeep: p: a: no command
+  [1]
+  $ rtkeep --log x a.xml
+  rtkeep: --log is for --processes (see --help)
+  [2]
+  $ rtkeep --once --processes p a.xml
+  rtkeep: --processes ends with rtkeep: not with --once, nor with --dry-run (see --help)
+  [2]

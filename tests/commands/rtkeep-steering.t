@@ -1,0 +1,106 @@
+rtkeep is asked and steered by others: status, pause, resume, stop, reload, adopt; it reports to a service manager and to a log.
+
+world: these ConsoleIn ConsoleOut Motor ConfigSample
+
+  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g; s/pid [0-9]*/pid N/; s/20[-0-9]* [0-9:]*/T/g' "$@"; }
+  $ export XDG_RUNTIME_DIR=$PWD; mkdir -p rtkeep; chmod 700 rtkeep
+  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT; rtcryo --all -o b.xml localhost:$PORT
+  $ rtkeep status
+  rtkeep: no rtkeep runs
+  [1]
+
+To systemd it says when all is as the file says, what happens, that it lives, and that it ends:
+
+  $ cat > manager.py <<'EOF'
+  > import os, socket
+  > server = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+  > server.bind("notify")
+  > while True:
+  >     print(server.recv(4096).decode(), flush=True)
+  > EOF
+  $ python3 manager.py > told & manager=$!
+  $ soon '[ -S notify ]'; NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=400000 rtkeep --events log.json a.xml > out 2>&1 & keep=$!
+  $ soon 'grep READY=1 told'; soon '[ $(grep -c WATCHDOG=1 told) -ge 3 ]'; grep STATUS told | said | sed 's/\[.*\] //' | sort
+  STATUS=ConfigSample0.rtc: Active
+  STATUS=ConsoleIn0.rtc: Active
+  STATUS=ConsoleOut0.rtc: Active
+  STATUS=Motor0.rtc: Active
+  $ ls -l rtkeep | awk 'NR > 1 {print $1, $9}' | sed 's/-[0-9a-f]*\./-N./'
+  -rw------- a.xml-N.lock
+  srw------- a.xml-N.socket
+  $ rtkeep status | said; rtkeep status b.xml
+  a.xml: pid N, since T; all is as the file says
+    ConfigSample0.rtc  Active  Active  T    Active
+    ConsoleIn0.rtc     Active  Active  T    Active
+    ConsoleOut0.rtc    Active  Active  T    Active
+    Motor0.rtc         Active  Active  T    Active
+  rtkeep: b.xml: no rtkeep keeps it
+  [1]
+
+What is paused is not mended, until it is resumed; that takes back what a person has done, too.
+
+  $ rtkeep pause Motor0 ConsoleIn0 ConsoleOut0; ctl error Motor0; rtdis ConsoleIn0.rtc; sleep 1; ctl state Motor0; rtls -l | grep ConsoleIn0
+  ERROR
+  Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0; soon 'rtcheck a.xml'
+  $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'; rtkeep status --json | grep -o '"by_hand": .".*hand"'; rtkeep resume; soon 'rtcheck a.xml'
+  "by_hand": ["was made Inactive by hand"
+  $ rtkeep stop Motor0; soon '! rtcheck a.xml'; rtkeep status | grep Motor0 | said; rtkeep resume
+    Motor0.rtc         paused  Inactive  T    deactivated on request
+  $ rtkeep pause Nothing0; rtkeep --of b.xml pause
+  rtkeep: a.xml: no such component or process in it: Nothing0
+  rtkeep: b.xml: no rtkeep keeps it
+  [1]
+
+Its file can be read again; one that is wrong changes nothing.
+
+  $ sed 's/rts:name="outin"/rts:name="renamed"/; s/rts:connectorId="one"/rts:connectorId="new"/' b.xml > c.xml; rtdis ConsoleIn0.rtc; cp c.xml a.xml
+  $ rtkeep reload; soon 'rtcheck a.xml'; echo nonsense > a.xml; rtkeep reload
+  rtkeep: a.xml:1:1: not an RtsProfile: the key rtsProfile is missing
+  [1]
+  $ kill -HUP $keep; cp c.xml a.xml; soon 'rtcheck a.xml'
+
+What a person has done can be made the file's.
+
+  $ rtconf ConfigSample0.rtc -s mode1 set int_param0=5; rtec Motor0.rtc rate 500; soon '[ $(grep -c by.hand out) = 3 ]'
+  $ rtkeep pause; rtdis ConsoleIn0.rtc; rtcon -i more ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtkeep adopt --dry-run a.xml | grep '^[-+]' | sed 's/ *<[^ ]*//; s/rtc.*//' | head -7
+  --- a.xml
+  +++ now
+  - rts:name="int_param0" rts:data="-999"/>
+  + rts:name="int_param0" rts:data="5"/>
+  - xsi:type="rtsExt:execution_context_ext" rts:id="0" rts:kind="PERIODIC" rts:rate="1000.0"/>
+  + xsi:type="rtsExt:execution_context_ext" rts:id="0" rts:kind="PERIODIC" rts:rate="500.0"/>
+  - xsi:type="rtsExt:dataport_connector_ext" rts:connectorId="new" rts:name="renamed" rts:dataType="IDL:RTC/TimedLong:1.0" rts:interfaceType="corba_cdr" rts:dataflowType="push" rts:subscriptionType="new">
+  $ rtkeep adopt a.xml; rtcheck a.xml; rtkeep adopt --dry-run a.xml; rtkeep reload; soon 'rtcheck a.xml'; sleep 0.5; rtcheck a.xml
+
+Every action is in the log; at SIGTERM all is deactivated, and with --teardown disconnected.
+
+  $ sed -n '1p' log.json | sed 's/[0-9]*\.[0-9]*/N/g'; kill $keep; wait $keep; grep -o STOPPING=1 told; kill $manager
+  {"done": "Active", "error": null, "object": "/localhost:$PORT/testNhost_cxt/ConfigSampleNrtc", "seconds": N, "seen": "", "time": N}
+  STOPPING=1
+  $ rtkeep --teardown a.xml > out 2>&1 & keep=$!
+  $ soon 'rtcheck a.xml'; rtkeep stop; wait $keep; rtls -l | awk '{print $1, $2, $6}'
+  Inactive 0/0 ConfigSample0.rtc
+  Inactive 1/0 ConsoleIn0.rtc
+  Inactive 1/0 ConsoleOut0.rtc
+  Inactive 2/0 Motor0.rtc
+  $ rtkeep --leave a.xml > out 2>&1 & keep=$!
+  $ soon 'rtcheck a.xml'; rtkeep stop; wait $keep; rtcheck a.xml; ls rtkeep | grep socket
+  [1]
+
+A directory that is not ours alone is not used.
+
+  $ chmod 777 rtkeep; rtkeep status
+  rtkeep: $TMP/rtkeep: not a directory of ours that nobody else can write to
+  [1]
+  $ rtkeep adopt
+  rtkeep: FILE is missing: what is adopted is written into it (see --help)
+  [2]
+  $ rtkeep a.xml b.xml
+  rtkeep: one file at a time: b.xml (see --help)
+  [2]
+  $ rtkeep
+  rtkeep: FILE is missing: what is kept must have a name (see --help)
+  [2]
