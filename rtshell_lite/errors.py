@@ -17,12 +17,12 @@ class Error(Exception):
     exception = None  # type: object
 
     def __str__(self):
-        return self.__doc__.format(*self.args)
+        return str(self.__doc__).format(*self.args)
 
     @property
     def where(self):
         """The object that the message begins with: a path, a file, a type; "" where it names none."""
-        if self.__doc__.startswith("{}:"):
+        if str(self.__doc__).startswith("{}:"):
             return str(self.args[0])
         return ""
 

@@ -99,7 +99,7 @@ def parse(text, cwd=None):
     if not text.startswith("/"):
         elements = _elements(typed(_working_directory(cwd))) + elements
     directory = elements[-1] in ("", ".", "..")
-    resolved = []
+    resolved = []  # type: list
     for element in elements:
         if element in ("", "."):
             continue

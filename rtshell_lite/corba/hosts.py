@@ -7,7 +7,7 @@ from rtshell_lite.net import loop
 
 MOST = 32  # names that are looked up at a time, with a thread each
 
-_looking_up = {}  # {host: LookUp}
+_looking_up = {}  # type: dict  # {host: LookUp}
 
 
 class LookUp:

@@ -27,7 +27,7 @@ ANSWERS_AT_ONCE = False
 # (host, port) of processes that have closed connections of ours after a reply
 _of_one_reply = set()  # type: set
 _started = None  # the ORB, once there is one
-_deadline = None  # s, the deadline that it was given
+_deadline = 0.0  # s, the deadline that it was given
 _session = None  # the Session of the command that runs
 _starting = threading.RLock()
 
@@ -209,7 +209,7 @@ class _Queue:
         self.loop = of
         self.session = session.current()
         self.endpoint = endpoint
-        self.waiting = collections.deque()
+        self.waiting = collections.deque()  # type: collections.deque
         self.open = set()
         self._threads = 0
         self._checking = None
@@ -312,7 +312,7 @@ class _Worker:
     _idle = []  # type: list
 
     def __init__(self):
-        self._queue = None
+        self._queue = None  # type: _Queue
         self._begin = threading.Lock()
         self._begin.acquire()
         loop.start_thread(self._run)

@@ -5,6 +5,7 @@ only omniORB can do.
 """
 
 import os
+import types  # noqa: F401  in a type comment
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -13,7 +14,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
-_orb = None  # the module of the ORB, omniorb or iiop.client
+_orb = None  # type: types.ModuleType  # the module of the ORB, omniorb or iiop.client
 
 
 def start(transport=""):

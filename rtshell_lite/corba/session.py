@@ -84,7 +84,7 @@ class Session:
         self.silent = {
             endpoint: found for endpoint, found in self.silent.items() if now - found[0] < self.timeout
         }
-        for endpoint in sorted(answered, key=answered.get, reverse=True)[MOST_ANSWERED:]:
+        for endpoint in sorted(answered, key=answered.__getitem__, reverse=True)[MOST_ANSWERED:]:
             del answered[endpoint]
 
     def note_shortage(self, e, host):

@@ -110,7 +110,7 @@ def _skeleton(type_id):
         tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
         {"_NP_RepositoryId": type_id, "_omni_op_d": operations},
     )
-    made._omni_skeleton = made
+    setattr(made, "_omni_skeleton", made)
     omniORB.registerSkeleton(type_id, made)
     return made
 
@@ -126,7 +126,7 @@ def contents(scope):
     """
     import omniORB
 
-    found = {}
+    found = {}  # type: dict
     for type_id in [
         each for table in (idl.TYPES, idl.INTERFACES) for each in table if each.startswith(scope)
     ]:

@@ -96,8 +96,6 @@ class _Builder:
     def build(self, descriptor, written, where, depth):
         if kind(descriptor) in (ALIAS, INDIRECT):
             descriptor = target(descriptor)
-        else:
-            descriptor = descriptor
         if depth < 0:
             raise errors.BadValue(where, "is nested too deep")
         sort = kind(descriptor)

@@ -58,8 +58,6 @@ class Expression:
         """A new value; `now`, seconds since the epoch, replaces {time} and a time that was left out (None: the present)."""
         if now is None:
             now = time.time()
-        else:
-            now = now
         stamp = (int(now), int(now % 1 * 1e9))
         return build_value.build(self.type.descriptor, self.written, self.type.name, self.json, stamp)
 

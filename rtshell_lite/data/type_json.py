@@ -35,8 +35,6 @@ def plain(descriptor, seen=None):
     """A descriptor as lists, texts and numbers."""
     if seen is None:
         seen = set()
-    else:
-        seen = seen
     sort = kind(descriptor)
     if not isinstance(descriptor, tuple):
         return descriptors.NAMES[descriptor]

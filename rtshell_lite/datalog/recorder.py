@@ -168,8 +168,6 @@ class Limits:
         """`end` is a number of entries (`by_index`) or seconds since the epoch; None and -1 are never."""
         if end == -1:
             end = None
-        else:
-            end = end
         if by_index and end is not None:
             self.entries = int(end)
         else:

@@ -75,8 +75,6 @@ class Log:
             for entry in self.entries():
                 if count == 0:
                     first = entry.received
-                else:
-                    first = first
                 count = count + 1
                 last = entry.received
                 name = self.channels[entry.channel].name

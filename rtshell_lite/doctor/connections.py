@@ -181,8 +181,6 @@ async def _again(link, ends):
         ends[identity] = before._replace(port=answer._replace(node=before.port.node))
         if identity == orb.identity(link.port.ref):
             own = ends[identity].port
-        else:
-            own = own
     now = next((connector for connector in own.connectors if connector.id == link.connector.id), None)
     if now is None or _identities(now) != _identities(
         link.connector

@@ -257,8 +257,6 @@ class Maker:
             def numbers(data, at, size):
                 if size:
                     at += -at % width
-                else:
-                    at += 0
                 return list(struct.unpack_from("%s%d%s" % (order, size, code), data, at)), at + size * width
 
             return numbers

@@ -103,7 +103,8 @@ _IDENTIFIER = r"_?[A-Za-z][A-Za-z0-9_]*\Z"
 class Struct:
     """A value of a struct whose class no stub gives: an attribute for each member."""
 
-    _members = ()
+    _members = ()  # type: tuple
+    _NP_RepositoryId = ""
 
     def __init__(self, *values):
         if len(values) != len(self._members):
@@ -307,8 +308,6 @@ def type_id(descriptor):
     """The repository id of a named type, '' for others."""
     if kind(descriptor) == INDIRECT:
         descriptor = around(descriptor)
-    else:
-        descriptor = descriptor
     if kind(descriptor) in (STRUCT, UNION, EXCEPTION):
         return descriptor[2]
     if kind(descriptor) in (ALIAS, ENUM, OBJECT, VALUE):

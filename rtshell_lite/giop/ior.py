@@ -272,7 +272,7 @@ def guarded(descriptor, taker, holder):
         )
     places = {descriptors.SEQUENCE: [1], descriptors.ARRAY: [1], descriptors.ALIAS: [3]}.get(sort, [])
     if sort in (descriptors.STRUCT, descriptors.EXCEPTION):
-        places = range(5, len(descriptor), 2)
+        places = list(range(5, len(descriptor), 2))
     if not places:
         return descriptor
     parts = list(descriptor)

@@ -230,7 +230,7 @@ class Maker(cdr.Maker):
         def write(out, ref):
             octets(out, (b"" if ref is None else ref.type_id) + b"\0")
             if ref is None:
-                profiles = ()
+                profiles = ()  # type: tuple
             else:
                 profiles = ref.profiles
             out += b"\0" * (-len(out) & 3) + pack(len(profiles))

@@ -159,16 +159,12 @@ class _Reader:
             label = self.number(code)
             if sort == descriptors.CHAR:
                 label = chr(label)
-            else:
-                label = label
             if number == default and sort != descriptors.CHAR:
                 label = 0
-            else:
-                label = label
             cases.append((descriptors.label(switch, label), self.text(), self.typecode(known, depth)))
         if not -1 <= default < len(cases):
             raise Fault("a union whose default is no case of it")
-        cases = tuple(descriptors.Case(case) for case in cases)
+        described = tuple(descriptors.Case(case) for case in cases)
         return (
             UNION,
             None,
@@ -176,8 +172,8 @@ class _Reader:
             name,
             switch,
             default,
-            cases,
-            cases[default] if default >= 0 else None,
+            described,
+            described[default] if default >= 0 else None,
             None,
         )
 

@@ -115,7 +115,8 @@ class Task:
         self.coroutine = coroutine
         self.group = group
         self.place = place
-        self.awaited = self.thrown = self.result = self.error = None
+        self.awaited = None  # type: Wait
+        self.thrown = self.result = self.error = None
         self.is_over = False
         loop.ready.append(self)
 
@@ -236,7 +237,7 @@ class background:
 
     def __init__(self, coroutine):
         self._coroutine = coroutine
-        self._group = None
+        self._group = None  # type: Group
 
     async def __aenter__(self):
         self._group = Group()
@@ -292,14 +293,14 @@ class _Batch:
         self.items = list(items)
         self.function = function
         self.results = [_TO_COME] * len(self.items)
-        self.failure = None
+        self.failure = None  # type: BaseException
         # the number of the result that `stream` waits for, and its Wait
         self._wanted = None
-        self._came = None
+        self._came = None  # type: Wait
 
     def workers(self, key):
         """(key, coroutine) pairs, which share the work."""
-        queues = collections.OrderedDict()
+        queues = collections.OrderedDict()  # type: dict
         for number, item in enumerate(self.items):
             queues.setdefault(key(item) if key else None, collections.deque()).append(number)
         for place, queue in queues.items():
@@ -387,6 +388,8 @@ async def finish(coroutine):
 class _End:
     """In place of a Group: what is to be called when a task has ended."""
 
+    wait = None  # type: Wait
+
     def ended(self, task):
         self.wait.done()
 
@@ -472,7 +475,7 @@ class _Thread:
     idle = []  # type: list
 
     def __init__(self):
-        self._job = None
+        self._job = None  # type: tuple
         self._begin = allocate_lock()
         self._begin.acquire()
         start_thread(self._run)
@@ -549,7 +552,7 @@ class Loop:
     """
 
     def __init__(self):
-        self.ready = collections.deque()
+        self.ready = collections.deque()  # type: collections.deque
         self.running = None
         self.before_waiting = []
         self.at_end = []
@@ -560,18 +563,18 @@ class Loop:
         # what an ORB keeps: of the processes that it asks, and of its own objects
         self.peers = None
         self.server = None
-        self._main = None
+        self._main = None  # type: Task
         self.is_closed = False
         self._timers = []
         self._timer_count = 0
         self._poll = select.poll()
         self._watched = {}
-        self._posted = collections.deque()  # functions from other threads
+        self._posted = collections.deque()  # type: collections.deque  # functions from other threads
         self._bell = None  # the pipe that wakes the poll
         self._back = time.monotonic()  # when the last poll ended
         self._signals = {}
         self._heard = {}
-        self._struck = collections.deque()
+        self._struck = collections.deque()  # type: collections.deque
         self._outer_bell = -1  # where Python rang at signals before
         self.is_guest = False
         self._last_strike = -BOUNCE
@@ -666,7 +669,7 @@ class Loop:
             and len(self._watched) == self.idle + 1
             and len(self._timers) < 2
         ):
-            found = ()
+            found = []
             self.alone()
         else:
             found = self._poll.poll(seconds * 1000)

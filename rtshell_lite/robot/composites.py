@@ -145,7 +145,7 @@ async def together(members):
     """Live Members, each once with all the ports wanted of it.
     Raises Failed for two that a composite could not distinguish.
     """
-    merged = collections.OrderedDict()
+    merged = collections.OrderedDict()  # type: dict
     for m in members:
         known = merged.setdefault(m.instance, m)
         if not await _is(m, known.node.ref):

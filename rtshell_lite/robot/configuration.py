@@ -71,8 +71,6 @@ class Configuration:
             raise errors.Refused(self.where, "has no active configuration set; name one with -s")
         if set_id is None:
             set_id = self.active
-        else:
-            set_id = set_id
         if set_id not in self.raw or hidden(set_id) and not with_hidden:
             known = [one_set.id for one_set in self.sets(with_hidden)]
             raise errors.NoSuch(
@@ -218,7 +216,7 @@ def parsed(lines, file_name):
     """Read what `dumped` wrote: ({set: {name: value}}, active set or '').
     Raises errors.Failed with the line's number.
     """
-    wanted = collections.OrderedDict()
+    wanted = collections.OrderedDict()  # type: dict
     active = ""
     current = None
     for number, line in enumerate(lines, 1):
@@ -233,8 +231,6 @@ def parsed(lines, file_name):
                 current = wanted.setdefault(set_id, collections.OrderedDict())
                 if is_active:
                     active = set_id
-                else:
-                    active = active
             else:
                 _take_value(line, current)
         except ValueError as e:

@@ -79,10 +79,9 @@ def _fits_one(constraint, value):
             not _NUMBER.match(constraint) or bool(_NUMBER.match(value)) and float(value) == float(constraint)
         )
     match = _RANGE.match(constraint)
-    if match:
-        bounds = [bound for bound in match.group(1, 4) if bound is not None]
-    else:
-        bounds = []
+    if not match:
+        return True
+    bounds = [bound for bound in match.group(1, 4) if bound is not None]
     if not bounds or not all(_NUMBER.match(bound) for bound in bounds):
         return True
     if not _NUMBER.match(value):

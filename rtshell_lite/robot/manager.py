@@ -53,7 +53,7 @@ async def find(word):
     if node.kind == "manager":
         return node
     if direct and isinstance(node.error, errors.Gone):
-        raise errors.NoSuch(word, "object", _key(word))
+        raise errors.NoSuch(word, "object", _split(word)[1])
     if direct and isinstance(node.error, errors.ConnectionRefused):
         raise errors.NoManager(word)
     raise node.error or errors.WrongKind(str(node.path), "manager", node.what)
@@ -67,10 +67,18 @@ async def _bound(path):
 
 def check(word):
     """Raise BadPath for what cannot name a manager; contacts nobody."""
-    if not word.startswith("corbaloc:"):
+    if word.startswith("corbaloc:"):
+        _split(word)
+    else:
         parse(word)
-    elif not _CORBALOC.match(word) or split_address(_CORBALOC.match(word).group("address"))[1] is None:
+
+
+def _split(word):
+    """(address, key) of a corbaloc. Raises BadPath."""
+    match = _CORBALOC.match(word)
+    if not match or split_address(match.group("address"))[1] is None:
         raise errors.BadPath(printable(word), "not corbaloc:iiop:HOST[:PORT][/KEY]")
+    return match.group("address"), match.group("key") or "manager"
 
 
 def check_argument(argument):
@@ -85,12 +93,8 @@ def check_argument(argument):
 
 def reference(word):
     """The reference that a corbaloc of a manager means; contacts nobody. Raises BadPath."""
-    check(word)
-    return orb.corbaloc(word, _CORBALOC.match(word).group("address"), _key(word), DEFAULT_PORT)
-
-
-def _key(word):
-    return _CORBALOC.match(word).group("key") or "manager"
+    address, key = _split(word)
+    return orb.corbaloc(word, address, key, DEFAULT_PORT)
 
 
 # ---- what it has -------------------------------------------------------------------------------------------

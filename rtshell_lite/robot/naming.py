@@ -148,7 +148,7 @@ class _Bindings:
         """Walk the name server of `path`, the naming context to delete, and those of RTCTREE_NAMESERVERS;
         returns self.
         """
-        places = {}  # Path of a directory: the Path by which it is known
+        places = {}  # type: dict  # Path of a directory: the Path by which it is known
         for node in await tree.walk_servers(await tree.known_servers(path.server), managers=False):
             if node.kind not in ("server", "directory"):
                 continue
@@ -171,7 +171,7 @@ class _Bindings:
     def _without(self, gone):
         """Find what can be reached without the name `gone`, a pair (Path of the directory, Name)."""
         todo = [(root, root) for root in self._roots]
-        below = {}
+        below = {}  # type: dict
         for (above, name), (place, _) in self._names.items():
             if (above, name) != gone:
                 below.setdefault(above, []).append((place, name))

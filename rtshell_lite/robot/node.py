@@ -250,7 +250,9 @@ async def bound(node):
     if node.kind not in ("server", "directory"):
         return []
     received = too_long = 0
-    entries = collections.OrderedDict()  # of names that may come again and again, each is kept once
+    entries = (
+        collections.OrderedDict()
+    )  # type: dict  # of names that may come again and again, each is kept once
     async for bindings in _batches(node):
         for binding in [binding for binding in bindings if binding.binding_name]:
             name = binding.binding_name[0]

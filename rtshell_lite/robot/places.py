@@ -64,7 +64,7 @@ async def far_ends(near, silent=None):
     own = {orb.identity(port.ref) for port in near}
     silent = silent or {}
     # by identity: its reference, and the Node of a component that is connected with it
-    wanted = collections.OrderedDict()
+    wanted = collections.OrderedDict()  # type: dict
     joining = collections.defaultdict(set)  # by identity: ids of the connectors that lead there
     for port in near:
         for connector in port.connectors:

@@ -129,7 +129,7 @@ async def _ports(snapshot, how):
     snapshot.dropped = []
     for number, ref in enumerate(refs, 1):
         snapshot.asking = f"the profile of its port {number}"
-        failed_once = []  # shows that the port had a connection with a dead far end
+        failed_once = []  # type: list  # shows that the port had a connection with a dead far end
         try:
             port = await ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)
         except errors.Error as e:

@@ -222,8 +222,6 @@ async def component(path, or_manager=False):
     """
     if isinstance(path, str):
         path = parse(path)
-    else:
-        path = path
     if path.port is not None:
         raise errors.WrongKind(str(path), "component", "port")
     node = await resolve(path)

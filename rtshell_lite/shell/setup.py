@@ -119,12 +119,8 @@ def split(line, fish=False):
         elif quote:
             if c == '"':
                 quote = ""
-            else:
-                quote = quote
             if quote:
                 word += c
-            else:
-                word += ""
             opened = opened or c in special
         elif c in "'\"":
             quote = c

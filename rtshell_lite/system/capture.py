@@ -128,10 +128,8 @@ async def capture(tops=(), all_components=False, with_states=False, with_manager
             failures.append(answer)
             silent[node.endpoint] = answer
     connectors = await _connectors(found, silent, notes)
-    if all_components:
-        found = found
-        unused = []
-    else:
+    unused = []
+    if not all_components:
         found, unused = _in_use(found)
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
@@ -139,8 +137,6 @@ async def capture(tops=(), all_components=False, with_states=False, with_manager
         holder = holders.get(orb.identity(each.node.ref))
         if holder:
             made.properties += [model.Property(name=MANAGER, value=holder)]
-        else:
-            made.properties += []
     for connector in connectors:
         if len(connector.ends) == 1:
             profile.one_port_connectors.append(connector)

@@ -106,8 +106,6 @@ def checks(profile, state, listed):
         active = site.component.active_configuration_set
         if active:
             found += [steps.Active(site, active)]
-        else:
-            found += []
         found += [
             steps.Values(site, one.id, steps.wanted_values(one)) for one in site.component.configuration_sets
         ]
@@ -120,8 +118,6 @@ def checks(profile, state, listed):
                 others = steps.participants(site, wanted, site_of)
             if others:
                 found += [steps.Participants(site, index, handle, others)]
-            else:
-                found += []
     for site in by_need:  # a state for each context; one over all where the file lists none by number
         handles = [context.id for context in site.component.execution_contexts if context.id.isdigit()] or [
             None
@@ -152,8 +148,6 @@ class _Members(steps.Members):
             if not any(orb.same(ref, member.node.ref) for member in self.members):
                 if isinstance(name, errors.Error):
                     name = "one that does not answer"
-                else:
-                    name = name
                 yield steps.Difference("wrong member", name, None, printable(name), None)
 
 

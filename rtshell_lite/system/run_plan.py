@@ -68,8 +68,6 @@ class Run:
                 self._found[id(wanted)] = e
                 if wanted.is_required:
                     failures += [e]
-                else:
-                    failures += []
         return failures
 
     def refuse(self):

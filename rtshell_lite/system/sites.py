@@ -45,8 +45,6 @@ class Site:
         """
         if known is None:
             known = self.found.ports
-        else:
-            known = known
         names = [name, self.instance + "." + name]
         return next((port for port in known if port.name in names), None) or ports.named(
             self.path.with_port(name), known

@@ -35,8 +35,6 @@ def marked(text):
     """
     if _MARKUP.search(text):
         text = _MARKUP.sub(_reference, text)
-    else:
-        text = text
     if is_plain(text):
         return text
     return "".join(c if plain or c < "\u0300" else "&#%d;" % ord(c) for c, plain in printable_flags(text))

@@ -175,8 +175,6 @@ def _decoder(data, reader):
             # that of Windows
             if encoding in ("shift_jis", "shiftjis", "sjis"):
                 encoding = "cp932"
-            else:
-                encoding = encoding
             return codecs.getincrementaldecoder(encoding)()
     except LookupError:
         pass
@@ -343,8 +341,6 @@ class _Writer:
             elif field.child:
                 if value is not None:
                     children += [(field, value)]
-                else:
-                    children += []
             elif value is not None and (field.always or value != field.default):
                 head.append(f' {field.tag}="{escape.quoted(values.to_text(field, value))}"')
         foreign = element.foreign or _NOTHING

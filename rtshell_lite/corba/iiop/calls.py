@@ -60,7 +60,7 @@ class Request:
             self.is_oneway = self.is_once = False
             self.is_idempotent = failures.may_repeat(self.name)
             self.seconds = max(call.seconds or 0, session.current().timeout)
-        self.sent = None
+        self.sent = None  # type: float
         self.retried = 0
         self._forwards = 0
         self._spent = 0.0

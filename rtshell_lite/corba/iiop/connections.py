@@ -23,10 +23,11 @@ IN_FLIGHT = (
 MOST_STRAYS = 100  # replies of one connection that nobody waits for
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
-_idle = {}  # {endpoint: [Connection]} for the next calls, at most IN_FLIGHT
+_idle = {}  # type: dict  # {endpoint: [Connection]} for the next calls, at most IN_FLIGHT
 _swept = time.monotonic()
-_spoken = {}  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
-of_one_reply = set()  # endpoints of peers that close the connection after each reply, as far as is known
+_spoken = {}  # type: dict  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
+# endpoints of peers that close the connection after each reply, as far as is known
+of_one_reply = set()  # type: set
 
 
 class Closed(Exception):
@@ -85,7 +86,7 @@ class Connection:
 
     requests   what waits for a reply, by number
     has_answered
-    waits_for  "address" of the host, "peer" to accept, or None
+    waits_for  "address" of the host, "peer" to accept, "" when connected
     end        the exception that ends it, when the replies before that have been given out; None before
     """
 
@@ -101,7 +102,9 @@ class Connection:
         self._strays = 0
         self._version = (1, _spoken.get(endpoint, 2))  # the latest GIOP to speak
         self._via = endpoint  # where it is connected
-        self._socket, self._candidates, self._error = None, self._all_candidates(others), None
+        self._socket = None  # type: _socket.socket
+        self._candidates = self._all_candidates(others)
+        self._error = None  # type: OSError
         self._out = bytearray()  # what is to be sent
         self._not_begun = {}  # requests until there is a connection, by number
         self._oneway = []  # numbers of those that are over when they have been sent
@@ -183,7 +186,7 @@ class Connection:
     def _connected(self):
         self._socket.setblocking(True)
         _limit(self._socket, session.TICK)
-        self.waits_for = None
+        self.waits_for = ""
         self._candidates = None  # it holds the first request, and so its answer
         if self._via != self.endpoint:  # where objects may have other keys
             self._not_begun = {
@@ -299,7 +302,7 @@ class Connection:
         """The whole replies that have come, as octets; may wait for session.TICK.
         What ends the connection is noted in `end`.
         """
-        found = []
+        found = []  # type: list
         try:
             for _ in range(AT_A_TIME):
                 piece = self._socket.recv(PIECE, 0 if may_wait else _AT_ONCE)

@@ -53,9 +53,10 @@ class _Peer:
         self.endpoint = endpoint
         self.heard = time.monotonic()
         self.moved_on = 0.0  # when the request that had waited for longest was answered
-        self.waiting = collections.deque()  # calls.Requests that are not on their way
+        # calls.Requests that are not on their way
+        self.waiting = collections.deque()  # type: collections.deque
         # what the loop looks for
-        self.connection = None
+        self.connection = None  # type: connections.Connection
         self.watched = (None, 0)
 
     def may_send(self):

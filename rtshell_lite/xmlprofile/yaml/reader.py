@@ -39,8 +39,6 @@ def parse(text, name):
         text = _decoded(doc, text)
     if text.startswith("\ufeff"):
         text = text[1:]
-    else:
-        text = text
     doc.text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\x85", "\n")
     if doc.text.count("\n") > MOST_LINES:
         doc.fail(0, "more than %d lines" % MOST_LINES)
