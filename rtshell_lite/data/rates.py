@@ -1,8 +1,15 @@
-"""The rate at which a component is executed in fact."""
+"""The rates at which components are executed and ports are written to, in fact."""
 
+import collections
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
 from rtshell_lite.data import reading
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable
+
+TOGETHER = 4  # ports of a process that are measured at a time: fetching their values is work for it
 
 
 async def measured(node, seconds):
@@ -21,3 +28,35 @@ async def measured(node, seconds):
                     ports.short_name(port.name, node.path.names[-1].id)
                 )
     return None, "no out port is written to"
+
+
+async def written(out_ports, seconds):
+    """How many values a second (Hz) are written to each of these DataOutPorts, measured for `seconds`; an errors.Error
+    in the place of one that cannot be measured.
+    """
+    rates = [None] * len(out_ports)  # type: list
+    waiting = list(range(len(out_ports)))
+    while waiting:
+        batch, waiting = _batch(out_ports, waiting)
+        results = await loop.each(batch, lambda number: reading.count_writes(out_ports[number], seconds))
+        for number, result in zip(batch, results):
+            if isinstance(result, errors.Error):
+                rates[number] = result
+            else:
+                rates[number] = result[0] / result[1]
+    return rates
+
+
+def _batch(out_ports, waiting):
+    """(numbers of the ports to be measured at once, the rest of them)."""
+    taken = collections.Counter()
+    batch = []
+    rest = []
+    for number in waiting:
+        process = orb.endpoint(out_ports[number].ref)
+        if taken[process] < TOGETHER:
+            batch.append(number)
+        else:
+            rest.append(number)
+        taken[process] += 1
+    return batch, rest

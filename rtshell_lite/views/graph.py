@@ -1,10 +1,8 @@
-"""A system as a picture: boxes for components, with their connected ports, and lines between them;
-as DOT for Graphviz.
-"""
+"""A system as a picture: boxes for components, with their connected ports, and lines between them."""
 
 import collections
-import re
 
+from rtshell_lite import errors
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model
@@ -20,24 +18,36 @@ COLOURS = {
     "Created": "white",
     "Unknown": "lightgrey",
 }
-INDENTED = 50  # levels: nobody reads more
-_KEYWORDS = {"node", "edge", "graph", "digraph", "subgraph", "strict"}
-_COMPASS = {"n", "ne", "e", "se", "s", "sw", "w", "nw", "c", "_"}
 
 
 class Box:
     """A component: its name, ports in use on either side, indexes of its members.
 
-    `state` is None if unknown. `missing` marks one that connections name, but that the profile does not have.
+    state      None if unknown
+    missing    it is named by connections, but the profile does not have it
+    path       the path.Path where it is bound, None if unknown
+    process    (host, port) of its process, None if unknown
+    composite  index of the composite whose member it is, None if there is none
+    counts     of a folded group: how many components are in each state ("" if unknown), else None
+    labels     {port: words after its name}: rates, numbers of connections
     """
 
     def __init__(self, name, state=None, missing=False):
         self.name = name
         self.state = state
         self.missing = missing
+        self.path = None
+        self.process = None
+        self.composite = None
+        self.counts = None
+        self.labels = {}
         self.left = []
         self.right = []
         self.members = []
+
+    def port_words(self, port):
+        """The name of a port, and what is known of it."""
+        return " ".join(filter(None, (port, self.labels.get(port))))
 
     def use(self, port, side):
         """Note a port in use, on the first side where it is."""
@@ -51,7 +61,7 @@ class Box:
 def of(profile, states=None):
     """The Graph of an RtsProfile. `states` gives those of its components, by path_uri."""
     states = states or {}
-    boxes = [Box(component.instance_name, states.get(component.path_uri)) for component in profile.components]
+    boxes = [_box(component, states) for component in profile.components]
     numbers = {id(component): number for number, component in enumerate(profile.components)}
     locate = capture.locator(profile)
     strangers = {}
@@ -81,6 +91,15 @@ def of(profile, states=None):
         edges += _edges(connector, isinstance(connector, model.ServicePortConnector), boxes, box_of)
     tops = _compose(profile, boxes, numbers, locate)
     return Graph(boxes, list(collections.OrderedDict.fromkeys(edges)), tops)
+
+
+def _box(component, states):
+    box = Box(component.instance_name, states.get(component.path_uri))
+    try:
+        box.path = capture.path_of(component)
+    except errors.BadPath:
+        pass  # it can be drawn all the same
+    return box
 
 
 def _edges(connector, service, boxes, box_of):
@@ -119,11 +138,25 @@ def _compose(profile, boxes, numbers, locate):
             if above != id(member):
                 parents[id(member)] = id(component)
                 boxes[numbers[id(component)]].members.append(numbers[id(member)])
+                boxes[numbers[id(member)]].composite = numbers[id(component)]
     inside = {numbers[member] for member in parents}
     return [number for number in range(len(boxes)) if number not in inside]
 
 
 # ---- what drawings share -----------------------------------------------------------------------------------
+
+
+def count_words(box):
+    """[] of a component; of a folded group how many components it has, and in which states."""
+    if box.counts is None:
+        return []
+    total = sum(box.counts.values())
+    words = [f"{total} component" + "s" * (total != 1)]
+    known = [state for state in COLOURS if box.counts[state]]
+    known += sorted(state for state in box.counts if state and state not in COLOURS)
+    if known:
+        words.append(", ".join(f"{box.counts[state]} {state}" for state in known))
+    return words
 
 
 def heads(graph, number):
@@ -132,29 +165,31 @@ def heads(graph, number):
     words = [printable(box.name)]
     if box.missing:
         words.append("(not in the profile)")
-    if box.state is not None:
+    if box.state is not None and box.counts is None:
         words.append(box.state)
-    words += [f"(in {printable(composite.name)})" for composite in graph.boxes if number in composite.members]
+    if box.composite is not None:
+        words.append(f"(in {printable(graph.boxes[box.composite].name)})")
+    lines = ["  ".join(words)] + count_words(box)
     if box.members:
-        members = ["made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members)]
-    else:
-        members = []
-    return ["  ".join(words)] + members
+        lines.append("made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members))
+    return lines
 
 
 def in_order(graph):
     """Numbers of the boxes, so that data flows downwards where it can;
     circles in the order of the profile.
     """
-    waiting = collections.OrderedDict.fromkeys(range(len(graph.boxes)))
-    order = []
-    above = {number: set() for number in waiting}
+    below = [collections.OrderedDict() for _ in graph.boxes]
     for source, _, target, _, service in graph.edges:
         if source != target and not service:
-            above[target].add(source)
-    below = {number: [target for target in above if number in above[target]] for number in waiting}
-    left = {number: len(above[number]) for number in waiting}
-    ready = collections.deque(number for number in waiting if not left[number])
+            below[source][target] = True
+    left = [0] * len(graph.boxes)
+    for targets in below:
+        for target in targets:
+            left[target] += 1
+    ready = collections.deque(number for number in range(len(left)) if not left[number])
+    waiting = collections.OrderedDict.fromkeys(range(len(left)))
+    order = []
     while waiting:
         if ready:
             number = ready.popleft()
@@ -164,127 +199,8 @@ def in_order(graph):
             continue
         del waiting[number]
         order.append(number)
-        for target in reversed(below[number]):
+        for target in sorted(below[number], reverse=True):
             left[target] -= 1
             if not left[target]:
                 ready.appendleft(target)
     return order
-
-
-# ---- DOT ---------------------------------------------------------------------------------------------------
-
-
-def dot(graph):
-    """Lines of DOT."""
-    names = _distinct([_word(box.name) for box in graph.boxes])
-    yield "digraph rtsprofile {"
-    yield "  rankdir=LR;"
-    yield "  node [shape=Mrecord];"
-    ports = []
-    for name, box in zip(names, graph.boxes):
-        ids = _port_ids(box)
-        ports.append(ids)
-        if not box.members or box.left or box.right:
-            yield f"  {_node_id(name)} [{', '.join(_attributes(box, ids))}];"
-    yield from _clusters(graph, names)
-    for service in (False, True):
-        if service:
-            style = ' [arrowhead="odot"]'
-        else:
-            style = ""
-        for source, out, target, into, is_service in graph.edges:
-            if is_service == service:
-                ends = f"{_node_id(names[source])}:{ports[source][out]} -> {_node_id(names[target])}:{ports[target][into]}"
-                yield f"  {ends}{style};"
-    yield "}"
-
-
-def _attributes(box, ids):
-    cells = ["|".join(f"<{ids[port]}>{_label(port)}" for port in side) for side in (box.left, box.right)]
-    attributes = ['label="{{%s}|%s|{%s}}"' % (cells[0], _label(box.name), cells[1])]
-    if box.missing:
-        attributes.append("style=dashed")
-    elif box.state is not None:
-        attributes.append(f"style=filled, fillcolor={COLOURS.get(box.state, 'lightgrey')}")
-    return attributes
-
-
-def _clusters(graph, names):
-    """Composites around their members, however deep; one with ports of its own is inside, too."""
-    levels = [(None, iter(graph.tops))]  # composites around this place, and the rest of each
-    while levels:
-        composite, rest = levels[-1]
-        number = next(rest, None)
-        if number is None:
-            levels.pop()
-            if levels:
-                yield _indent(levels) + "}"
-        elif number == composite or not graph.boxes[number].members:
-            if composite is not None:
-                yield f"{_indent(levels)}{_node_id(names[number])};"
-        else:
-            box = graph.boxes[number]
-            yield "%ssubgraph %s {" % (_indent(levels), _node_id("cluster_" + names[number]))
-            levels.append((number, iter([number] * bool(box.left or box.right) + box.members)))
-            yield f'{_indent(levels)}label="{_label(box.name)}";'
-            if box.state is not None:
-                yield f"{_indent(levels)}bgcolor={COLOURS.get(box.state, 'lightgrey')};"
-
-
-def _indent(levels):
-    return "  " * min(len(levels), INDENTED)
-
-
-def _word(name):
-    """A component's name as rtshell spells it in DOT."""
-    for character, word in ((".", "_dot_"), ("/", "_slash_"), ("(", "_lpar_"), (")", "_rpar_")):
-        name = name.replace(character, word)
-    return printable(name) or "_"
-
-
-def _distinct(names):
-    """The names, with numbers added to those that were used before."""
-    seen = set()
-    distinct = []
-    for name in names:
-        number = 1
-        wanted = name
-        while wanted in seen:
-            number, wanted = number + 1, f"{name}_{number + 1}"
-        seen.add(wanted)
-        distinct.append(wanted)
-    return distinct
-
-
-def node_id(name):
-    """A component's name as an identifier in DOT, as rtshell spells it."""
-    return _node_id(_word(name))
-
-
-def _node_id(name):
-    if re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", name) and name.lower() not in _KEYWORDS:
-        return name
-    return '"%s"' % name.replace("\\", "\\\\").replace('"', '\\"')
-
-
-def _port_ids(box):
-    """An identifier for each port of a box: the part of its name after the last dot, or a number."""
-    ids = {}
-    for number, port in enumerate(box.left + box.right, 1):
-        short = port.rpartition(".")[2]
-        plain = (
-            re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short)
-            and short.lower() not in _KEYWORDS
-            and short not in _COMPASS
-        )
-        if plain and short not in ids.values():
-            ids[port] = short
-        else:
-            ids[port] = f"port{number}"
-    return ids
-
-
-def _label(name):
-    """`name` for a record label, where brackets, bars, blanks and entities have a meaning."""
-    spelt = printable(name).replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')
-    return re.sub(r"([{}|<> ])", r"\\\1", spelt)

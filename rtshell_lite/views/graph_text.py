@@ -13,6 +13,7 @@ Where lines meet they are joined; a line that only passes is drawn over the othe
 """
 
 import collections
+import heapq
 
 from rtshell_lite.text import cells, printable
 from rtshell_lite.views.graph import heads, in_order
@@ -40,24 +41,24 @@ def lines(picture, ascii_only=False):
     """The lines of the drawing of a graph.Graph; with `ascii_only` nothing but ASCII."""
     rows, row_of = _stack(picture)
     nets = _nets(picture, row_of)
-    lanes = _lanes(nets)
     wide = max([cells(row.text) for row in rows] or [0])
-    for number, row in enumerate(rows):
-        beside, border = _beside(number, nets, lanes)
-        if row.left in "┌├└":
-            fill = "─"
-        else:
-            fill = " "
-        if row.right != ">":
-            text = row.text + fill * (wide - cells(row.text))
-        else:
-            text = " " * (wide - cells(row.text)) + row.text
-        if row.right == ">":
-            right = "│"
-        else:
-            right = row.right
-        line = (row.left + text + (border or right) + beside).rstrip()
-        yield line.translate(_ASCII).encode("ascii", "backslashreplace").decode() if ascii_only else line
+    for (number, row), passing in zip(enumerate(rows), _passing(len(rows), nets, _lanes(nets))):
+        beside, border = _beside(number, passing)
+        line = (_box_row(row, wide, border) + beside).rstrip()
+        if ascii_only:
+            line = line.translate(_ASCII).encode("ascii", "backslashreplace").decode()
+        yield line
+
+
+def _box_row(row, wide, border):
+    """A Row in its box, `border` where a line starts."""
+    if row.right == ">":
+        return row.left + " " * (wide - cells(row.text)) + row.text + (border or "│")
+    if row.left in "┌├└":
+        fill = "─"
+    else:
+        fill = " "
+    return row.left + row.text + fill * (wide - cells(row.text)) + (border or row.right)
 
 
 def _stack(picture):
@@ -73,7 +74,7 @@ def _stack(picture):
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
                 row_of[number, port] = len(rows)
-                rows.append(Row("│", f" {printable(port)} ", mark))
+                rows.append(Row("│", f" {printable(box.port_words(port))} ", mark))
     return rows + [Row("└", "", "┘")] * bool(rows), row_of
 
 
@@ -88,47 +89,45 @@ def _nets(picture, row_of):
 
 
 def _lanes(nets):
-    """The lane of each Net, counted from the boxes: short ones first, no two that overlap in one lane."""
-    taken = []
+    """The lane of each Net, counted from the boxes; no two that overlap are in one, and there are as few as can be."""
     lanes = [0] * len(nets)
+    free = []  # numbers of lanes
+    taken = []  # (row where it ends, lane)
     for number in sorted(
-        range(len(nets)), key=lambda n: (max(nets[n].rows) - min(nets[n].rows), nets[n].start)
+        range(len(nets)), key=lambda number: (min(nets[number].rows), max(nets[number].rows))
     ):
-        span = (min(nets[number].rows), max(nets[number].rows))
-        lane = next(
-            (
-                i
-                for i, spans in enumerate(taken)
-                if all(span[1] < low or high < span[0] for low, high in spans)
-            ),
-            None,
-        )
-        if lane is None:
-            lane = len(taken)
-            taken.append([])
-        taken[lane].append(span)
-        lanes[number] = lane
+        first = min(nets[number].rows)
+        while taken and taken[0][0] < first:
+            heapq.heappush(free, heapq.heappop(taken)[1])
+        lanes[number] = heapq.heappop(free) if free else len(taken)
+        heapq.heappush(taken, (max(nets[number].rows), lanes[number]))
     return lanes
 
 
-def _beside(row, nets, lanes):
-    """(what is drawn beside a row, the border of its box where a line starts or '')."""
-    passing = {lane: net for net, lane in zip(nets, lanes) if min(net.rows) <= row <= max(net.rows)}
+def _passing(rows, nets, lanes):
+    """For each row the {lane: Net} of those that touch it."""
+    begin = [[] for _ in range(rows)]
+    end = [[] for _ in range(rows)]
+    for net, lane in zip(nets, lanes):
+        begin[min(net.rows)].append((lane, net))
+        end[max(net.rows)].append(lane)
+    passing = {}
+    for row in range(rows):
+        passing.update(begin[row])
+        yield passing
+        for lane in end[row]:
+            del passing[lane]
+
+
+def _beside(row, passing):
+    """(what is drawn beside a row that these {lane: Net} touch, the border of its box where a line starts or '')."""
     joined = {lane: net for lane, net in passing.items() if row in net.rows}
-    if joined:
-        far = max(joined)
-    else:
-        far = -1
+    far = max(joined, default=-1)
     service = int(any(net.service for net in joined.values()))
     arrives = any(row != net.start for net in joined.values())
     drawn = []
-    for lane in range(max(passing) + 1 if passing else 0):
-        if lane == 0 and arrives:
-            drawn.append("<")
-        elif lane <= far:
-            drawn.append("─═"[service])
-        else:
-            drawn.append(" ")
+    for lane in range(max(passing, default=-1) + 1):
+        drawn.append(_before_lane(lane, far, service, arrives))
         if lane in joined:
             net = joined[lane]
             drawn.append(
@@ -136,10 +135,19 @@ def _beside(row, nets, lanes):
             )
         elif lane in passing:
             drawn.append("│║"[passing[lane].service])
+        elif lane < far:
+            drawn.append("─═"[service])
         else:
-            drawn.append("─═"[service] if lane < far else " ")
+            drawn.append(" ")
     if joined and not arrives:
-        border = "├╞"[service]
-    else:
-        border = ""
-    return "".join(drawn), border
+        return "".join(drawn), "├╞"[service]
+    return "".join(drawn), ""
+
+
+def _before_lane(lane, far, service, arrives):
+    """The cell before a lane: part of a line to a lane as far as `far`, of an arrow at the box."""
+    if lane == 0 and arrives:
+        return "<"
+    if lane <= far:
+        return "─═"[service]
+    return " "

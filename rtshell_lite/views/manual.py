@@ -153,7 +153,7 @@ def _configuration_section(sets):
 
 def _graph(title, rows):
     """The component with its data ports in the language of Graphviz."""
-    from rtshell_lite.views.graph import node_id  # loads much that tables do not need
+    from rtshell_lite.views.graph_dot import node_id  # loads much that tables do not need
 
     name = node_id(title)
     lines = ["rankdir=LR;", f'{name} [shape=Mrecord, label="{_quoted(title)}"];']

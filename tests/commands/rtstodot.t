@@ -153,18 +153,19 @@ Composites are boxes around their members; a port that a composite exports belon
 
   $ rtstodot --svg --live a.xml | sed 's/<defs>.*/…/'
   <svg xmlns="http://www.w3.org/2000/svg" width="557" height="130" font-family="monospace" font-size="14">
+  <style>@media (prefers-color-scheme: dark) { .page { fill: #1c1c1c } text { fill: #eee } rect, path { stroke: #ccc } marker path { fill: #ccc } .none { fill: #1c1c1c } .Inactive { fill: #2a4a6a } .Active { fill: #1f4d2b } .Error { fill: #8a2a22 } .Created, .Unknown { fill: #444 } }</style>
   …
-  <rect width="100%" height="100%" fill="white"/>
-  <rect x="40" y="40" width="189" height="50" rx="5" fill="lightblue" stroke="black"/>
+  <rect class="page" width="100%" height="100%" fill="white"/>
+  <rect class="Inactive" x="40" y="40" width="189" height="50" rx="5" fill="lightblue" stroke="black"/>
   <text x="134" y="59" text-anchor="middle">ConsoleIn0  Inactive</text>
   <text x="223" y="80" text-anchor="end">out</text>
-  <rect x="319" y="40" width="198" height="50" rx="5" fill="lightblue" stroke="black"/>
+  <rect class="Inactive" x="319" y="40" width="198" height="50" rx="5" fill="lightblue" stroke="black"/>
   <text x="418" y="59" text-anchor="middle">ConsoleOut0  Inactive</text>
   <text x="325" y="80" text-anchor="start">in</text>
   <path d="M229,75 C274,75 274,75 319,75" fill="none" stroke="black" marker-end="url(#arrow)"><title>ConsoleIn0:out to ConsoleOut0:in</title></path>
   </svg>
   $ rtstodot --svg --text a.xml
-  rtstodot: --svg does not go with --text or --ascii (see --help)
+  rtstodot: only one of --dot, --svg and --text or --ascii can be drawn (see --help)
   [2]
 
 --live colours components by their states; without a file it draws what is running:
@@ -246,8 +247,8 @@ Files that are none, told with line and column:
   rtstodot: a.xml:1:1: not an RtsProfile: the key rtsProfile is missing
   [1]
   $ rtstodot a.xml b.xml
-  rtstodot: unrecognized arguments: b.xml (see --help)
-  [2]
+  rtstodot: /localhost:$PORT/test.host_cxt/b.xml: no such path
+  [3]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 

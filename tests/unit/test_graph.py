@@ -6,7 +6,7 @@ import unittest
 
 import random_profiles
 import test_xmlprofile
-from rtshell_lite.views import graph, graph_svg, graph_text
+from rtshell_lite.views import graph, graph_dot, graph_svg, graph_text
 from rtshell_lite.xmlprofile import model, rtsprofile
 
 # The grammar of DOT, as far as we write it.
@@ -36,7 +36,7 @@ def data(*ends):
 
 
 def lines(profile, states=None):
-    return list(graph.dot(graph.of(profile, states)))
+    return list(graph_dot.lines(graph.of(profile, states)))
 
 
 class Deep(unittest.TestCase):
@@ -45,7 +45,7 @@ class Deep(unittest.TestCase):
         count = 3000
         profile = model.RtsProfile(components=[component("C%d" % i, ["C%d" % (i + 1)] * (i + 1 < count)) for i in range(count)])
         picture = graph.of(profile)
-        found = list(graph.dot(picture))
+        found = list(graph_dot.lines(picture))
         self.assertEqual(sum(line.endswith("  }") for line in found), count - 1)
         self.assertLess(sum(map(len, found)), 1 << 20)
         for draw in (graph_svg.lines, graph_text.lines):

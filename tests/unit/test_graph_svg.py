@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import random_profiles
 import test_graph
 import test_xmlprofile
-from rtshell_lite.views import graph, graph_svg, graph_text
+from rtshell_lite.views import graph, graph_svg, graph_text, layout
 from rtshell_lite.xmlprofile import model, rtsprofile
 
 PART = 6  # a short run takes one in PART of its tests
@@ -30,12 +30,20 @@ class Picture:
         self.colours = [rect.get("fill") for rect in root.findall(SVG + "rect")[1:]]
         self.texts = {(int(text.get("x")), int(text.get("y")), text.text or "") for text in root.findall(SVG + "text")}
         self.lines, self.turns = [], []
+        self.points, self.tracks = [], []  # (x, y); ("x" or "y", where, from, to) of straight lines beside and below the boxes
         for path in root.findall(SVG + "path"):
             x, y = re.match(r"M(-?\d+),(-?\d+)", path.get("d")).groups()
             around = re.search(r"V(-?\d+) H(-?\d+)\Z", path.get("d"))
             if around:  # it turns beside the boxes
                 turns = re.match(r"M(-?\d+),-?\d+ H(-?\d+) V-?\d+ H(-?\d+) V-?\d+ H(-?\d+)\Z", path.get("d")).groups()
                 self.turns.append(tuple(map(int, turns)))
+                lane = int(re.search(r"V(-?\d+) ", path.get("d")).group(1))
+                self.points += [(int(turns[1]), lane), (int(turns[2]), lane)]
+                for turn, height in ((turns[1], y), (turns[2], around.group(1))):
+                    self.tracks.append(("x", int(turn), int(height), lane))
+                self.tracks.append(("y", lane) + tuple(sorted(map(int, turns[1:3]))))
+            else:
+                self.points += [(int(x), int(y)) for x, y in re.findall(r"(-?\d+),(-?\d+)", path.get("d"))]
             end = (around.group(2), around.group(1)) if around else re.search(r"(-?\d+),(-?\d+)\Z", path.get("d")).groups()
             self.lines.append(((int(x), int(y)), tuple(map(int, end))))
 
@@ -56,7 +64,12 @@ class Svg(unittest.TestCase):
                 self.assertIn((x - 6 if right else x + 6, y + 5, graph_svg.printable(port)), picture.texts)
         for left, turn, other_turn, right in picture.turns:
             for end, beside in ((left, turn), (right, other_turn)):
-                self.assertTrue(graph_svg._LANE <= abs(end - beside) < 5 * graph_svg._LANE, (end, beside))
+                self.assertTrue(layout.LANE <= abs(end - beside), (end, beside))
+        for x, y in picture.points:
+            self.assertTrue(0 <= x <= picture.size[0] and 0 <= y <= picture.size[1], (x, y))
+        for one, other in itertools.combinations(picture.tracks, 2):
+            if one[:2] == other[:2]:
+                self.assertTrue(one[3] < other[2] or other[3] < one[2], (one, other))
         self.assertEqual(list(graph_svg.lines(found)), list(graph_svg.lines(found)))
         return picture
 

@@ -1,0 +1,92 @@
+"""A picture of what is running: states, processes, the rates of ports."""
+
+import collections
+
+from rtshell_lite import errors, path
+from rtshell_lite.data import rates
+from rtshell_lite.robot import component, ports, tree
+from rtshell_lite.system import capture
+from rtshell_lite.views import graph
+from rtshell_lite.xmlprofile import model
+
+# What is known of a component that runs: its state, (host, port) of its process.
+Look = collections.namedtuple("Look", "state process")
+
+
+async def of_robot(tops, everything):
+    """(picture, results, notes): the graph.Graph of what is below the Paths `tops` (none: all name servers).
+
+    Components that do not answer are boxes without connections. `everything`: also what is not connected.
+    `results` are capture.Found and errors.Error.
+    """
+    found = await capture.capture(tops, everything, with_states=True)
+    profile = found.profile
+    looks = [Look(capture.state(each), each.node.endpoint) for each in found.found]
+    for failure in found.failures:
+        silent = _silent(failure)
+        if silent is not None:
+            profile.components.append(silent)
+            looks.append(Look("Unknown", None))
+    return _of(profile, looks), found.found + found.failures, found.notes
+
+
+def _silent(failure):
+    """A model.Component for the one that an error names; None if it names none."""
+    try:
+        where = path.parse(failure.where)
+    except errors.BadPath:
+        return None
+    if not where.names or where.names[-1].kind != "rtc":
+        return None
+    return model.Component(instance_name=where.names[-1].id, path_uri=str(where)[1:])
+
+
+async def of_profile(profile):
+    """(picture, results): the graph.Graph of an RtsProfile with what is known of its components now.
+
+    `results` are Looks and errors.Error.
+    """
+    results = await capture.ask_each(profile, _look)
+    looks = [Look("Unknown", None) if isinstance(each, errors.Error) else each for each in results]
+    return _of(profile, looks), results
+
+
+async def _look(node):
+    return Look(await component.state(node), node.endpoint)
+
+
+def _of(profile, looks):
+    states = {each.path_uri: look.state for each, look in zip(profile.components, looks)}
+    picture = graph.of(profile, states)
+    for box, look in zip(picture.boxes, looks):
+        box.process = look.process
+    return picture
+
+
+async def measure(picture, seconds):
+    """Label the out ports of a picture with how many values a second are written to them, measured for `seconds`.
+
+    Returns the errors.Error of those that could not be measured.
+    """
+    boxes = [box for box in picture.boxes if box.path and box.right and box.state == "Active"]
+    answers = await tree.on_components([box.path for box in boxes], ports.ports)
+    failures = [answer for answer in answers if isinstance(answer, errors.Error)]
+    measured = []
+    for box, answer in zip(boxes, answers):
+        if not isinstance(answer, errors.Error):
+            measured += [(box, name, port) for name, port in _out_ports(box, answer)]
+    results = await rates.written([port for _, _, port in measured], seconds)
+    for (box, name, _), result in zip(measured, results):
+        if isinstance(result, errors.Error):
+            failures.append(result)
+        else:
+            box.labels[name] = f"{result:.3g} Hz"
+    return failures
+
+
+def _out_ports(box, found):
+    """(name, port) of the DataOutPorts of a box that are drawn."""
+    for port in found:
+        name = ports.short_name(port.name, box.name)
+        if port.type == "DataOutPort" and name in box.right:
+            yield name, port

@@ -1,0 +1,228 @@
+"""Which part of a large system is drawn: some of its boxes, the neighbourhood of one, groups folded into a box each."""
+
+import collections
+import fnmatch
+
+from rtshell_lite.text import printable
+from rtshell_lite.views import graph
+
+KINDS = ("none", "composite", "process", "directory", "host")  # of groups, the finest first
+MOST = 30  # boxes that a person can overlook
+
+
+# ---- some of the boxes -------------------------------------------------------------------------------------
+
+
+def keep(picture, numbers):
+    """The graph.Graph of these boxes and of what connects them."""
+    kept = [number for number in range(len(picture.boxes)) if number in numbers]
+    places = {number: place for place, number in enumerate(kept)}
+    boxes = [_copy(picture.boxes[number], places) for number in kept]
+    return _connected(picture, boxes, places)
+
+
+def below(picture, paths):
+    """Numbers of the boxes at or below these Paths."""
+    tops = [(top.server, top.names) for top in paths]
+    return {
+        number
+        for number, box in enumerate(picture.boxes)
+        if any(_is_below(box.path, server, names) for server, names in tops)
+    }
+
+
+def _is_below(where, server, names):
+    if where is None:
+        return False
+    return server in (None, where.server) and where.names[: len(names)] == names
+
+
+def matching(picture, pattern):
+    """Numbers of the boxes whose name, or whose path, a GLOB matches."""
+    return {
+        number
+        for number, box in enumerate(picture.boxes)
+        if fnmatch.fnmatchcase(box.name, pattern) or fnmatch.fnmatchcase(str(box.path), pattern)
+    }
+
+
+def neighbours(picture, numbers, hops=1, upstream=True, downstream=True):
+    """These boxes and those that connections lead to from them, over as many as `hops` of them, against
+    the data (upstream), with it, or both ways.
+    """
+    ways = collections.defaultdict(set)
+    for source, _, target, _, _ in picture.edges:
+        if downstream:
+            ways[source].add(target)
+        if upstream:
+            ways[target].add(source)
+    reached = set(numbers)
+    front = reached
+    for _ in range(hops):
+        front = {other for number in front for other in ways[number]} - reached
+        if not front:
+            break
+        reached = reached | front
+    return reached
+
+
+# ---- groups ------------------------------------------------------------------------------------------------
+
+
+def fold(picture, kind, opened=()):
+    """The graph.Graph with groups of this kind (of KINDS) as one box each, but for those named in `opened`.
+
+    A group of one component is that component. Parallel connections are one, labelled with their number.
+    """
+    groups = _groups(picture, kind)
+    boxes = []
+    places = {}
+    singles = {}
+    folded = set()
+    for number in range(len(picture.boxes)):
+        if number in places:
+            continue
+        name = group_name(picture, number, kind)
+        members = groups.get(name, ())
+        if len(members) < 2 or name in opened:
+            places[number] = singles[number] = len(boxes)
+            boxes.append(picture.boxes[number])
+            continue
+        for member in members:
+            places[member] = len(boxes)
+        folded.add(len(boxes))
+        boxes.append(_folded(name, [picture.boxes[member] for member in members]))
+    boxes = [box if place in folded else _copy(box, singles) for place, box in enumerate(boxes)]
+    return _connected(picture, boxes, places, folded)
+
+
+def choose_kind(picture, most=MOST):
+    """The finest kind of groups that leaves at most so many boxes; the coarsest if there is none."""
+    for kind in KINDS:
+        if len(fold(picture, kind).boxes) <= most:
+            return kind
+    return KINDS[-1]
+
+
+def groups(picture, kind):
+    """Names of the groups of this kind that are folded, sorted."""
+    return sorted(name for name, members in _groups(picture, kind).items() if len(members) > 1)
+
+
+def _groups(picture, kind):
+    found = collections.defaultdict(list)
+    for number in range(len(picture.boxes)):
+        name = group_name(picture, number, kind)
+        if name is not None:
+            found[name].append(number)
+    return found
+
+
+def group_name(picture, number, kind):
+    """The name of the group that a box is in, spelt for the terminal; None if it is in none."""
+    box = picture.boxes[number]
+    if kind == "composite":
+        return _composite(picture, number)
+    if kind == "process" and box.process:
+        return "%s:%d" % (printable(box.process[0]), box.process[1])
+    if kind == "directory" and box.path:
+        return str(box.path.parent())
+    if kind == "host":
+        return _host(box)
+    return None
+
+
+def _composite(picture, number):
+    """The name of the outermost composite around a box."""
+    inside = number
+    while picture.boxes[inside].composite is not None:
+        inside = picture.boxes[inside].composite
+    if inside == number and not picture.boxes[number].members:
+        return None
+    return printable(picture.boxes[inside].name)
+
+
+def _host(box):
+    """The host of a component, by the naming context that is named after it, else by its process or name server."""
+    if box.path is None:
+        return None
+    for name in box.path.names:
+        if name.kind == "host_cxt":
+            return printable(name.id)
+    if box.process:
+        return printable(box.process[0])
+    return box.path.server and printable(box.path.server)
+
+
+def _folded(name, boxes):
+    made = graph.Box(name)
+    made.counts = collections.Counter(box.state or "" for box in boxes)
+    states = set(made.counts)
+    if "Error" in states:
+        made.state = "Error"
+    elif len(states) == 1:
+        made.state = boxes[0].state
+    return made
+
+
+# ---- a new picture out of an old one -----------------------------------------------------------------------
+
+
+def _copy(box, places):
+    """A box without its ports, whose members and composite are where `places` says."""
+    made = graph.Box(box.name, box.state, box.missing)
+    made.path = box.path
+    made.process = box.process
+    made.counts = box.counts
+    made.labels = dict(box.labels)
+    made.members = [places[member] for member in box.members if member in places]
+    made.composite = places.get(box.composite)
+    return made
+
+
+def _connected(picture, boxes, places, folded=()):
+    """The Graph of boxes that hold those of a picture, by `places`; of those in `folded`, ports are not shown."""
+    edges = []
+    parallel = collections.OrderedDict()
+    for source, out, target, into, service in picture.edges:
+        if source not in places or target not in places:
+            continue
+        start, end = places[source], places[target]
+        if start not in folded and end not in folded:
+            edges.append((start, out, end, into, service))
+        elif start != end:
+            parallel.setdefault((start, end, service), []).append((out, into))
+    for (start, end, service), both in parallel.items():
+        edges.append(_joined(boxes, folded, start, end, service, both))
+    for start, out, end, into, _ in edges:
+        boxes[start].use(out, boxes[start].right)
+        boxes[end].use(into, boxes[end].left)
+    tops = [number for number, box in enumerate(boxes) if box.composite is None]
+    return graph.Graph(boxes, edges, tops)
+
+
+def _joined(boxes, folded, start, end, service, both):
+    """The edge for parallel ones; its number is a label of where it ends."""
+    if start in folded:
+        out = "services" if service else "data"
+    else:
+        out = _one([out for out, _ in both])
+    if end in folded:
+        into = "from " + boxes[start].name
+    else:
+        into = _one([into for _, into in both])
+    if service and end in folded:
+        into += " (services)"
+    if len(both) > 1:
+        label = f"×{len(both)}"
+        before = boxes[end].labels.get(into)
+        boxes[end].labels[into] = f"{before}, {label}" if before else label
+    return start, out, end, into, service
+
+
+def _one(ports):
+    """The name of the only port, or how many there are."""
+    distinct = set(ports)
+    if len(distinct) == 1:
+        return ports[0]
+    return f"{len(distinct)} ports"

@@ -1,0 +1,132 @@
+rtstodot draws parts of systems, and folds what is large.
+
+server: rates
+world: robot
+world: these ConsoleIn:Alone0 --context else.host_cxt/%n.rtc
+
+What is at or below a path; a path alone is looked up in the running system:
+
+  $ rtstodot --text $RTCSH_CWD | head -3
+  ┌────────────────────────┐
+  │ Hokuyo_AIST0  Inactive │
+  │                 ranges ├─┐
+  $ rtcryo -q -o robot.rtsys
+  $ rtstodot --ascii robot.rtsys Clusterer0.rtc Hokuyo_AIST0.rtc
+  +--------------+
+  | Hokuyo_AIST0 |
+  |       ranges +-+
+  +--------------+ |
+  | Clusterer0   | |
+  | ranges       |<+
+  +--------------+
+  $ rtstodot --ascii $RTCSH_CWD/Motor0.rtc
+  +------------------+
+  | Motor0  Inactive |
+  +------------------+
+  $ rtstodot robot.rtsys nothing.rtc
+  rtstodot: /localhost:$PORT/test.host_cxt/nothing.rtc: no such path
+  [3]
+  $ rtstodot --live nothing.rtc
+  rtstodot: /localhost:$PORT/test.host_cxt/nothing.rtc: no such path
+  [3]
+
+Neighbourhoods, by connections, with the data or against it:
+
+  $ rtstodot --ascii --around Motor0.rtc --upstream robot.rtsys
+  +-------------+
+  | Controller0 |
+  |         out +-+
+  +-------------+ |
+  | Motor0      | |
+  | in          |<+
+  +-------------+
+  $ rtstodot --live --around Motor0.rtc --hops 2 --downstream | grep -e '->'
+    Controller0:out -> Motor0:in;
+    Motor0:out -> Sensor0:in;
+    Sensor0:out -> Controller0:in;
+  $ rtstodot --live --around Motor0.rtc --hops 0 | grep label
+    Motor0 [label="{{}|Motor0|{}}", style=filled, fillcolor=lightblue];
+  $ rtstodot --live --around Nothing0.rtc; rtstodot --hops -1 robot.rtsys; rtstodot --upstream --downstream robot.rtsys
+  rtstodot: nothing to draw: no component at or below /localhost:$PORT/test.host_cxt/Nothing0.rtc
+  rtstodot: --hops takes a number from 0 up (see --help)
+  rtstodot: --upstream does not go with --downstream (see --help)
+  [2]
+
+By state, by what rtdoctor reports, without some:
+
+  $ rtstodot --state error
+  rtstodot: nothing to draw: no component is in the state Error
+  [1]
+  $ rtact Sensor0.rtc; ctl @robot error Controller0
+  $ rtstodot --ascii --state error
+  +--------------------+
+  | Controller0  Error |
+  | in                 |<+
+  |                out +-|-+
+  +--------------------+ | |
+  | Motor0  Inactive   | | |
+  | in                 |<|-+
+  |                out +-|-+
+  +--------------------+ | |
+  | Sensor0  Active    | | |
+  | in                 |<|-+
+  |                out +-+
+  +--------------------+
+  $ rtstodot --broken | grep fillcolor
+    Controller0 [label="{{<in>in}|Controller0|{<out>out}}", style=filled, fillcolor=salmon];
+    Motor0 [label="{{<in>in}|Motor0|{<out>out}}", style=filled, fillcolor=lightblue];
+    Sensor0 [label="{{<in>in}|Sensor0|{<out>out}}", style=filled, fillcolor=palegreen];
+  $ rtstodot --live --not 'Sensor*' --not '/*/Motor0.rtc' | grep label
+    Clusterer0 [label="{{<ranges>ranges}|Clusterer0|{}}", style=filled, fillcolor=lightblue];
+    Controller0 [label="{{}|Controller0|{}}", style=filled, fillcolor=salmon];
+    Hokuyo_AIST0 [label="{{}|Hokuyo_AIST0|{<ranges>ranges}}", style=filled, fillcolor=lightblue];
+
+Groups:
+
+  $ rtstodot --ascii --live --group directory
+  +--------------------------------+
+  | /localhost:$PORT/test.host_cxt |
+  | 5 components                   |
+  | 3 Inactive, 1 Active, 1 Error  |
+  +--------------------------------+
+  $ rtstodot --ascii --live --group host --open test
+  +------------------------+
+  | Hokuyo_AIST0  Inactive |
+  |                 ranges +-+
+  +------------------------+ |
+  | Clusterer0  Inactive   | |
+  | ranges                 |<+
+  +------------------------+
+  | Controller0  Error     |
+  | in                     |<+
+  |                    out +-|-+
+  +------------------------+ | |
+  | Motor0  Inactive       | | |
+  | in                     |<|-+
+  |                    out +-|-+
+  +------------------------+ | |
+  | Sensor0  Active        | | |
+  | in                     |<|-+
+  |                    out +-+
+  +------------------------+
+  $ rtstodot --live --group process | grep label | sed 's/1:[0-9]*/1:PORT/g'
+    "127_dot_0_dot_0_dot_1:PORT" [label="{{}|127.0.0.1:PORT\ \ 5\ components\ \ 3\ Inactive,\ 1\ Active,\ 1\ Error|{}}", style=filled, fillcolor=salmon];
+  $ rtstodot --live --group process --open nobody
+  rtstodot: --open: no such group by process: nobody (127.0.0.1:*) (glob)
+  [3]
+  $ rtstodot --group kind robot.rtsys
+  rtstodot: argument --group: not one of none, composite, process, directory, host: kind (see --help)
+  [2]
+
+Rates, where values are written:
+
+  $ rtstodot --ascii --measure 0.3 --around Sensor0.rtc --downstream | grep -c 'out [0-9.]* Hz [+]-[+]$'
+  1
+  $ rtcat -l Sensor0.rtc:out | grep Connected
+   +Connected to  /localhost:$PORT/test.host_cxt/Controller0.rtc:in
+
+Formats exclude each other:
+
+  $ rtstodot --dot --svg robot.rtsys
+  rtstodot: only one of --dot, --svg and --text or --ascii can be drawn (see --help)
+  [2]
