@@ -21,8 +21,10 @@ from rtshell_lite.giop.descriptors import (
     CHAR,
     DOUBLE,
     ENUM,
+    FIXED,
     FLOAT,
     INDIRECT,
+    LONGDOUBLE,
     OBJECT,
     OCTET,
     RANGES,
@@ -101,7 +103,7 @@ class _Builder:
         sort = kind(descriptor)
         if sort in RANGES:
             return self._whole(descriptor, written, where)
-        if sort in (FLOAT, DOUBLE):
+        if sort in (FLOAT, DOUBLE, LONGDOUBLE):
             return self._real(descriptor, written, where)
         if sort == BOOLEAN:
             if isinstance(written, int) and written in (0, 1):
@@ -111,6 +113,8 @@ class _Builder:
             return self._character(descriptor, written, where)
         if sort in (STRING, WSTRING):
             return self._string(descriptor, written, where)
+        if sort == FIXED:
+            return self._fixed(descriptor, written, where)
         if sort == ENUM:
             return self._item(descriptor, written, where)
         if sort in (SEQUENCE, ARRAY):
@@ -148,6 +152,17 @@ class _Builder:
         except OverflowError:
             raise errors.BadValue(where, f"out of range for {_a(descriptor)}: {_shown(written)}")
         return number
+
+    def _fixed(self, descriptor, written, where):
+        """A number, or a text for one with many digits."""
+        if isinstance(written, bool) or not isinstance(written, (int, float, str)):
+            _unfit(descriptor, written, where)
+        from rtshell_lite.giop import rare
+
+        try:
+            return rare.fixed(str(written), *descriptor[1:])
+        except ValueError as e:
+            raise errors.BadValue(where, f"{e}: {_shown(written)}")
 
     def _character(self, descriptor, written, where):
         if kind(descriptor) == CHAR:

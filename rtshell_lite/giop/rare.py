@@ -30,7 +30,14 @@ def writer(descriptor, order):
     raise Fault("a Principal is not sent")
 
 
-def fixed_digits(text, digits, scale):
+def fixed(text, digits, scale):
+    """The text of a fixed as the reader gives it: -1.50. Raises Fault for what is no number, or does not fit."""
+    data = bytearray()
+    _fixed_writer(digits, scale)(data, text)
+    return _fixed(digits, scale)(data, 0)[0]
+
+
+def _fixed_digits(text, digits, scale):
     """(sign, all digits as one text) of a fixed. Raises Fault for what is no number, or does not fit."""
     match = re.match(r"([-+]?)(\d+)(?:\.(\d*))?\Z", text, re.ASCII)
     if match is None:
@@ -43,7 +50,7 @@ def fixed_digits(text, digits, scale):
 
 def _fixed_writer(digits, scale):
     def write(out, text):
-        sign, number = fixed_digits(text, digits, scale)
+        sign, number = _fixed_digits(text, digits, scale)
         last = "c"
         if sign == "-" and number.strip("0"):
             last = "d"

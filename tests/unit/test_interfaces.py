@@ -5,6 +5,7 @@ import unittest
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
+from rtshell_lite.data import build_value, defaults
 from rtshell_lite.data.idl import parser
 
 SERVICE = """
@@ -119,6 +120,37 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(list(get.raised), ["IDL:M/Broken:1.0"])
         self.assertTrue(operations["stop"].schema().is_oneway)
         self.assertFalse(operations["own"].schema().is_oneway)
+
+
+class Templates(unittest.TestCase):
+    def template(self, parameters, types=""):
+        contents = read("module M { %s interface I { void op(%s); }; };" % (types, parameters))
+        return defaults.template(contents.interfaces["IDL:M/I:1.0"].operations[0].given())
+
+    def test_of_arguments(self):
+        types = """enum C { RED, GREEN }; struct S { C c; string name; sequence<S> more; octet raw[3]; double m[2][2]; char code[2]; };
+            union U switch (C) { case GREEN: long a; default: S s; }; union D switch (long) { default: string s; case 0: S t; };"""
+        self.assertEqual(self.template("in S s, out long gone, inout sequence<double> d, in U u, in D d2", types), {
+            "s": {"c": "RED", "name": "", "more": [], "raw": "AAAA", "m": [[0.0, 0.0], [0.0, 0.0]], "code": "  "}, "d": [],
+            "u": {"_d": "GREEN", "a": 0}, "d2": {"_d": 0, "t": {
+                "c": "RED", "name": "", "more": [], "raw": "AAAA", "m": [[0.0, 0.0], [0.0, 0.0]], "code": "  "}}})
+        self.assertEqual(self.template("in boolean b, in wchar w, in fixed<4,2> f, in long double l, in unsigned long long u"),
+                         {"b": False, "w": " ", "f": "0.00", "l": 0.0, "u": 0})
+        self.assertEqual(self.template(""), {})
+
+    def test_decimal_numbers(self):
+        price = (descriptors.FIXED, 5, 2)
+        for written, expected in (("-1.5", "-1.50"), (12, "12.00"), (0.25, "0.25"), ("-0", "0.00"), ("0999.990", "999.99")):
+            self.assertEqual(build_value.build(price, written, "price"), expected)
+        for written in ("1000", "0.001", "x", "", 1e-9, float("nan"), True, None, [1]):
+            with self.assertRaises(errors.BadValue, msg=written):
+                build_value.build(price, written, "price")
+        self.assertEqual(build_value.build(descriptors.LONGDOUBLE, 1, "x"), 1.0)
+
+    def test_too_large(self):
+        for array in ("long", "octet", "S"):
+            with self.assertRaisesRegex(errors.BadType, "too large to be written down"):
+                self.template("in T t", "struct S { long a; }; typedef %s T[1000][1000];" % array)
 
 
 if __name__ == "__main__":
