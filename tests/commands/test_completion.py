@@ -132,7 +132,7 @@ class InShell:
         with self.subTest(typed):
             self.assertEqual(self.terminal.line(typed + "\t"), wanted)
 
-    def test_what_stands_there_after_tab(self):
+    def test_words_completed_after_tab(self):
         with open(os.path.join(self.directory, "robot one.rtsys"), "w"):
             pass
         for typed, wanted in [

@@ -57,7 +57,7 @@ PIECES = ["a", "b", ": ", ":", "- ", "-", "\n", "\n  ", "\n    ", " ", "'", '"',
 
 
 class PyYAML(unittest.TestCase):
-    def test_what_it_writes_is_read(self):
+    def test_files_that_it_writes_are_read(self):
         rng, maker, compared = random.Random(1), random_profiles.Maker(1), 0
         for _ in range(COUNT):
             data = maker.data()
@@ -71,7 +71,7 @@ class PyYAML(unittest.TestCase):
                 self.assertTrue(fields.same(ours(text), theirs(text)), (style, text))
         self.assertGreater(compared, COUNT / 2)
 
-    def test_what_is_written_it_reads(self):
+    def test_it_reads_files_that_we_write(self):
         maker = random_profiles.Maker(2)
         for _ in range(COUNT):
             data = maker.data()
@@ -84,7 +84,7 @@ class PyYAML(unittest.TestCase):
                 data = file.read()
             self.assertTrue(fields.same(ours(data), theirs(data)), path)
 
-    def test_what_it_refuses_is_refused_in_blocks(self):
+    def test_blocks_that_it_refuses_are_refused(self):
         """In flow style we read a few things that PyYAML refuses, such as a question mark inside a word."""
         rng = random.Random(3)
         for _ in range(COUNT):

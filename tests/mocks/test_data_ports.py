@@ -42,7 +42,7 @@ class Ports(flavours.Flavoured):
 
     # connecting
 
-    def test_what_connect_adds(self):
+    def test_properties_that_connect_adds(self):
         """Names of the properties that come back, in order."""
         asked = ["dataflow_type", "interface_type", "subscription_type", "data_type", "serializer.cdr.endian"]
         for ports, flow in (([self.out, self.inp], "push"), ([self.inp, self.out], "push"), ([self.out, self.inp], "pull")):

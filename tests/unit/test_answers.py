@@ -72,7 +72,7 @@ class Commands(unittest.TestCase):
         for mode, what in (("any-in-any", "values inside values"), ("deep-value", nested)):
             self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (%s%s, deeper than 64)" % (where, what), "rtcat", "SERVER/Evil0.rtc")
 
-    def test_what_is_left_out_is_told(self):
+    def test_references_left_out_are_reported(self):
         for mode, said, words in (
                 ("endless", "names are taken; its list of them does not end", ["rtfind", "SERVER", "-n", "x"]),
                 ("endless-nothing", "only its first 1 names are taken; its list of them does not end", ["rtls", "SERVER"]),
@@ -105,7 +105,7 @@ class Commands(unittest.TestCase):
 class References(unittest.TestCase):
     PROFILE = (0, b"\1\1\2\0" + giop.cdr(b"host") + b"\0\x39\x05" + giop.cdr(giop.sequence(b"key"), 0))
 
-    def test_what_is_right_stays_as_it_is(self):
+    def test_valid_references_are_unchanged(self):
         for profiles in ([self.PROFILE], [self.PROFILE] * 3, [(1, b""), (0x41545401, b"x"), self.PROFILE]):
             for type_id in (TYPE, b"\0", b"", "IDL:日本:1.0\0".encode()):
                 data = ior.octets(type_id, profiles)
@@ -120,7 +120,7 @@ class References(unittest.TestCase):
         cut = elsewhere[:-8]
         self.assertEqual((ior.address(cut), ior.addresses(cut)), (("", "", 0, b""), []))
 
-    def test_what_is_wrong_is_refused(self):
+    def test_invalid_references_are_refused(self):
         for type_id in (b"IDL:\xff:1.0\0", b"no end", b"a\0b\0", b"x" * 2000 + b"\0", b"\xed\xa0\x80\0"):
             with self.subTest(type_id), self.assertRaisesRegex(ValueError, "whose type is no text"):
                 ior.octets(type_id, [self.PROFILE])

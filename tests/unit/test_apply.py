@@ -91,7 +91,7 @@ class Reports(unittest.TestCase):
             pass
         self.assertEqual([(outcome.status, outcome.error and str(outcome.error)) for outcome in outcomes], expected)
 
-    def test_what_could_not_be_undone(self):
+    def test_failed_undoing_is_reported(self):
         self.check([Switch("a", undoes=False), Switch("b", False, False), Switch("c")],
                    [(apply.STUCK, "a: is as it was made"), (apply.FAILED, "b: was said to be done, but is not so"),
                     (apply.UNDONE, None)], True)
@@ -106,7 +106,7 @@ class Reports(unittest.TestCase):
         self.check([Switch("a", False, lost, lost), Switch("b", False, lost)],
                    [(apply.UNSURE, "a: no answer to that; whether it was done is not known"), (apply.DONE, None)])
 
-    def test_what_a_look_rules_out_has_failed(self):
+    def test_a_step_that_its_look_rules_out_has_failed(self):
         self.check([Switch("a", False, "is no switch"), Switch("b", "is no switch")],
                    [(apply.FAILED, "a: is no switch"), (apply.FAILED, "b: is no switch")])
 

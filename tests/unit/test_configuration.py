@@ -57,7 +57,7 @@ class Text(unittest.TestCase):
         self.assertEqual(parsed("# a\n\n  \n[a] active  \nx=1\r\ny==#\n[b]\n[a]\nz= \n"),
                          ({"a": {"x": "1", "y": "=#", "z": " "}, "b": {}}, "a"))
 
-    def test_what_is_wrong_has_its_line(self):
+    def test_errors_have_line_numbers(self):
         for text, complaint in (("a=1", "x.conf:1: name=value before any [set]"),
                                 ("[a]\n\nb", "x.conf:3: neither [set] nor name=value"),
                                 ("[a", "x.conf:1: not [set] or [set] active"),

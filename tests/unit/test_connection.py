@@ -88,7 +88,7 @@ class Struck(unittest.TestCase):
                     self.assertEqual([each.connector for each in every], [None] * len(every))
                     self.assertLess(time.monotonic() - begun, LIMIT / 2)
 
-    def test_what_we_have_removed_ourselves_is_no_failure(self):
+    def test_a_connector_that_we_removed_is_no_failure(self):
         connection = Connection()
 
         async def main():
@@ -120,7 +120,7 @@ class Struck(unittest.TestCase):
 
 
 class Bounded(unittest.TestCase):
-    def test_what_is_being_written_takes_memory_too(self):
+    def test_values_being_written_count_as_memory(self):
         """rtlog at full flood held 144 MiB, though 64 may wait: what it was writing did not count."""
         box = Inbox(most_bytes=1000)
 
@@ -192,7 +192,7 @@ class Early(unittest.TestCase):
 
 
 class Live(unittest.TestCase):
-    def test_whom_values_are_sent_to(self):
+    def test_values_are_sent_to_ends_that_answer(self):
         """Silent ones only if there is nobody else; those whose connection failed otherwise never."""
         silent, refused = errors.Silent("a", "no answer"), errors.Refused("a", "no")
         for failures, expected in (((None, silent, refused), [0]), ((silent, refused, silent), [0, 2]), ((refused,), [])):

@@ -65,7 +65,7 @@ class Case(unittest.TestCase):
 
 
 class Files(Case):
-    def test_what_was_written_is_read(self):
+    def test_written_entries_are_read(self):
         written = messages(1000)
         self.write(written)
         log, found = self.read()
@@ -222,7 +222,7 @@ class Files(Case):
             writer.Writer(self.name, CHANNELS, START)
         self.assertEqual(self.read()[1], as_read(written))
 
-    def test_what_is_refused_is_closed(self):
+    def test_refused_files_are_closed(self):
         self.put(mcap.MAGIC + b"no header")
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always", ResourceWarning)

@@ -50,7 +50,7 @@ class Playing(Case):
                               (True, False), (1.0, False), (None, False)):
             self.assertIs(records.is_moment(value), can_be, value)
 
-    def test_what_is_said_of_a_log_without_entries(self):
+    def test_a_log_without_entries_is_reported(self):
         self.write([])
         with logfile.load(self.name) as log:
             said = decode.as_dict(log)

@@ -58,7 +58,7 @@ class FromFiles(unittest.TestCase):
         names = [[name for name, _ in descriptors.members(inner)] for _, inner in descriptors.members(found)]
         self.assertEqual(names, [["k"], ["m"], ["m"]])
 
-    def test_what_comes_later_cannot_be_seen(self):
+    def test_later_definitions_cannot_be_seen(self):
         with self.assertRaisesRegex(errors.BadType, "a type in a file: is used, but nowhere defined"):
             type_json.descriptor(b'["struct", "A", "a", [["x", ["sequence", ["see", "B"], 0]],'
                                  b' ["y", ["struct", "B", "b", [["k", "long"]]]]]]')

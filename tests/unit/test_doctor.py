@@ -60,7 +60,7 @@ class Connections(unittest.TestCase):
                 connections.places, "ask", asynchronous(lambda refs, joining: [port._replace(connectors=[after]) for _ in refs])):
             self.assertIsNone(wait_for(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends)))
 
-    def test_what_one_end_does_not_have(self):
+    def test_connectors_that_one_end_lacks(self):
         there = ports.Connector("one", "c", [], [("x", "1")])
         here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])
         port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
@@ -172,7 +172,7 @@ class NameServers(unittest.TestCase):
                 wait_for(check("/robot1", None))
         return caught.exception.finding.message
 
-    def test_what_it_may_answer(self):
+    def test_answers_that_prove_a_name_server(self):
         refused = errors.Refused("/robot1", "CORBA.NO_PERMISSION")
         self.assertEqual(self.stopped(servers._is_there, refused), "answers with CORBA.NO_PERMISSION")
         self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not report what it is (CORBA.NO_PERMISSION)")
@@ -194,7 +194,7 @@ class ManyFindings(unittest.TestCase):
     def late(self, number):
         return [limits.late("component", "/robot/A%d.rtc" % i) for i in range(number)]
 
-    def test_what_there_was_no_time_for_is_one_failure(self):
+    def test_all_that_there_was_no_time_for_is_one_failure(self):
         self.assertEqual(limits.left_out(self.late(2)), self.late(2))
         other = finding.ok("component", "/robot/B0.rtc", "Active")
         first, joined = limits.left_out(self.late(3000) + [other])

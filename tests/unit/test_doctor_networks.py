@@ -50,7 +50,7 @@ class Published(unittest.TestCase):
     def test_no_home_is_known(self):
         self.assertIsNone(self.misled("127.0.0.1", [], "10.77.0.9"))
 
-    def test_who_is_outside(self):
+    def test_references_to_other_hosts_are_outside(self):
         with mock.patch.object(networks.orb, "addresses", lambda ref: [(ref, 4000)]):
             asked = ["", "127.0.0.1", "10.77.0.9"], ["", "localhost", "172.17.0.1"]
             self.assertEqual([wait_for(networks.outside(refs)) for refs in asked],
@@ -72,14 +72,14 @@ class Published(unittest.TestCase):
             self.assertFalse(self.certain("desk", ["10.77.0.2"]))
             self.assertTrue(self.certain("desk", ["10.77.0.1"]))
 
-    def test_who_refuses(self):
+    def test_refusals_that_prove_death(self):
         self.assertTrue(self.certain("127.0.0.1", ["127.0.0.1"]))
         self.assertTrue(self.certain("10.77.0.2", ["10.77.0.2"]))
         self.assertTrue(self.certain("8.8.8.8", ["10.77.0.2"]))
         self.assertFalse(self.certain("192.168.0.7", ["10.77.0.2"]))
         self.assertFalse(self.certain("172.17.0.1", ["10.77.0.2"]))
 
-    def test_who_is_apart(self):
+    def test_addresses_apart_from_their_host(self):
         for published, apart in (("172.17.0.1", True), ("10.77.0.3", False), ("8.8.8.8", True), ("", False)):
             with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []):
                 self.assertEqual(wait_for(networks.is_apart(None, ["10.77.0.2"])), apart, published)
@@ -173,7 +173,7 @@ class Arrival(unittest.TestCase):
             if not line:
                 connection.recv(1)  # until the other end has given up
 
-    def test_what_is_lost(self):
+    def test_large_packets_lost(self):
         with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)

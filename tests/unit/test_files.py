@@ -142,7 +142,7 @@ class Writing(Case):
         self.assertEqual(self.text("mine"), "old")
 
     @unittest.skipIf(os.geteuid(), "only root can give a file to another group")
-    def test_what_its_group_may_read_is_for_that_group(self):
+    def test_a_file_that_its_group_may_read_stays_with_that_group(self):
         path = self.path("group", "old", 0o640)
         os.chown(path, -1, STRANGER)
         files.write(path, "new")
@@ -151,7 +151,7 @@ class Writing(Case):
             files.write(path, "newer")
         self.assertEqual((os.stat(path).st_gid, mode(path)), (os.getegid(), 0o600))
 
-    def test_what_fails_leaves_the_old_and_nothing_else(self):
+    def test_a_failed_write_leaves_the_old_file_and_nothing_else(self):
         path = self.path("old", "old")
         for what in ("os.fsync", "os.replace"):
             with mock.patch(what, side_effect=OSError(28, "No space left on device")):
@@ -217,7 +217,7 @@ class Endless(Case):
                 with self.subTest("%s %s" % (name, path)), self.assertRaises((errors.Failed, FileNotFoundError)):
                     read(path)
 
-    def test_what_a_shell_hands_over_is_read(self):
+    def test_descriptors_from_a_shell_are_read(self):
         ends = os.pipe()
         os.write(ends[1], b"abc")
         os.close(ends[1])

@@ -27,7 +27,7 @@ class Hostile(Served):
         self.assertIn(here.last_words(), (ERROR[:5] + b"\0" + ERROR[6:], ERROR, b""))
         self.still_served()
 
-    def test_what_is_no_request(self):
+    def test_other_messages_are_no_requests(self):
         put = request(self.key, "put", block(b""))
         for data in (b"GET / HTTP/1.1\r\n\r\n", b"GIOP\1\3" + put[6:], b"GIOP\2" + put[5:], whole(messages.REPLY, bytes(12)),
                      whole(requests.LOCATED, bytes(8)), whole(messages.FRAGMENT, bytes(8)), whole(9, b""), whole(0, b""),
@@ -144,7 +144,7 @@ class Hostile(Served):
         self.still_served()
         self.assertLess(max(len(caller.out) for caller in list(self.server.callers)), 1000)
 
-    def test_who_has_delivered_keeps_its_place(self):
+    def test_a_caller_that_has_delivered_keeps_its_place(self):
         """Others, who ask and ask, are turned away, which is noted."""
         component, ask, before = self.client(), request(self.key, "_non_existent"), self.server.session.turned_away
         self.assertEqual(result(component.ask(request(self.key, "put", block(b"1")))), bytes(4))
@@ -155,7 +155,7 @@ class Hostile(Served):
         self.assertEqual(self.port.taken, [b"1", b"2"])
         self.assertGreaterEqual(self.server.session.turned_away - before, 40)
 
-    def test_who_only_asks(self):
+    def test_a_caller_that_only_asks_is_limited(self):
         """A connection that delivers nothing may not ask without end."""
         here, ask = self.client(), request(self.key, "_non_existent")
         with mock.patch.object(server, "MOST_ASKED", 20):

@@ -130,7 +130,7 @@ class Loop(Calls):
         self.assertEqual(found, ["garbled answer (more than 4194304 octets)", False])
         self.assertLess(tracemalloc.get_traced_memory()[1], sum(map(len, replies)) + 4 * messages.LARGE)
 
-    def test_what_comes_before_the_end_of_a_connection(self):
+    def test_answers_before_the_end_of_a_connection_count(self):
         """Answers count, and what ends it shows at once, whoever else is under way: a last word, garbage, half a fragment."""
         def before(octets):
             def play(pending):
@@ -156,7 +156,7 @@ class Loop(Calls):
             self.run_tasks((peer.ref, ask), (peer.ref, ask), self.asking(slow.ref))
             self.assertLess(max(ended), 0.4, octets)
 
-    def test_what_has_come_by_connections_that_end(self):
+    def test_octets_of_ended_connections_are_freed(self):
         """It goes at once, without a collection."""
         half = answer(1)[:8] + struct.pack("<I", 1 << 20) + bytes(1 << 19) + CLOSE
         peers = [Peer(half) for _ in range(20)]
@@ -171,7 +171,7 @@ class Loop(Calls):
         self.assertEqual([str(value.why) for value in values], ["connection lost"] * 20)
         self.assertLess(tracemalloc.get_traced_memory()[0], 4 << 20)
 
-    def test_what_the_peer_has_not_begun_is_sent_again(self):
+    def test_requests_that_the_peer_has_not_begun_are_sent_again(self):
         """However often it closes: here after each answer."""
         def play(pending):
             return answer(pending[0][0], bytes(4)) + CLOSE if pending else None
@@ -182,7 +182,7 @@ class Loop(Calls):
         self.assertEqual([str(value) for value in values], ["RTC_OK"] * 6)
         self.assertEqual(peer.connections, 6)
 
-    def test_what_the_peer_has_begun_to_answer_is_not_sent_again(self):
+    def test_requests_that_the_peer_has_begun_to_answer_are_not_sent_again(self):
         def play(pending):
             if not pending:
                 return None
@@ -203,7 +203,7 @@ class Loop(Calls):
         value, = self.run_tasks((ref, twice))
         self.assertEqual((value.why, asked), ("connection lost", [2]))
 
-    def test_what_was_given_up_before_there_was_a_connection_is_not_sent(self):
+    def test_requests_given_up_before_there_was_a_connection_are_not_sent(self):
         connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
         request = calls.Request(orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None)
         connection.send(request)
@@ -218,7 +218,7 @@ class Loop(Calls):
         self.assertEqual([messages.number(reply) for reply in replies], [2])
         connection.close()
 
-    def test_what_cannot_be_sent_costs_itself(self):
+    def test_an_unsendable_request_costs_only_itself(self):
         peer = self.script(lambda pending: answer(pending.pop(0)[0]) if pending else None)
 
         async def ask(operation, *args):

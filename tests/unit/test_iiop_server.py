@@ -45,7 +45,7 @@ class Answers(Served):
             self.assertEqual(result(here.ask(request(self.key, "put", block(data)))), bytes(4))
             self.assertTrue(self.port.taken.pop() == data, size)
 
-    def test_what_any_object_is_asked(self):
+    def test_operations_that_every_object_has(self):
         for name, wanted in (("IDL:OpenRTM/ComponentObserver:1.0", 1), ("IDL:org.omg/SDOPackage/SDOService:1.0", 1),
                              ("IDL:omg.org/CORBA/Object:1.0", 1), ("IDL:OpenRTM/Logger:1.0", 0)):
             self.assertEqual(self.ask(self.observed, "_is_a", text(name)), bytes([wanted]))

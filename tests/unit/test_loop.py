@@ -83,7 +83,7 @@ class Tasks(Case):
         loop.run(loop.race(self.mourn(10, "loser"), after(0.01, "first")))
         self.assertEqual(self.heard, ["no loser"])
 
-    def test_what_is_to_finish_is_not_cancelled(self):
+    def test_a_finishing_task_is_not_cancelled(self):
         """Its caller is, afterwards; what the change has failed with is lost then."""
         async def change():
             await loop.sleep(0.05)
@@ -186,7 +186,7 @@ class Waiting(Case):
         found = loop.run(loop.each(range(50), lambda number: loop.on_thread(int, str(number))))
         self.assertEqual(found, list(range(50)))
 
-    def test_who_was_away(self):
+    def test_time_away_is_no_silence(self):
         """What comes late because we were busy is no silence of others."""
         away = []
 
@@ -254,7 +254,7 @@ class Signals(Case):
         child.send_signal(signal.SIGINT)
         self.assertEqual(child.communicate()[0], "whole\ncleaned up\nstruck\nTrue\n")
 
-    def test_what_never_awaits_is_torn(self):
+    def test_a_task_that_never_awaits_is_struck(self):
         """It computes for long, or writes to who does not read."""
         child = self.child("time.sleep(60)")
         begun = time.monotonic()

@@ -30,7 +30,7 @@ class Address(unittest.TestCase):
         self.assertEqual(self.told("corbaloc:iiop:1.0@robot:2820/other"), ("robot", 2820, b"other"))
         self.assertEqual(self.told("corbaloc::[::1]:2820"), ("::1", 2820, b"manager"))
 
-    def test_what_is_no_address_is_told_before_it_is_used(self):
+    def test_bad_addresses_are_reported_before_use(self):
         for word in ("corbaloc:", "corbaloc::", "corbaloc:iiop:", "corbaloc::robot:0", "corbaloc::robot:65536",
                      "corbaloc::robot:x", "corbaloc:rir:/NameService", "corbaloc:ssliop:robot:1/manager", "corbaloc::a,:b/manager"):
             with self.subTest(word), self.assertRaises(errors.BadPath):
@@ -38,11 +38,11 @@ class Address(unittest.TestCase):
 
 
 class Argument(unittest.TestCase):
-    def test_what_managers_take(self):
+    def test_arguments_that_managers_accept(self):
         for argument in ("Motor", "Motor?", "Motor?a=1", "Motor?a=1&b=", "RTC:AIST:example:Motor:1.0?a=1&&b=2"):
             manager.check_argument(argument)
 
-    def test_what_they_would_take_in_part(self):
+    def test_arguments_that_managers_would_misread_are_refused(self):
         for argument in ("", "?a=1", "Motor?a", "Motor?a=1&b", "Motor?a=1?b=2", "Motor?a=b=c"):
             with self.subTest(argument), self.assertRaisesRegex(errors.Usage, "^not MODULE"):
                 manager.check_argument(argument)

@@ -66,7 +66,7 @@ class Names(unittest.TestCase):
 
 
 class Waiting(unittest.TestCase):
-    def test_what_waits_to_be_printed_has_few_megabytes(self):
+    def test_lines_that_wait_to_be_printed_have_few_megabytes(self):
         """Who reads may have stopped, and records may be long."""
         said = []
 

@@ -67,7 +67,7 @@ class Parsing(unittest.TestCase):
         self.assertTrue(parse("/h/a/.").directory)
         self.assertFalse(parse("/h/a").directory)
 
-    def test_what_cannot_be_a_path_is_refused_before_any_network(self):
+    def test_malformed_paths_are_refused_before_any_network(self):
         for typed in ("/h/a:b:c", "/h/a:", "/h/a.rtc:in/", "/h:x/a", "/:1/a", "/h:0", "/h:65536", "/h/\\q", "/h/a\\"):
             with self.assertRaises(errors.BadPath, msg=typed) as caught:
                 parse(typed, "/")
@@ -95,7 +95,7 @@ class Parsing(unittest.TestCase):
 
 
 class RoundTrip(unittest.TestCase):
-    def test_what_is_printed_can_be_typed(self):
+    def test_printed_paths_can_be_typed(self):
         rng = random.Random(5)
 
         def some():

@@ -168,7 +168,7 @@ class Services(Case):
         self.matching(self.PROVIDER, service("B.s", ("one", "Other", "Required")))
         self.matching(service("B.s", ("one", "T", "Required")), self.PROVIDER)
 
-    def test_what_does_not_match(self):
+    def test_interfaces_that_do_not_match_are_named(self):
         self.assertEqual(self.reasons(self.PROVIDER, service("B.s", ("one", "T", "Provided"))),
                          ["both have interface one provided"])
         self.assertEqual(self.reasons(self.PROVIDER, service("B.s", ("two", "T", "Required"))),

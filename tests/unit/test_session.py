@@ -117,7 +117,7 @@ class Calls(unittest.TestCase):
         self.assertLess(time.monotonic() - start, 3)  # without the limit it would be 5 s
         self.assertEqual(values[-1].why, session.NO_TIME)
 
-    def test_what_nobody_waits_for_is_not_begun(self):
+    def test_calls_that_nobody_waits_for_are_not_begun(self):
         begun = []
 
         async def main():

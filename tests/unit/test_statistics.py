@@ -89,13 +89,13 @@ class Cycles(Checked):
         stamps = cycles(*range(20)) + [204, 214, 224]
         self.check(figures(stamps, stamps), absent=0)
 
-    def test_what_comes_close_after_a_gap_made_up_for_it(self):
+    def test_values_close_after_a_gap_make_up_for_it(self):
         stamps = cycles(*range(20)) + [220, 222, 230]
         self.check(figures(stamps, stamps), absent=1)
         stamps = cycles(*range(20)) + [220, 222, 224, 226, 230]
         self.check(figures(stamps, stamps), absent=0)
 
-    def test_what_is_usual_has_to_be_known_first(self):
+    def test_a_gap_needs_a_known_usual_interval(self):
         few = cycles(*range(statistics.FIRST)) + [130, 140]
         self.check(figures(few, few), absent=0)
         enough = cycles(*range(statistics.FIRST + 1)) + [140, 150]
@@ -123,7 +123,7 @@ class Cycles(Checked):
                 found.add(BEGIN + number * PERIOD + delay * MS, b"%d" % number, BEGIN + number * PERIOD)
         self.check(found.total.summary(0.3, 0), values=30, repeated=3, jitter=0.0, absent=0, disordered=0)
 
-    def test_what_was_dropped_here_is_known_to_be_lost(self):
+    def test_values_dropped_here_count_as_lost(self):
         self.check(figures([0, 10], [0, 10], dropped=7), dropped=7, missing=7, absent=0)
 
 
@@ -156,7 +156,7 @@ class Meters(unittest.TestCase):
         self.assertEqual(self.rates((10, [8]), (10.125, [8]), (11, [8, 8, 8]), (12, []), (13, [4] * 6), (14, [])),
                          [(None, None, None), (None, None, None), (4, 32, None), (2, 16, None), (3, 12, None), (3, 12, None)])
 
-    def test_what_has_failed_has_no_rate(self):
+    def test_a_failed_port_has_no_rate(self):
         gone, lost = errors.Gone("a.rtc"), errors.Unreachable("a.rtc", "lost")
         self.assertEqual(self.rates((1, []), (2, [8]), failure=gone, reader=mock.Mock(failure=lost)), [(None, None, gone)] * 2)
         self.assertEqual(self.rates((1, []), (2, [8]), reader=mock.Mock(failure=lost)), [(None, None, lost)] * 2)

@@ -78,7 +78,7 @@ class Values(unittest.TestCase):
 
 
 class Connections(unittest.TestCase):
-    def test_what_does_not_match_is_known_before_it_is_connected(self):
+    def test_mismatches_are_found_before_connecting(self):
         differ = errors.Refused("/localhost/a.rtc:out to /localhost/b.rtc:in", "data types differ")
         with mock.patch.object(ports, "check", side_effect=differ):
             self.assertIs(connect_steps.Connect._obstacle(mock.Mock(), ["a:out", "b:in"]), differ)

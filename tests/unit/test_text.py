@@ -46,7 +46,7 @@ class Terminal(unittest.TestCase):
             self.assertTrue(shown.isprintable(), ascii(shown))
             self.assertEqual(text.unescaped(shown), name)
 
-    def test_what_draws_nothing_is_escaped(self):
+    def test_invisible_characters_are_escaped(self):
         for c in "\u115f\u1160\u3164\uffa0\u2800\u034f\u17b4\u180b\ufe00\ufe0f\U000e0041\U000e0100\U000e01ef\U0001d159":
             for said in (c, "a" + c, "\u65e5" + c + "b", c * 3):
                 with self.subTest(ascii(said)):
@@ -79,7 +79,7 @@ class Terminal(unittest.TestCase):
     def test_safe_keeps_backslashes(self):
         self.assertEqual(text.safe("a\\x1b \x1b"), "a\\x1b \\x1b")
 
-    def test_what_is_no_escape_is_an_error(self):
+    def test_malformed_escapes_are_errors(self):
         for spelling in ("\\", "\\q", "\\x1", "\\u12", "\\U00110000", "\\7"):
             with self.assertRaises(ValueError, msg=spelling):
                 text.unescaped(spelling)

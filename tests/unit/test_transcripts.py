@@ -42,7 +42,7 @@ class Reading(unittest.TestCase):
         self.assertEqual(step.command, ["a \\", "b"])
         self.assertEqual(step.expected, ["one", "", "two", "[3]"])
 
-    def test_what_is_read_is_written_back(self):
+    def test_transcripts_are_written_back_unchanged(self):
         text = "prose\n\n  $ a\n\n  one\n\n\n  $ b\n  > \n  > c\n\n    deep\n\nworld: two\n\n\n"
         items = transcripts.parse(text)
         outputs = [step.expected for step in transcripts.steps(items)]
@@ -66,7 +66,7 @@ class Spelling(unittest.TestCase):
     def test_trailing_blanks_are_seen(self):
         self.assertEqual(transcripts.spell(b"a  ", []), "a\\x20\\x20 (esc)")
 
-    def test_what_looks_like_syntax(self):
+    def test_output_that_looks_like_syntax_is_escaped(self):
         for raw in b"$ a", b"> a", b"[3]", b"a (re)", b"a (esc)", b">":
             self.assertNotEqual(transcripts.spell(raw, []), raw.decode())
 

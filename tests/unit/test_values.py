@@ -188,7 +188,7 @@ class Text(unittest.TestCase):
         self.assertEqual(values.raw(b""), ["0 bytes"])
         self.assertEqual(values.raw(bytes(40), limit=16)[2], "… 24 more")
 
-    def test_what_raw_bytes_might_say(self):
+    def test_guesses_at_raw_bytes(self):
         for data, guesses in ((b"\2\0\0\0\xff\0", ["string '\\xff'", "sequence of 2 octets"]),
                               (b"\2\0\0\0\xff\1", ["sequence of 2 octets"]), (b"\1\0\0\0\xff\0", ["sequence of 1 shorts"]),
                               (struct.pack("<f", 1.5), ["long 1069547520", "float 1.5"]), (bytes(4), ["long 0", "float 0.0"]),
@@ -224,7 +224,7 @@ class Written(unittest.TestCase):
             made(text, name)
         self.assertEqual(str(caught.exception), reason)
 
-    def test_what_does_not_fit(self):
+    def test_misfits_are_reported(self):
         for text, reason in (
                 ("RTC.TimedLong({time}, 'x')", "RTC.TimedLong: data: not a long: 'x'"),
                 ("RTC.TimedLong({time}, True)", "RTC.TimedLong: data: not a long: True"),
@@ -275,7 +275,7 @@ class Written(unittest.TestCase):
                 values.Expression(text, types).value(0)
             self.assertEqual(str(caught.exception), reason)
 
-    def test_what_cannot_be_read(self):
+    def test_unreadable_values_are_refused(self):
         for text, reason in (
                 ("RTC.TimedLong({time}, 42", "RTC.TimedLong({time}, 42: column 25: expected ,: the end"),
                 ("RTC.TimedLong({time}; 42)", "RTC.TimedLong({time}; 42): column 21: cannot be read: ; 42)"),

@@ -65,11 +65,11 @@ class Filling(unittest.TestCase):
             backlog.add(number * 0.01)
         self.assertAlmostEqual(backlog.seconds(), (4 + 1) / 100 + SETTLE)
 
-    def test_who_never_reads(self):
+    def test_a_reader_that_never_reads(self):
         backlog = self.sent(None, 8, 10, 1.0)
         self.assertEqual((backlog.waiting, backlog.lost), (8, 2))
 
-    def test_who_takes_values_late_may_read_them_late(self):
+    def test_a_reader_that_takes_values_late_may_read_them_late(self):
         backlog = Backlog(100.0, 8)
         usual = backlog.seconds()
         backlog.add(1.0, delay=0.3)

@@ -126,7 +126,7 @@ class Random(unittest.TestCase):
 
 
 class Meaning(unittest.TestCase):
-    def test_what_rtcryo_writes(self):
+    def test_files_of_rtcryo(self):
         profile = load(os.path.join(DATA, "valid", "as-rtcryo-writes.xml"))
         component, valve = profile.components
         self.assertEqual((component.path_uri, component.is_required), ("localhost:2810/Hygrometer0.rtc", True))
@@ -141,7 +141,7 @@ class Meaning(unittest.TestCase):
         self.assertEqual((condition.sequence, condition.wait_time.wait_time, condition.preceding), (1, 250, None))
         self.assertEqual((profile.start_up, valve.service_ports[0].visible), (None, True))
 
-    def test_what_systemeditor_writes(self):
+    def test_files_of_systemeditor(self):
         profile = load(os.path.join(DATA, "valid", "as-systemeditor-writes.xml"))
         pair, = profile.components
         self.assertEqual((pair.composite_type, pair.location.direction), ("PeriodicECShared", "RIGHT"))
@@ -219,7 +219,7 @@ class Meaning(unittest.TestCase):
         with self.assertRaises(TypeError):
             model.Property(nam="a")
 
-    def test_what_tests_show_of_an_element(self):
+    def test_repr_of_an_element(self):
         self.assertEqual(repr(model.Component(id="a", properties=[model.Property(name="b")])),
                          "Component(id='a', properties=[Property(name='b')])")
 

@@ -38,7 +38,7 @@ class Reading(unittest.TestCase):
             self.assertEqual(read(end.join(["a: |", "  b", "  c", "d: 'e", "  f'", ""])), {"a": "b\nc\n", "d": "e f"})
         self.assertEqual(read("'a\u2028 b\u2029\u2029c\n\u2028d'"), "a\u2028b\u2029\u2029c\u2028d", "these are kept")
 
-    def test_what_ends_a_document(self):
+    def test_ends_of_documents(self):
         for text in ("a: 1", "a: 1\n", "--- \na: 1\n...\n", "---\na: 1\n...\n...\n# end", "--- {a: 1}\n",
                      "\ufeffa: 1"):
             self.assertEqual(read(text), {"a": 1}, text)
@@ -145,7 +145,7 @@ t: it's
     def test_long_keys(self):
         self.check({"k" * 2000: {"a": 1}, "l" * 2000: [1], "m" * 2000: 2})
 
-    def test_what_pyyaml_takes_for_a_number_of_base_60_is_text_in_quotes(self):
+    def test_numbers_of_base_60_of_pyyaml_are_quoted_text(self):
         self.assertEqual(read("a: 1:30"), {"a": "1:30"})
         self.assertEqual(writer.write(["1:30", "-1:30.5", "1:90"]), "- '1:30'\n- '-1:30.5'\n- 1:90\n")
 
