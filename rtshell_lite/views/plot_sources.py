@@ -1,0 +1,151 @@
+"""Where the numbers of a plot come from: a log, or ports."""
+
+import re
+
+from rtshell_lite import errors, text
+from rtshell_lite.data import datatypes, values
+from rtshell_lite.text import printable
+from rtshell_lite.views import plot
+
+PANELS = 8  # of a log without names of channels
+WINDOWS = 100  # spans of a log for which rates are counted, at most
+FEWEST = 3  # of them
+EVENT = "rtlog.Event"  # the type of the events in a log
+SHOWN = (
+    "",
+    "rate",
+    "delay",
+)  # what is shown of values: their fields, how many came a second, how old they were
+
+
+class Source:
+    """One channel or port, and the plot.Panel of what is shown of it."""
+
+    def __init__(self, name, field, shown, between=None, width=10**9):
+        """`field`: a plot.Field; `between`: (first, last) ns where they are known; `width`: ns of a span for the rate."""
+        self.field = field
+        self._between = between
+        if shown == "rate":
+            self.panel = plot.Panel(name + ", values per second")
+            self._rate = plot.Rate(self.panel.named("rate", between), width)
+        elif shown == "delay":
+            self.panel = plot.Panel(name + ", seconds from timestamp to arrival")
+        else:
+            self.panel = plot.Panel(name + "." * bool(field.path) + field.path)
+        self._shown = shown
+        self.failure = None  # why a value could not be shown
+
+    def take(self, moment, value):
+        """Take a value that came at a moment. `value` is a function: it is not decoded for its rate."""
+        if self._shown == "rate":
+            self._rate.add(moment)
+            return
+        try:
+            self._take(moment, value)
+        except errors.Error as e:
+            self.failure = self.failure or e
+
+    def _take(self, moment, value):
+        if self._shown == "delay":
+            stamp = values.timestamp(value())
+            if stamp and any(stamp):
+                made = stamp[0] * 10**9 + stamp[1]
+                self.panel.named("delay", self._between).add(moment, (moment - made) / 1e9)
+        else:
+            self.panel.add(moment, self.field, value(), self._between)
+
+    def check(self):
+        """Raise why nothing can be shown, where that is so."""
+        if not self.panel.series and self.failure:
+            raise self.failure
+
+    def advance(self, moment):
+        """No more values come before `moment`."""
+        if self._shown == "rate":
+            self._rate.advance(moment)
+
+
+# ---- a log -------------------------------------------------------------------------------------------------
+
+
+def channel(log, word):
+    """(number of a channel of a log, plot.Field) for CHANNEL[.FIELD]; a channel may be called by the end of its path.
+    Raises NoSuch, BadPath.
+    """
+    known = [each.name for each in log.channels]
+    for cut in _cuts(word):
+        name = word[:cut]
+        found = [number for number, each in enumerate(known) if each == name]
+        found = found or [number for number, each in enumerate(known) if each.endswith("/" + name)]
+        if len(found) > 1:
+            raise errors.NoSuch(printable(word), "channel for certain", "it may be one of %d" % len(found))
+        if found:
+            return found[0], plot.Field(word[cut:].lstrip("."))
+    raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, known))
+
+
+def _cuts(word):
+    """Where the name of a channel or a port may end, from the end on."""
+    return [len(word)] + [found.start() for found in reversed(list(re.finditer(r"[.\[]", word)))]
+
+
+def of_log(channels, words, shown, entries):
+    """The plot.Picture of some of the `entries` of a log (decode.Channels): of the `words` CHANNEL[.FIELD], or all.
+    Raises errors.Error.
+    """
+    log = channels.log
+    between = (log.first or 0, log.last or 0)
+    span = between[1] - between[0]
+    width = max(span // WINDOWS, min(10**9, span // FEWEST), 1)
+    wanted = {}
+    sources = []
+    for number, field in [channel(log, word) for word in words] or _all(log):
+        sources.append(Source(log.channels[number].name, field, shown, between, width))
+        wanted.setdefault(number, []).append(sources[-1])
+    picture = plot.Picture([source.panel for source in sources])
+    events = {number for number, each in enumerate(log.channels) if each.type_id == EVENT}
+    moment = 0
+    for entry in entries:
+        moment = entry.received
+        if entry.channel in events and isinstance(entry.value, dict) and entry.value.get("mark"):
+            picture.marks.append((moment, printable(str(entry.value["mark"]))))
+        for source in wanted.get(entry.channel, ()):
+            source.take(moment, lambda: _value(channels, entry))
+    for source in sources:
+        source.advance(moment)
+        source.check()
+    picture.fit()
+    return picture
+
+
+def _value(channels, entry):
+    """The value of an entry. Raises NoSuch, Failed."""
+    value = channels.value(entry)
+    if value is not None:
+        return value
+    if entry.data is None:
+        return entry.value
+    type_id = channels.log.channels[entry.channel].type_id
+    raise errors.NoSuch(printable(type_id) or "a type without a name", "data type known", datatypes.SOURCES)
+
+
+def _all(log):
+    """All channels but those of events, at most PANELS."""
+    found = [
+        number for number, each in enumerate(log.channels) if each.encoding == "cdr" or each.type_id != EVENT
+    ]
+    return [(number, plot.Field("")) for number in found[:PANELS]]
+
+
+# ---- ports -------------------------------------------------------------------------------------------------
+
+
+def named_port(path, known):
+    """(Port, plot.Field) for PATH:PORT[.FIELD] among the ports of a component. Raises NoSuch, BadPath."""
+    from rtshell_lite.robot import ports
+
+    for cut in _cuts(path.port):
+        port = ports.named(path.with_port(path.port[:cut]), known)
+        if not isinstance(port, errors.Error):
+            return port, plot.Field(path.port[cut:].lstrip("."))
+    raise ports.named(path, known)

@@ -1,0 +1,217 @@
+"""A plot.Picture as SVG: readable on white and on black, in colours and without (lines differ in their dashes, too)."""
+
+from rtshell_lite.text import cells, printable
+from rtshell_lite.views import plot
+
+WIDTH = 960
+HEIGHT = 240  # of a panel's axes
+LEFT = 76
+RIGHT = 24
+TOP = 34
+LINE = 20  # between lines of text
+FOOT = 62
+# of a series: colour on white, colour on black, dashes
+STYLES = (
+    ("#0b62b8", "#6cb6ff", ""),
+    ("#b5480a", "#ffa657", "9 3"),
+    ("#1a7f37", "#56d364", "2 3"),
+    ("#8250df", "#d2a8ff", "12 3 2 3"),
+    ("#b3155e", "#ff7bac", "5 5"),
+    ("#5c6670", "#b1bac4", "1 4"),
+)
+_STYLE = """<style>
+svg { background: #fff; color: #1f2328; font: 13px system-ui, "DejaVu Sans", sans-serif; }
+text { fill: currentColor; }
+.small { font-size: 12px; fill-opacity: .8; }
+.grid { stroke: currentColor; stroke-opacity: .14; fill: none; }
+.axis { stroke: currentColor; stroke-opacity: .7; fill: none; }
+.mark { stroke: #c8102e; stroke-dasharray: 3 2; }
+.words { fill: #c8102e; font-size: 12px; }
+.series { fill: none; stroke-width: 1.6; stroke-linejoin: round; stroke-linecap: round; }
+%s@media (prefers-color-scheme: dark) {
+svg { background: #0d1117; color: #e6edf3; }
+.mark { stroke: #ff7b72; }
+.words { fill: #ff7b72; }
+%s}
+</style>"""
+
+
+def lines(picture):
+    """The lines of an SVG file."""
+    heights = [TOP + LINE * _legend_rows(panel) + HEIGHT for panel in picture.panels]
+    marks = _kept_apart(picture)
+    height = sum(heights) + FOOT + LINE * (marks != [])
+    yield f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}">'
+    yield _STYLE % (_colours(0), _colours(1))
+    y = 0
+    for panel, size in zip(picture.panels, heights):
+        top = y + size - HEIGHT
+        yield from _heading(panel, y)
+        if picture.first is None:
+            yield _text(LEFT, top + LINE, "no values")
+        else:
+            yield from _axes(picture, panel, top)
+            yield from _lines_of_marks(picture, top)
+            yield from _curves(picture, panel, top)
+        y += size
+    if picture.first is not None:
+        yield from _words_of_marks(picture, marks, y)
+        yield from _foot(picture, y)
+    yield "</svg>"
+
+
+def _colours(place):
+    words = [f".s{number} {{ stroke: {style[place]}; }}" for number, style in enumerate(STYLES)]
+    return "\n".join(words) + "\n"
+
+
+def _escaped(words):
+    return (
+        printable(words)
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace('"', "&quot;")
+    )
+
+
+def _text(x, y, words, anchor="start", sort=""):
+    name = f' class="{sort}"' * bool(sort)
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{name}>{_escaped(words)}</text>'
+
+
+def _said(series):
+    if series.last is None:
+        return f"{series.name or 'value'}: no values"
+    words = [series.said(value) for value in (series.least, series.greatest, series.last)]
+    return f"{series.name or 'value'}: min %s, max %s, last %s" % tuple(words)
+
+
+# ---- one panel ---------------------------------------------------------------------------------------------
+
+
+def _legend_rows(panel):
+    return (len(panel.series) + 1) // 2
+
+
+def _heading(panel, y):
+    """The title, and a line of each series with its name and figures."""
+    yield _text(LEFT, y + 20, panel.title or "")
+    for number, series in enumerate(panel.series.values()):
+        x = LEFT + number % 2 * (WIDTH - LEFT) // 2
+        line = y + TOP + LINE * (number // 2) + 4
+        yield _path(f"M{x} {line}h34", number)
+        yield _text(x + 42, line + 4, _said(series), sort="small")
+
+
+def _path(data, number):
+    dashes = STYLES[number % len(STYLES)][2]
+    more = f' stroke-dasharray="{dashes}"' * bool(dashes)
+    return f'<path class="series s{number % len(STYLES)}" d="{data}"{more}/>'
+
+
+def _axes(picture, panel, top):
+    low, high = _bounds(panel)
+    bottom = top + HEIGHT
+    for value, words in _value_ticks(panel, low, high):
+        y = bottom - (value - low) / (high - low) * HEIGHT
+        yield f'<path class="grid" d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}"/>'
+        yield _text(LEFT - 8, y + 4, words, "end", "small")
+    for moment, _ in plot.time_ticks(picture.first, picture.last, 10)[0]:
+        x = _x(picture, moment)
+        yield f'<path class="grid" d="M{x:.1f} {top}V{bottom}"/>'
+    yield f'<path class="axis" d="M{LEFT} {top}V{bottom}H{WIDTH - RIGHT}"/>'
+
+
+def _bounds(panel):
+    """The least and the greatest value, with some room beyond."""
+    low, high = panel.bounds() or (0.0, 1.0)
+    room = (high - low) * 0.04
+    return low - room, high + room
+
+
+def _value_ticks(panel, low, high):
+    series = list(panel.series.values())
+    if series and all(each.names for each in series):
+        known = sorted((value, name) for each in series for value, name in each.names.items())
+        return [
+            (value, name if cells(name) < 11 else name[:9] + "…")
+            for value, name in known
+            if low <= value <= high
+        ]
+    return plot.ticks(low, high, 6)
+
+
+def _x(picture, moment):
+    return LEFT + (moment - picture.first) / (picture.last - picture.first) * (WIDTH - LEFT - RIGHT)
+
+
+def _curves(picture, panel, top):
+    low, high = _bounds(panel)
+    for number, series in enumerate(panel.series.values()):
+        data = []
+        begun = None
+        for moment, value, is_after_gap in _thinned(picture, series):
+            x = _x(picture, moment)
+            y = top + HEIGHT - (value - low) / (high - low) * HEIGHT
+            if is_after_gap or begun is None:
+                data.append(f"M{x:.1f} {y:.1f}h0")  # a value between two gaps is a dot
+            elif series.is_step:
+                data.append(f"H{x:.1f}V{y:.1f}")
+            else:
+                data.append(f"L{x:.1f} {y:.1f}")
+            begun = x
+        if data:
+            yield _path("".join(data), number)
+
+
+def _thinned(picture, series):
+    """The points of a series: of each pixel the first, the least, the greatest, the last."""
+    thin = plot.Series(series.name, (picture.first, picture.last))
+    for moment, value, is_after_gap in series.points:
+        thin.keep((moment, value, is_after_gap))
+    thin.flush()
+    return thin.points
+
+
+# ---- what all panels share ---------------------------------------------------------------------------------
+
+
+def _kept_apart(picture):
+    """The marks whose words have room beside each other; a line is drawn for all."""
+    found = []
+    free = 0.0
+    for moment, words in sorted(picture.marks):
+        if (
+            picture.first is not None
+            and picture.first <= moment <= picture.last
+            and _x(picture, moment) >= free
+        ):
+            found.append((moment, words))
+            free = _x(picture, moment) + 8 * cells(words) + 8
+    return found
+
+
+def _lines_of_marks(picture, top):
+    for moment, _ in picture.marks:
+        if picture.first <= moment <= picture.last:
+            yield f'<path class="mark" d="M{_x(picture, moment):.1f} {top}v{HEIGHT}"/>'
+
+
+def _words_of_marks(picture, marks, y):
+    for moment, words in marks:
+        x = _x(picture, moment)
+        yield f'<path class="mark" d="M{x:.1f} {y}v24"/>'
+        if x + 7 * cells(words) > WIDTH:
+            yield _text(x, y + 36, words, "end", "words")
+        else:
+            yield _text(x, y + 36, words, "start", "words")
+
+
+def _foot(picture, y):
+    marks, unit = plot.time_ticks(picture.first, picture.last, 10)
+    for moment, words in marks:
+        yield _text(_x(picture, moment), y + 18, words, "middle", "small")
+    yield _text(
+        WIDTH - RIGHT, y + FOOT - 8, f"time in {unit} from {plot.date(picture.first)}", "end", "small"
+    )

@@ -1,0 +1,148 @@
+"""Plots: what is thinned out, where lines end, which numbers stand at axes, and that nothing hostile is drawn."""
+import math
+import types
+import unittest
+import xml.dom.minidom
+
+from rtshell_lite import errors
+from rtshell_lite.views import plot, plot_svg, plot_text
+
+START = 1700000000 * 10 ** 9
+SECOND = 10 ** 9
+
+
+def value(**members):
+    return types.SimpleNamespace(**members)
+
+
+def picture(count=100, step=SECOND, name="a", function=float):
+    panel = plot.Panel("title")
+    for number in range(count):
+        panel.named(name).add(START + number * step, function(number))
+    made = plot.Picture([panel])
+    made.fit()
+    return made
+
+
+class Fields(unittest.TestCase):
+    def numbers(self, path, of):
+        return [number for _, number, _ in plot.Field(path).numbers(of)]
+
+    def test_parts_of_values(self):
+        item = value(_n="RED", _v=1)
+        of = value(tm=value(sec=1, nsec=2), data=[1.5, 2.5, 3.5], inner=[value(x=True), value(x=False)], octets=b"\1\2",
+                   word="no", colour=item)
+        for path, expected in (("data", [1.5, 2.5, 3.5]), ("data[1]", [2.5]), ("data[1:3]", [2.5, 3.5]),
+                               ("data[2:9]", [3.5]), ("data[7]", []),
+                               ("inner[0:2].x", [True, False]), ("octets[0:1]", [1]), ("tm.sec", [1]), ("word", []), ("colour", [1]),
+                               ("", [1.5, 2.5, 3.5, True, False, 1, 2, 1])):
+            self.assertEqual(self.numbers(path, of), expected, path)
+        self.assertEqual(plot.Field("colour").numbers(of), [("colour", 1, "RED")])
+        self.assertEqual(self.numbers("a.b[0]", {"a": {"b": [7, "x"]}}), [7])
+
+    def test_wrong_ones(self):
+        for path in ("data[", "[x]", "a b", "data[1:]", "é"):
+            with self.assertRaises(errors.BadPath):
+                plot.Field(path)
+        for path in ("nothing", "data[0]", "data.x"):
+            with self.assertRaises(errors.NoSuch):
+                plot.Field(path).numbers(value(data=1))
+
+    def test_many_numbers_are_cut(self):
+        self.assertEqual(len(self.numbers("", value(a=[[0] * 64] * 64))), plot.MOST)
+
+
+class Series(unittest.TestCase):
+    def test_peaks_survive_thinning(self):
+        count = 100000
+        series = plot.Series("a", (START, START + count))
+        for number in range(count):
+            series.add(START + number, 100.0 if number == 77777 else -100.0 if number == 3 else math.sin(number))
+        series.flush()
+        self.assertLessEqual(len(series.points), 4 * plot.COLUMNS + 4)
+        found = [number for _, number, _ in series.points]
+        self.assertEqual((min(found), max(found), series.least, series.greatest), (-100, 100, -100, 100))
+        self.assertEqual(series.points, sorted(series.points))
+
+    def test_a_pause_is_a_gap(self):
+        series = plot.Series("a")
+        for second in list(range(10)) + [20, 21, 22]:
+            series.add(START + second * SECOND, second)
+        self.assertEqual([point[1] for point in series.points if point[2]], [0, 20])
+        thin = plot.Series("a", (START, START + 10 ** 15))
+        for second in list(range(10)) + [20, 21, 22]:
+            thin.add(START + second * SECOND, second)
+        thin.flush()
+        self.assertEqual([point[1] for point in thin.points if point[2]], [0, 20])
+
+    def test_what_is_no_number_is_a_gap(self):
+        series = plot.Series("a")
+        for number in (1, float("nan"), 2, float("inf"), 3):
+            series.add(START, number)
+        self.assertEqual([point[1:] for point in series.points], [(1, True), (2, True), (3, True)])
+
+    def test_old_points_are_forgotten(self):
+        series = picture().panels[0].series["a"]
+        series.forget(START + 50 * SECOND)
+        self.assertEqual(series.points[0][1], 49)
+
+    def test_rates(self):
+        series = plot.Series("rate")
+        rate = plot.Rate(series)
+        for number in range(30):
+            rate.add(START + number * SECOND // 10)
+        rate.advance(START + 6 * SECOND)
+        self.assertEqual([point[1] for point in series.points], [10, 10, 10, 0, 0, 0])
+
+
+class Axes(unittest.TestCase):
+    def test_values_are_round(self):
+        self.assertEqual([words for _, words in plot.ticks(0, 1, 5)], ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"])
+        self.assertEqual([words for _, words in plot.ticks(-3.2, 7.9, 5)], ["0", "5"])
+        for low, high in ((0, 1e-9), (1e9, 1e9 + 1), (-1e30, 1e30), (5, 5), (float("-inf"), 1)):
+            found = plot.ticks(low, high, 5)
+            self.assertTrue(1 <= len(found) < 12, found)
+            self.assertEqual(len({words for _, words in found}), len(found))
+
+    def test_times_are_round(self):
+        for span, unit, words in ((10 ** 6, "µs", "200"), (SECOND, "ms", "200"), (10 * SECOND, "s", "2"), (600 * SECOND, "min:s", "2:00"),
+                                  (86400 * SECOND, "h:min", "6:00")):
+            found, known = plot.time_ticks(START, START + span, 6)
+            self.assertEqual((known, found[1][1]), (unit, words))
+            self.assertLess(len(found), 9)
+
+
+class Drawn(unittest.TestCase):
+    def test_lines_have_their_width(self):
+        for width in (20, 60, 200):
+            for is_braille in (True, False):
+                for line in plot_text.lines(picture(), width, 12, is_braille):
+                    self.assertTrue(len(line) <= width or "0 is" in line or "min" in line, line)
+
+    def test_nothing_hostile_is_drawn(self):
+        hostile = picture(name='\x1b[2J<script>"&\u202e')
+        hostile.panels[0].title = "\x1b]0;x\x07</svg>"
+        hostile.marks = [(START + SECOND, "<b>&\x1b")]
+        for line in plot_text.lines(hostile, 80, 12):
+            self.assertTrue(line.isprintable(), line)
+        made = "\n".join(plot_svg.lines(hostile))
+        self.assertTrue(all(line.isprintable() for line in made.splitlines()))
+        document = xml.dom.minidom.parseString(made.encode())
+        self.assertEqual([len(document.getElementsByTagName(name)) for name in ("script", "svg")], [0, 1])
+
+    def test_nothing_is_drawn_of_nothing(self):
+        empty = plot.Picture([plot.Panel("a")])
+        empty.fit()
+        self.assertEqual(plot_text.lines(empty, 80, 12), ["no values"])
+        self.assertIn("no values", "\n".join(plot_svg.lines(empty)))
+
+    def test_one_value_is_drawn(self):
+        self.assertIn("*", "\n".join(plot_text.lines(picture(1), 80, 12, False)[2:]))
+
+    def test_an_svg_has_few_points(self):
+        made = "\n".join(plot_svg.lines(picture(50000, function=math.sin)))
+        self.assertLess(len(made), 200000)
+
+
+if __name__ == "__main__":
+    unittest.main()
