@@ -20,7 +20,7 @@ LIMIT = 16 << 20  # octets of a file that is read as a whole
 LINKS = 40  # links to links that are followed
 # Names of open descriptors, as the shell passes them for `<(command)`: a pipe is fine there, for it has a
 # writer.
-_DESCRIPTOR = re.compile(r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z")
+_DESCRIPTOR = r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z"
 
 
 # ---- reading -----------------------------------------------------------------------------------------------
@@ -62,7 +62,7 @@ def _refuse_endless(name, status):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
     if (
         stat.S_ISREG(status.st_mode)
-        or _DESCRIPTOR.match(name)
+        or re.match(_DESCRIPTOR, name)
         or os.path.samestat(status, os.stat(os.devnull))
     ):
         return

@@ -5,7 +5,7 @@ import gc
 import sys
 
 # new objects after which Python looks for cycles: with its default, 700, that took 4 % of a command's time
-GARBAGE = 10000
+GARBAGE = 20000
 
 
 def quietly(name):

@@ -8,11 +8,10 @@ import re
 import time
 
 from rtshell_lite import errors, text
-from rtshell_lite.data import build_value
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import CHAR, ENUM, OBJECT, STRING, WCHAR, WSTRING
 
-_NAMED = re.compile(r"([A-Za-z_]\w*)=(.*)\Z", re.ASCII | re.DOTALL)
+_NAMED = r"([A-Za-z_]\w*)=(.*)\Z"
 TEXTS = (STRING, WSTRING, CHAR, WCHAR)
 RESULT = "result"  # the key of what an operation returns, beside its out parameters
 
@@ -28,7 +27,7 @@ def of_words(operation, words, find):
     written = {}
     position = 0
     for word in words:
-        named = _NAMED.match(word)
+        named = re.match(_NAMED, word, re.ASCII | re.DOTALL)
         if named:
             parameter = _parameter(operation, named.group(1))
             word = named.group(2)
@@ -44,9 +43,13 @@ def of_words(operation, words, find):
 
 
 def of_json(operation, given, find):
-    """The same from a text: a JSON object of all arguments."""
+    """The same from a JSON object of all arguments: a text, @FILE, or - for stdin."""
     import json
+    from rtshell_lite import files
+    from rtshell_lite.data import build_value
 
+    if given == "-" or given.startswith("@"):
+        given = files.read(given.lstrip("@"))
     try:
         written = json.loads(given, parse_constant=lambda word: build_value.NUMBERS[word])
     except (ValueError, RecursionError) as e:
@@ -103,6 +106,8 @@ def _parsed(descriptor, word):
     if kind in TEXTS and word[:1] not in ('"', "'"):
         return word, False
     if kind == ENUM and re.match(r"[A-Za-z_]\w*\Z", word, re.ASCII):
+        from rtshell_lite.data import build_value
+
         return build_value.Word(word), False
     if kind == OBJECT and word[:4].upper() == "IOR:":
         return word, False
@@ -119,6 +124,10 @@ def _built(operation, written, find):
     missing = [parameter.name for parameter in operation.given() if parameter.name not in written]
     if missing:
         raise errors.BadValue(operation.name, f"{missing[0]} is missing: {operation.idl()}")
+    if not written:
+        return []
+    from rtshell_lite.data import build_value
+
     now = divmod(int(time.time() * 1e9), 10**9)
     values = []
     for parameter in operation.given():
@@ -139,12 +148,12 @@ def as_dict(operation, value):
 
 
 def as_text(operation, value):
-    """What a call has returned for people, '' for nothing: a text as it is, another single value as JSON or a
+    """What a call has returned for people, None for nothing: a text as it is, another single value as JSON or a
     number, several as an object.
     """
     parts = _parts(operation, value)
     if not parts:
-        return ""
+        return None
     if len(parts) > 1:
         return text.json_line(as_dict(operation, value))
     part = parts[0][1]
@@ -170,6 +179,14 @@ def _parts(operation, value):
     if len(names) == 1:
         return [(names[0], value)]
     return list(zip(names, value))
+
+
+def template(operation):
+    """The arguments of an Operation as JSON, to be edited and sent."""
+    import json
+    from rtshell_lite.data import defaults
+
+    return json.dumps(defaults.template(operation.given()), indent=2)
 
 
 def exception(e):

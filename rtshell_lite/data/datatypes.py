@@ -4,14 +4,12 @@ A type is looked up among the standard types, in the IDL files and compiled stub
 in known directories (idl/library.py), and in the component.
 """
 
-import importlib
 import struct
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, stubs
-from rtshell_lite.giop import cdr, descriptors, idl
-from rtshell_lite.data import type_json, values
+from rtshell_lite.corba import orb
+from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.text import printable
 
 STANDARD = ("RTC", "Img")  # modules of the IDL
@@ -31,6 +29,8 @@ class Type:
     def _codec(self, little):
         little = bool(little)
         if little not in self._codecs:
+            from rtshell_lite.giop import cdr  # here and below: rtcall, which needs no octets, starts sooner
+
             check(self.descriptor, self.name)
             self._codecs[little] = cdr.codec(self.descriptor, little)
         return self._codecs[little]
@@ -62,19 +62,24 @@ class Type:
         try:
             write(out, value)
         except (struct.error, ValueError, TypeError, AttributeError, RecursionError) as e:
-            values.build(self.descriptor, value, self.name)
+            from rtshell_lite.data import build_value
+
+            build_value.build(self.descriptor, value, self.name)
             raise errors.BadValue(self.name, printable(str(e)))
         return bytes(out)
 
     def to_bytes(self):
         """The type as bytes, for files that are read without IDL; the reverse of `from_bytes`."""
         import json  # which Debian's python3-minimal lacks, and most commands do not need
+        from rtshell_lite.data import type_json
 
         return json.dumps(type_json.plain(self.descriptor), separators=(",", ":")).encode("ascii")
 
 
 def from_bytes(data):
     """The Type that `to_bytes` wrote. Raises BadType for anything else."""
+    from rtshell_lite.data import type_json
+
     return Type(type_json.descriptor(data))
 
 
@@ -251,6 +256,9 @@ def _best(known, name):
 
 def _imported(name, path):
     """The module of stubs that the user named. Raises NoSuch when it cannot be imported."""
+    import importlib
+    from rtshell_lite.corba import stubs
+
     orb.start()
     own, sys.path[:0] = list(sys.path), path
     try:

@@ -71,9 +71,7 @@ async def ports(node, brief=False):
 
 # How the connectors of tools are called: ours, and those of rtshell, whose components are named like their
 # connectors
-TOOLS = re.compile(
-    r"rtshell_lite|rt(?:print|inject|log|mount)\Z|rt(?:print_reader|inject_writer|log_recorder|log_player)[0-9]"
-)
+TOOLS = r"rtshell_lite|rt(?:print|inject|log|mount)\Z|rt(?:print_reader|inject_writer|log_recorder|log_player)[0-9]"
 # these join two ports
 CORBA_INTERFACES = ("", "corba_cdr", "corba_any", "data_service", "direct", "shared_memory", "csp_channel")
 
@@ -84,7 +82,7 @@ def is_of_tool(connector):
     Its name shows that. A connector of one port alone is a tool's, too, if a CORBA interface carries its
     data: only other transports, such as ROS and DDS, connect one port alone.
     """
-    return bool(TOOLS.match(connector.name)) or len(connector.ports) == 1 and transport(connector) == ""
+    return bool(re.match(TOOLS, connector.name)) or len(connector.ports) == 1 and transport(connector) == ""
 
 
 def transport(connector):

@@ -1,21 +1,32 @@
 """Service ports: the interfaces that they provide, and the references of these (docs/protocol.md 7)."""
 
-import binascii
-import collections
 import os
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, connectors, ports
+from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable, to_wire
 
 PROFILE = "RTC.ConnectorProfile"
 NAME = "rtshell_lite_call"  # of the connector by which a reference is got; see ports.is_of_tool
 
-# One interface that a port provides: the ports.Port, the instance and the type as its profile names them, the
-# reference, and the repository id in that.
-Service = collections.namedtuple("Service", "port instance type_name ref repository_id")
+
+class Service:
+    """One interface that a port provides.
+
+    port           the ports.Port
+    instance       its name, and type_name its type, as the port's profile has them
+    ref            its reference
+    repository_id  of its interface, as the reference says
+    """
+
+    def __init__(self, port, instance, type_name, ref):
+        self.port = port
+        self.instance = instance
+        self.type_name = type_name
+        self.ref = ref
+        self.repository_id = orb.address(ref).type_id
 
 
 def label(service):
@@ -48,20 +59,24 @@ def _service(port, given, instance, type_name):
             ports.label(port), f"its connection has no reference of interface {printable(instance)}"
         )
     ref = orb.from_text(f"{ports.label(port)}.{printable(instance)}", text)
-    return Service(port, instance, type_name, ref, orb.address(ref).type_id)
+    return Service(port, instance, type_name, ref)
 
 
 async def _connected_once(port):
     """The properties that a connector of one port alone gets; it is removed again."""
     where = ports.label(port)
-    connector_id = "rtshell_lite-" + binascii.hexlify(os.urandom(16)).decode()
+    connector_id = "rtshell_lite-" + os.urandom(16).hex()
     code, profile = await _connect(port, where, connector_id)
     if str(code) == "PRECONDITION_NOT_MET":  # RtORB takes no ids
         code, profile = await _connect(port, where, "")
     if str(code) != "RTC_OK":
         raise errors.Refused(where, f"the connection that gives its interfaces is refused ({code})")
     made = ports.connector(profile, where)
-    await connectors.disconnect(port, made)
+    code = await orb.call(where, port.ref, "disconnect", profile.connector_id)
+    if str(code) != "RTC_OK":
+        from rtshell_lite.robot import connectors  # few need it
+
+        await connectors.disconnect(port, made)
     return made.properties
 
 

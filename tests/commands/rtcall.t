@@ -133,6 +133,32 @@ An exception of its IDL; what its IDL does not declare:
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm fail: it raised what $MOCKS/robot.idl does not declare; it may have been done
   [6]
 
+A template, to be edited and sent:
+
+  $ rtcall Robot0.rtc:svc move_to -t $IDL > move.json; cat move.json
+  {
+    "goal": {
+      "x": 0.0,
+      "y": 0.0
+    },
+    "seconds": 0.0
+  }
+  $ rtcall Robot0.rtc:svc move_to -d @move.json $IDL
+  {"distance": 0.0, "result": {"x": 0.0, "y": 0.0}}
+  $ rtcall Robot0.rtc:svc aim -t $IDL
+  {
+    "goal": {
+      "_d": "STANDING",
+      "why": ""
+    }
+  }
+  $ rtcall Robot0.rtc:svc speed -t $IDL
+  {}
+  $ rtcall Robot0.rtc:svc speed= -t $IDL
+  {
+    "speed": 0.0
+  }
+
 What would be sent:
 
   $ rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0 --dry-run --idl $MOCKS/robot.idl

@@ -11,8 +11,8 @@ from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scop
 from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
-_PRAGMA = re.compile(r"(prefix|ID|version)\s+(.*)", re.DOTALL)
-_QUOTED = re.compile(r'"([^"]*)"\s*\Z')
+_PRAGMA = r"(prefix|ID|version)\s+(.*)"
+_QUOTED = r'"([^"]*)"\s*\Z'
 
 
 def parse_file(path, include=()):
@@ -135,18 +135,18 @@ class Parser:
             self.scope.prefix = self.prefixes.pop()
 
     def _pragma(self, token):
-        found = _PRAGMA.match(token.word)
+        found = re.match(_PRAGMA, token.word, re.DOTALL)
         if found is None:
             return  # keylist and others, for other tools
         name, rest = found.groups()
         if name == "prefix":
-            quoted = _QUOTED.match(rest)
+            quoted = re.match(_QUOTED, rest)
             if quoted is None:
                 raise self.fault("#pragma prefix needs a text in quotes", token)
             self.scope.prefix = quoted.group(1)
             return
         word, _, value = rest.strip().partition(" ")
-        quoted = _QUOTED.match(value.strip())
+        quoted = re.match(_QUOTED, value.strip())
         if (
             name == "ID"
             and quoted is None

@@ -1,16 +1,11 @@
 """IDL text as tokens, preprocessed, without comments."""
 
-import collections
 import os
 import re
 
 import rtshell_lite
 from rtshell_lite import errors, files
 from rtshell_lite.text import printable
-
-# kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as
-# written
-Token = collections.namedtuple("Token", "kind word file line column")
 
 LARGEST = 1 << 22  # bytes of a file
 LONGEST_NUMBER = 100  # characters: long ones take quadratic time
@@ -33,19 +28,18 @@ _TOKEN = re.compile(
   | (?P<mark>::|<<|>>|/(?!\*)|[][(){}<>,;:=+\-*%|&^~])""",
     re.VERBOSE | re.DOTALL,
 )
-_SKIPPED = re.compile(
+# what few files need is compiled when one does
+_SKIPPED = (
     r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)|"
-    r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)",
-    re.DOTALL,
+    r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)"
 )
-_COMMENT = re.compile(r"/\*.*?\*/|\\\r?\n", re.DOTALL)
-_DIRECTIVE = re.compile(r"#\s*([A-Za-z]*)\s*(.*)", re.DOTALL)
-_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_PARAMETERS = re.compile(r"\(\s*(?:[A-Za-z_]\w*\s*(?:,\s*[A-Za-z_]\w*\s*)*)?\)", re.ASCII)
-_CONDITION = re.compile(
+_COMMENT = r"/\*.*?\*/|\\\r?\n"
+_DIRECTIVE = r"#\s*([A-Za-z]*)\s*(.*)"
+_NAME = r"[A-Za-z_][A-Za-z0-9_]*"
+_PARAMETERS = r"\(\s*(?:[A-Za-z_]\w*\s*(?:,\s*[A-Za-z_]\w*\s*)*)?\)"
+_CONDITION = (
     r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
-    r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))",
-    re.ASCII,
+    r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))"
 )
 
 
@@ -55,6 +49,21 @@ class Macro:
     def __init__(self, parameters, body):
         self.parameters = parameters
         self.body = body
+
+
+class Token:
+    """kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as
+    written.
+    """
+
+    __slots__ = ("kind", "word", "file", "line", "column")
+
+    def __init__(self, kind, word, file, line, column):
+        self.kind = kind
+        self.word = word
+        self.file = file
+        self.line = line
+        self.column = column
 
 
 def tokens(path, include=(), find=None):
@@ -73,7 +82,7 @@ def _ended(source, path):
     else:
         last = Token("", "", path, 1, 1)
     return source.found + [
-        last._replace(kind="end", word="the end of the file", column=last.column + len(last.word))
+        Token("end", "the end of the file", last.file, last.line, last.column + len(last.word))
     ]
 
 
@@ -133,13 +142,13 @@ class _File:
         fresh = True
         while self.at < len(self.text):
             active = all(condition[0] for condition in self.conditions)
-            match = (_TOKEN if active else _SKIPPED).match(self.text, self.at)
+            match = (_TOKEN if active else re.compile(_SKIPPED, re.DOTALL)).match(self.text, self.at)
             if match is None:
                 raise self.fault(self._unreadable())
             kind = match.lastgroup
             word = match.group()
             if kind == "directive" and fresh:
-                self._directive(_COMMENT.sub(" ", word), active)
+                self._directive(re.sub(_COMMENT, " ", word, flags=re.DOTALL), active)
             elif kind == "directive" and active:
                 raise self.fault("a # within a line")
             elif active and kind not in ("space", "comment"):
@@ -244,7 +253,7 @@ class _File:
     # ---- preprocessor lines ------- ------------------------------------------------------------------------
 
     def _directive(self, line, active):
-        name, rest = _DIRECTIVE.match(line).groups()
+        name, rest = re.match(_DIRECTIVE, line, re.DOTALL).groups()
         rest = rest.strip()
         if name in ("if", "ifdef", "ifndef", "elif", "else", "endif"):
             self._condition(name, rest, active)
@@ -271,22 +280,22 @@ class _File:
     def _holds(self, name, rest):
         if name == "if":
             return bool(_Condition(self, rest).value())
-        word = _NAME.match(rest)
+        word = re.match(_NAME, rest)
         if word is None:
             raise self.fault(f"#{name} needs a name")
         return (word.group() in self.source.macros) == (name == "ifdef")
 
     def _define(self, rest):
-        word = _NAME.match(rest)
+        word = re.match(_NAME, rest)
         if word is None:
             raise self.fault("#define needs a name")
         body = rest[word.end() :]
         parameters = None
         if body[:1] == "(":
-            listed = _PARAMETERS.match(body)
+            listed = re.match(_PARAMETERS, body, re.ASCII)
             if listed is None:
                 raise self.fault(f"a macro that cannot be read: {word.group()}")
-            parameters = _NAME.findall(listed.group())
+            parameters = re.findall(_NAME, listed.group())
             body = body[listed.end() :]
         parts = []
         at = 0
@@ -347,7 +356,7 @@ class _Condition:
         self.words = []
         at = 0
         while text[at:].strip():
-            match = _CONDITION.match(text, at)
+            match = re.compile(_CONDITION, re.ASCII).match(text, at)
             if match is None or len(self.words) > 200:
                 raise file.fault(f"a condition that cannot be read: #if {printable(text[:60])}")
             self.words.append(self._meant(*match.groups()))

@@ -1,0 +1,109 @@
+"""What rtcall prints besides a result: interfaces, their operations, repeated calls."""
+
+from rtshell_lite import errors, notes, text
+from rtshell_lite.data import call_values, calling, repeating
+from rtshell_lite.robot import ports
+
+
+async def interfaces(path, types, as_json):
+    """Lines about the interfaces that a component, or one of its ports, provides: the port, the instance, its type, its
+    repository id, the file of its IDL. Raises what calling.providers raises.
+    """
+    rows = []
+    for provider in await calling.providers(path, types):
+        service = provider.service
+        row = {
+            "port": ports.label(service.port),
+            "instance": service.instance,
+            "type_name": service.type_name,
+            "repository_id": provider.repository_id,
+            "idl": provider.interface and provider.interface.file,
+        }
+        rows.append(row)
+    if as_json:
+        return [text.json_line(row) for row in rows]
+    for row in rows:
+        row["port"] = row["port"][len(str(path.object())) + 1 :]
+    return text.table([[text.printable(cell or "IDL not known") for cell in row.values()] for row in rows])
+
+
+async def operations(paths, types, as_json):
+    """Lines with the operations and attributes of the providers at Paths, as IDL; an errors.Error for what failed."""
+    found = []
+    for path in paths:
+        try:
+            if path.port is None:
+                found.append(await calling.itself(path, types))
+            else:
+                found += await calling.providers(path, types)
+        except errors.Error as e:
+            found.append(e)
+    lines = []
+    for provider in found:
+        lines += _operations(provider, len(found) > 1, as_json)
+    return lines
+
+
+def _operations(provider, is_one_of_several, as_json):
+    if isinstance(provider, errors.Error):
+        return [provider]
+    try:
+        provider.check_known()
+    except errors.Error as e:
+        return [e]
+    notes.detail(f"{provider.where}: {provider.described()}")
+    if as_json:
+        rows = [
+            {"provider": provider.where, "name": each.name, "idl": each.idl()} for each in provider.members()
+        ]
+        return list(map(text.json_line, rows))
+    if not is_one_of_several:
+        return [each.idl() for each in provider.members()]
+    return [provider.where + ":"] + ["  " + each.idl() for each in provider.members()]
+
+
+class Repeated:
+    """An operation called again and again: the lines about it."""
+
+    def __init__(self, provider, operation, as_json, is_each_shown):
+        self.provider = provider
+        self.operation = operation
+        self.as_json = as_json
+        self.is_each_shown = is_each_shown
+        self.figures = repeating.Latencies()
+
+    async def run(self, values, limit, rate, number):
+        """Yield a line for each call, if that is wanted; else the first failure is reported."""
+
+        def call():
+            return self.provider.call(self.operation, values, limit)
+
+        async for seconds, result, error in repeating.calls(call, rate, number):
+            self.figures.add(seconds, error)
+            if isinstance(error, errors.Raised):
+                error = call_values.shown_exception(error)
+            if self.is_each_shown:
+                yield self._line(seconds, result, error)
+            elif error is not None and self.figures.failed == 1:
+                notes.fail(error)
+
+    def _line(self, seconds, result, error):
+        if not self.as_json:
+            shown = str(error) if error else call_values.as_text(self.operation, result)
+            return "%.3f ms  %s" % (1e3 * seconds, text.safe(shown or ""))
+        row = {"seconds": seconds, "error": None, "value": None}
+        if error is None:
+            row["value"] = call_values.as_dict(self.operation, result)
+        else:
+            row["error"] = str(error)
+        return text.json_line(row)
+
+    def summary(self):
+        """A line with the figures."""
+        if self.as_json:
+            return text.json_line(self.figures.summary())
+        return self.figures.line()
+
+    def status(self):
+        """The exit status."""
+        return self.figures.status()
