@@ -8,13 +8,14 @@ import functools
 
 from rtshell_lite import errors
 from rtshell_lite.corba import answers
-from rtshell_lite.giop import descriptors, ior, references
+from rtshell_lite.giop import descriptors, ior, rare, references
 from rtshell_lite.giop.descriptors import (
     ALIAS,
     ANY,
     ARRAY,
     CHAR,
     EXCEPTION,
+    FIXED,
     INDIRECT,
     OBJECT,
     OCTET,
@@ -24,7 +25,7 @@ from rtshell_lite.giop.descriptors import (
     TYPECODE,
     UNION,
 )
-from rtshell_lite.giop.marshal import Any
+from rtshell_lite.giop.marshal import Any, TypeCode
 from rtshell_lite.text import from_wire, to_wire
 
 MANY = 256  # schemas whose descriptors are kept
@@ -158,7 +159,11 @@ def _sent(orb, descriptor, value):
         inner = value.descriptor
         return CORBA.Any(_typecode(inner), _sent(orb, inner, value.content))
     if kind == TYPECODE:
-        return _typecode(value)
+        return _typecode(value.descriptor)
+    if kind == FIXED:
+        from omniORB import CORBA
+
+        return CORBA.fixed(descriptor[1], descriptor[2], int(value.replace(".", "")))
     return _each_part(functools.partial(_sent, orb), descriptor, value)
 
 
@@ -180,7 +185,9 @@ def _received(orb, descriptor, value):
         inner = descriptors.adopted(value.typecode()._d)
         return Any(inner, _received(orb, inner, value.value()))
     if kind == TYPECODE:
-        return descriptors.adopted(value._d)
+        return TypeCode(descriptors.adopted(value._d))
+    if kind == FIXED:
+        return rare.fixed(str(value), *descriptor[1:])
     return _each_part(functools.partial(_received, orb), descriptor, value)
 
 

@@ -8,11 +8,9 @@ import base64
 import binascii
 import collections
 import math
-import re
 import struct
 
 from rtshell_lite import errors
-from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
     ALIAS,
     ANY,
@@ -31,6 +29,7 @@ from rtshell_lite.giop.descriptors import (
     SEQUENCE,
     STRING,
     STRUCT,
+    TYPECODE,
     UNION,
     WCHAR,
     WSTRING,
@@ -57,9 +56,6 @@ Call = collections.namedtuple("Call", "name positional keywords")
 Word = collections.namedtuple("Word", "name")  # RTC.GRIPPER_STATE_OPEN
 
 DEEPEST = 100  # values inside values
-# types by the names that an `any` is written with
-BASIC = {"string": (STRING, 0), "wstring": (WSTRING, 0)}  # type: dict
-BASIC.update((descriptors.NAMES[number], number) for number in descriptors.VALUES + (0, 1, ANY))
 NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # not numbers in JSON
 
 
@@ -125,6 +121,8 @@ class _Builder:
             return self._union(descriptor, written, where, depth)
         if sort == ANY and self.find is not None:
             return self._any(descriptor, written, where, depth)
+        if sort == TYPECODE and self.find is not None:
+            return self._typecode(descriptor, written, where)
         if sort == OBJECT and self.find is not None:
             return self._reference(descriptor, written, where)
         raise errors.BadValue(where, f"values of {words(descriptor)} cannot be made")
@@ -327,6 +325,7 @@ class _Builder:
         return make(label, self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1))
 
     def _any(self, descriptor, written, where, depth):
+        from rtshell_lite.data import type_names
         from rtshell_lite.giop.marshal import Any
 
         if isinstance(written, Any):
@@ -335,10 +334,22 @@ class _Builder:
             _unfit(descriptor, written, where, ': write {"_type": "long", "_value": 42}')
         if not isinstance(written["_type"], str):
             _unfit(descriptor, written["_type"], where + " _type")
-        inner = _type(written["_type"].strip(), self.find, DEEPEST)
+        inner = type_names.descriptor(written["_type"], self.find)
         if inner in (0, 1):
             return Any(inner, None)
         return Any(inner, self.build(inner, written["_value"], where, depth - 1))
+
+    def _typecode(self, descriptor, written, where):
+        from rtshell_lite.data import type_names
+        from rtshell_lite.giop.marshal import TypeCode
+
+        if isinstance(written, TypeCode):
+            return written
+        if isinstance(written, Word):
+            written = written.name
+        if not isinstance(written, str):
+            _unfit(descriptor, written, where, ": the name of a type is wanted")
+        return TypeCode(type_names.descriptor(written, self.find))
 
     def _reference(self, descriptor, written, where):
         from rtshell_lite.giop import ior, references
@@ -355,18 +366,6 @@ class _Builder:
             return references.from_text(ior.checked(written.strip()))
         except ior.BadReference as e:
             raise errors.BadValue(where, str(e))
-
-
-def _type(name, find, depth):
-    """The descriptor of the type of an `any` by its name: of a basic type, of a sequence of such, or as find(name)
-    knows it.
-    """
-    if name in BASIC:
-        return BASIC[name]
-    inner = re.match(r"sequence<(.*)>\Z", name)
-    if inner and depth:
-        return (SEQUENCE, _type(inner.group(1).strip(), find, depth - 1), 0)
-    return find(name)
 
 
 def fits(name, descriptor):

@@ -21,6 +21,7 @@ from rtshell_lite.giop.descriptors import (
     SEQUENCE,
     STRING,
     STRUCT,
+    TYPECODE,
     UNION,
     WCHAR,
     WSTRING,
@@ -81,6 +82,8 @@ class _Default:
             return self.union(descriptor)
         if sort == ANY:
             return marshal.Any((STRING, 0), "")
+        if sort == TYPECODE:
+            return marshal.TypeCode((STRING, 0))
         raise errors.BadType(name(self.whole), f"no value of {words(descriptor)} can be written down")
 
     def elements(self, inner, count):

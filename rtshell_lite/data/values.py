@@ -12,8 +12,8 @@ import struct
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.data import build_value, literals
-from rtshell_lite.giop import descriptors, marshal, references
+from rtshell_lite.data import build_value, literals, type_names
+from rtshell_lite.giop import marshal, references
 from rtshell_lite.text import printable_flags, printable
 
 Expression = literals.Expression
@@ -26,13 +26,16 @@ SHOWN = 64  # characters of a guessed string
 # ---- parts of a value --------------------------------------------------------------------------------------
 
 
+_SORTS = {marshal.Any: "any", marshal.TypeCode: "typecode", references.Reference: "reference"}
+
+
 def _sort(value):
     if isinstance(value, (str, int, float, bytes)) or value is None:
         return "scalar"
     if isinstance(value, (list, tuple)):
         return "list"
-    if isinstance(value, (marshal.Any, references.Reference)):
-        return "any" if isinstance(value, marshal.Any) else "reference"
+    if isinstance(value, (marshal.Any, marshal.TypeCode, references.Reference)):
+        return _SORTS[type(value)]
     members = vars(value)
     if "_n" in members:
         return "enum"
@@ -130,15 +133,12 @@ def _text(value, limit):
     if sort == "enum":
         return value._n
     if sort == "any":
-        return f"({_type_name(value)}={_text(value.content, limit)})"
+        return f"({type_names.name(value.descriptor)}={_text(value.content, limit)})"
+    if sort == "typecode":
+        return type_names.name(value.descriptor)
     if sort == "reference":
         return value.text()
     return "None"
-
-
-def _type_name(value):
-    """The name of the type that an `any` holds, as `build_value` reads it."""
-    return descriptors.type_id(value.descriptor) or descriptors.words(value.descriptor)
 
 
 def _cut(shown, size, limit, between, count):
@@ -200,7 +200,8 @@ def _escaped(c):
 
 def json(value):
     """The value for json.dumps: structs as objects, enums by name, octets in base64, unions as {"_d": label,
-    member: value}, an `any` as {"_type": name, "_value": value}, a reference as {"_ior": text, "_type": its
+    member: value}, an `any` as {"_type": name, "_value": value}, a TypeCode as the name of a type, a reference as
+    {"_ior": text, "_type": its
     repository id}, nil as None.
 
     NaN and the infinities, which JSON lacks, are "NaN", "Infinity" and "-Infinity".
@@ -235,7 +236,9 @@ def _json(value):
     if sort == "enum":
         return value._n
     if sort == "any":
-        return {"_type": _type_name(value), "_value": _json(value.content)}
+        return {"_type": type_names.name(value.descriptor), "_value": _json(value.content)}
+    if sort == "typecode":
+        return type_names.name(value.descriptor)
     if sort == "reference":
         return {"_type": value.address.type_id, "_ior": value.text()}
     return value

@@ -48,6 +48,15 @@ class Any:
         return str(self.content)
 
 
+class TypeCode:
+    """A type as a value: its descriptor."""
+
+    __slots__ = ("descriptor",)
+
+    def __init__(self, descriptor):
+        self.descriptor = descriptor
+
+
 class Maker(cdr.Maker):
     """Readers and writers of one byte order, for the operations of the tables; `depth` counts the values around, each in an any."""
 
@@ -283,7 +292,8 @@ class Maker(cdr.Maker):
         def read(data, at):
             from rtshell_lite.giop import typecodes
 
-            return typecodes.read(data, at, order)
+            found, at = typecodes.read(data, at, order)
+            return TypeCode(found), at
 
         return read
 
@@ -293,7 +303,7 @@ class Maker(cdr.Maker):
         def write(out, value):
             from rtshell_lite.giop import typecodes
 
-            typecodes.write(out, value, order)
+            typecodes.write(out, value.descriptor, order)
 
         return write
 

@@ -26,6 +26,7 @@ from rtshell_lite.giop.fixed_size import Fault
 from rtshell_lite.giop import allowance
 
 INDIRECTION = 0xFFFFFFFF
+_ANY_OBJECT = "IDL:omg.org/CORBA/Object:1.0"
 # those of which the kind says all: null to Principal, long long to wchar
 PLAIN = tuple(range(OBJECT)) + (23, 24, 25, 26)
 # how the labels of a union are written, by the kind of its discriminator
@@ -240,7 +241,7 @@ class _Writer:
         if kind in (SEQUENCE, ARRAY):
             self.typecode(descriptors.element(descriptor))
             return self.number(descriptors.length(descriptor))
-        self.text(descriptors.type_id(descriptor))
+        self.text(descriptors.type_id(descriptor) or _ANY_OBJECT)  # only Object has no id
         self.text(descriptors.words(descriptor))
         if kind == ALIAS:
             self.typecode(descriptors.aliased(descriptor))

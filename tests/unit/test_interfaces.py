@@ -40,6 +40,8 @@ module M {
   };
   interface Bottom : Left, Right { void own(); };
   interface Later { Bottom find(); };
+  typedef Later Alias;
+  interface Named : Alias {};
 };
 module M { interface Reopened : ::M::Base { Base::Few again(in Broken::Nothing x); }; };
 #pragma ID M::Bottom "IDL:other/Bottom:2.3"
@@ -71,7 +73,7 @@ class Interfaces(unittest.TestCase):
         return self.by_name["M::Bottom"].all_operations()[name].why_not_callable()
 
     def test_names(self):
-        self.assertEqual(sorted(self.by_name), ["M::Abstracted", "M::Base", "M::Bottom", "M::Later", "M::Left", "M::Localised",
+        self.assertEqual(sorted(self.by_name), ["M::Abstracted", "M::Base", "M::Bottom", "M::Later", "M::Left", "M::Localised", "M::Named",
                                                 "M::Reopened", "M::Right"])
         self.assertEqual([self.by_name[name].kind for name in ("M::Abstracted", "M::Base", "M::Localised")], ["abstract", "", "local"])
         self.assertEqual(self.by_name["M::Base"].repository_id, "IDL:M/Base:1.0")
@@ -97,6 +99,9 @@ class Interfaces(unittest.TestCase):
         operations = bottom.all_operations()
         self.assertEqual([descriptors.words(each) for each in operations["_set_s"].raises], ["Broken", "Empty"])
         self.assertEqual(operations["_get_few"].idl(), "M::Base::Few _get_few() raises (M::Broken);")
+
+    def test_inherited_by_another_name(self):
+        self.assertEqual(list(self.by_name["M::Named"].all_operations()), ["find"])
 
     def test_why_not_callable(self):
         self.assertEqual(self.reason("value"), "v is M::Value, which cannot be sent")

@@ -372,11 +372,19 @@ class Parser:
     def _bases(self, entry):
         while self.is_mark(":", ","):
             self.advance()
-            base = self.look_up()
-            if isinstance(base.what, Scope):
+            base = self._interface_of(self.look_up())
+            if base is not None:
                 entry.what.bases.append(base.what)
-            if isinstance(base.what, Scope) and base.what.interface:
                 entry.what.interface.bases.append(base.what.interface)
+
+    def _interface_of(self, entry):
+        """The Entry of the interface that an Entry is, or is a typedef of; None for another."""
+        if entry.sort == "interface":
+            return entry
+        type_id = ""
+        if entry.sort == "type":
+            type_id = descriptors.type_id(descriptors.target(entry.what))
+        return next((each for each in self.interfaces.values() if each.type_id == type_id), None)
 
     def skip(self):
         """Skip everything up to the next semicolon outside all brackets; returns these tokens, with it."""
