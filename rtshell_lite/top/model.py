@@ -11,8 +11,10 @@ import time
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, places, snapshot, transitions, tree
-from rtshell_lite.top.rows import Row
+from rtshell_lite.data import rates
+from rtshell_lite.robot import component, places, ports, snapshot, transitions, tree
+from rtshell_lite.text import safe
+from rtshell_lite.top.rows import Row, natural
 from rtshell_lite.views import describe
 
 IN_FLIGHT = 4  # monitors that ask more at a time have disturbed real-time threads
@@ -21,6 +23,7 @@ WALK = 5.0  # seconds between looks at what is bound
 CONTEXTS = 5.0  # seconds between looks at execution contexts and their rates
 PORTS = 10.0  # seconds between looks at connections: each makes a component check the far ends
 PORTS_SILENT = 60.0  # the same, for one that does not answer that
+FLOW = 1.0  # seconds for which the flow of ports is measured
 REST = 5.0  # seconds before what is dead or silent is asked again
 
 
@@ -41,6 +44,8 @@ class _Entry:
         self.snapshot = snapshot.Snapshot(node, rest=REST)
         self.looked = False  # whether its state, or its failure, is known
         self.silenced = 0.0  # when it was silent last
+        self.since = None  # when its state changed last, by time.monotonic()
+        self.event = ""  # the last change, in words
         self._again = self._contexts_due = self._ports_due = 0.0
 
     def hurry(self):
@@ -69,7 +74,7 @@ class _Entry:
             await self.snapshot.ask(owned=snapshot.RUNNING, participating=snapshot.RUNNING)
             self._contexts_due = now + CONTEXTS
         await self.snapshot.ask(states=snapshot.FULL)
-        self.kind, self.state, self.failure = "component", component.merged(self.snapshot.states), None
+        self._become("component", component.merged(self.snapshot.states), None)
         if now >= self._ports_due:
             await self._look_at_ports()
         self.looked = True
@@ -79,7 +84,7 @@ class _Entry:
         try:
             listed = (await snapshot.of(self.node, ports=snapshot.BRIEF)).ports
             self.ports = len(listed)
-            self.connections = len({connector.id for port in listed for connector in port.connectors})
+            self._connect(len({connector.id for port in listed for connector in port.connectors}))
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.connections = None
             if isinstance(e, errors.Silent):
@@ -90,16 +95,30 @@ class _Entry:
 
     def fail(self, kind, failure):
         """Note that it is dead, or does not answer, and forget what was known of it."""
-        self.kind = kind
         if kind == "zombie":
-            self.state = "-"
+            self._become(kind, "-", failure)
         else:
-            self.state = "?"
-        self.failure = failure
+            self._become(kind, "?", failure)
         self.ports = self.connections = None
         self.snapshot = snapshot.Snapshot(self.node, rest=REST)
         self._contexts_due = self._ports_due = 0.0
         self.looked = True
+
+    def _become(self, kind, state, failure):
+        """Note its state, and whether that is another one than before."""
+        if self.looked and state != self.state:
+            self.since = time.monotonic()
+            words = {"-": "dead", "?": "silent"}
+            self.event = f"{words.get(self.state, self.state)} to {words.get(state, state)}"
+        self.kind = kind
+        self.state = state
+        self.failure = failure
+
+    def _connect(self, connections):
+        """Note how many connections it has."""
+        if self.connections is not None and connections != self.connections:
+            self.event = f"{self.connections} to {connections} connections"
+        self.connections = connections
 
     def row(self, path, name):
         """Its Row."""
@@ -119,6 +138,8 @@ class _Entry:
             self.ports,
             self.connections,
             self.failure,
+            self.since and time.monotonic() - self.since,
+            self.event,
         )
 
 
@@ -285,7 +306,7 @@ class Top:
             Row(path, path, "unknown", "?", None, None, None, None, failure)
             for path, failure in failed.items()
         ]
-        return sorted(rows, key=lambda row: (row.name, row.path))
+        return sorted(rows, key=lambda row: (natural(row.name), row.path))
 
     # ---- acting ----
 
@@ -298,6 +319,20 @@ class Top:
     def show(self, path):
         """Ask the component at a path (text) for all that rtcat -l shows; `news` returns the lines."""
         self._act(path, "rtcat", _description)
+
+    def ask(self, path, command, function):
+        """Await function(node) for the component at a path (text); `news` returns its result."""
+        self._act(path, command, function)
+
+    def show_neighbours(self, path):
+        """Ask which components the one at a path (text) is connected with; `news` returns their paths, a set."""
+        self._act(path, "neighbours", _neighbours)
+
+    def measure(self, path):
+        """Measure how many values a second the component at a path (text) writes to its out ports; `news` returns
+        lines.
+        """
+        self._act(path, "measure", _flow)
 
     def _act(self, path, command, function):
         identity = next((identities[path] for identities in self._found.values() if path in identities), None)
@@ -321,7 +356,7 @@ class Top:
         self.bell.ring()
 
     def news(self):
-        """Results of `change` and `show` since the last call: ((command, path), value or errors.Error)."""
+        """Results of `change`, `show` and the like since the last call: ((command, path), value or errors.Error)."""
         news = self._news
         self._news = []
         return news
@@ -362,3 +397,22 @@ async def _description(node):
     return list(
         describe.lines(described, 1, await places.far_names(described.ports), lambda word, role=None: word)
     )
+
+
+async def _neighbours(node):
+    """The paths, as text, of the components that one is connected with."""
+    ends = await places.far_ends(await ports.ports(node))
+    found = [end.port.node for end in ends.values() if end.port is not None and end.port.node is not None]
+    return {str(far.path.object()) for far in found}
+
+
+async def _flow(node):
+    """Lines that say how many values a second a component writes to its out ports."""
+    measured = [port for port in await ports.ports(node) if port.type == "DataOutPort"]
+    lines = []
+    for port, rate in zip(measured, await rates.written(measured, FLOW)):
+        if isinstance(rate, errors.Error):
+            lines.append(f"         ?  {ports.label(port)}: {safe(rate.why)}")
+        else:
+            lines.append(f"{rate:8.1f} Hz  {ports.label(port)}")
+    return lines or ["it has no out port"]

@@ -23,14 +23,18 @@ BRACKETS = b"\x1b[?2004h"
 NO_BRACKETS = b"\x1b[?2004l"
 ENTER = ("\n", "\r", curses.KEY_ENTER)
 BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
-HINTS = "? keys  q end  / filter  s sort  a activate  d deactivate  r reset  c cat"
+HINTS = "? keys  q end  / filter  s sort  g group  n neighbours  d doctor  c cat"
 
 HELP = f"""up down j k   select a component; also PgUp PgDn Home End
 a y           activate the selected component, as rtact does
-d y           deactivate it, as rtdeact
+i y           deactivate it, as rtdeact
 r y           reset it, as rtreset
 c Enter       show all about it, as rtcat -l
+d             show what rtdoctor finds wrong with it
+m             measure for a second what it writes to its out ports
+n             show only it and what it is connected with; Esc drops that
 s             sort by the next of: {', '.join(rows.SORTS)}
+g             group by the next of: {', '.join(rows.GROUPS)}
 /             filter: words of paths, or states, all of which have to match;
               Enter keeps it, Esc drops it
 h ?           these keys
@@ -38,7 +42,9 @@ Ctrl-L        draw everything anew
 q             end; here, and in what c shows: go back
 
 STATE is ? of what does not answer, - of a zombie. RATE is the execution
-context's, in Hz. CONN counts connections."""
+context's, in Hz. CONN counts connections. From {rows.WIDE} columns on also how long
+it has been SINCE its state changed, while this page was looking, and what
+changed last."""
 
 # curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
 COLOURS = {
@@ -137,13 +143,19 @@ def _wrapped(line, columns):
 class Page:
     """Shows a top.Top on a curses window until the user has seen enough."""
 
-    def __init__(self, window, looking, meters, sort, wanted):
-        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with."""
+    def __init__(self, window, looking, meters, sort, wanted, doctor):
+        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with; `doctor`
+        gives lines on a Node.
+        """
         self.window = window
         self.looking = looking
         self.meters = meters
         self.sort = sort
         self.wanted = wanted
+        self.doctor = doctor
+        self.group = "none"  # one of rows.GROUPS
+        self.only = None  # paths, if only these are shown
+        self.lines = []  # what is shown of `rows`, with lines for groups
         self.attributes = _attributes()
         self.rows = []  # that match the filter
         self.selected = None  # the path of a Row
@@ -214,7 +226,11 @@ class Page:
         for (command, path), value in self.looking.news():
             if isinstance(value, Exception):
                 self.message = f"{command}: {value}"
-            elif command == "rtcat":
+            elif command == "neighbours":
+                self.message = f"{len(value)} connected with {path}; Esc shows all"
+                self.only = value | {path}
+                self.wanted = ""
+            elif isinstance(value, list):
                 self.message = ""
                 self.overlay = value
                 self.overlay_first = 0
@@ -257,7 +273,7 @@ class Page:
         step = self._step(key)
         if step is not None:
             self.overlay_first += step
-        elif key in ("q", "c", "h", "?", ESCAPE) + ENTER:
+        elif key in ("q", "c", "d", "m", "h", "?", ESCAPE) + ENTER:
             self.overlay = None
 
     def _obey_rows(self, key):
@@ -272,10 +288,14 @@ class Page:
         elif key == "s":
             self.sort = rows.SORTS[(rows.SORTS.index(self.sort) + 1) % len(rows.SORTS)]
             self.message = "sorted by " + self.sort
+        elif key == "g":
+            self.group = rows.GROUPS[(rows.GROUPS.index(self.group) + 1) % len(rows.GROUPS)]
+            self.message = "grouped by " + self.group
         elif key == "/":
             self.typing = True
         elif key == ESCAPE:
             self.wanted = ""
+            self.only = None
         elif str(key).startswith(PASTE):
             self.message = "what is pasted is not taken for keys"
         else:
@@ -304,14 +324,23 @@ class Page:
             self.selected = None
 
     def _act(self, key):
-        transition = {"a": transitions.ACTIVATE, "d": transitions.DEACTIVATE, "r": transitions.RESET}.get(key)
-        if (transition is None and key != "c" and key not in ENTER) or self.selected is None:
+        if self.selected is None:
             return
+        transition = {"a": transitions.ACTIVATE, "i": transitions.DEACTIVATE, "r": transitions.RESET}.get(key)
         if transition:
             self.asked = transition, self.rows[self.number]
-        else:
+        elif key == "c" or key in ENTER:
             self.message = f"rtcat: {self.selected} …"
             self.looking.show(self.selected)
+        elif key == "d":
+            self.message = f"rtdoctor: {self.selected} …"
+            self.looking.ask(self.selected, "rtdoctor", self.doctor)
+        elif key == "m":
+            self.message = f"measuring {self.selected} …"
+            self.looking.measure(self.selected)
+        elif key == "n":
+            self.message = f"neighbours of {self.selected} …"
+            self.looking.show_neighbours(self.selected)
 
     def _confirm(self, key):
         (transition, row), self.asked = self.asked, None
@@ -324,7 +353,11 @@ class Page:
     def _draw(self):
         height, width = self.window.getmaxyx()
         components = self.looking.rows()
-        self.rows = rows.arranged(components, self.sort, self.wanted)
+        found = rows.arranged(components, self.sort, self.wanted)
+        if self.only is not None:
+            found = [row for row in found if row.path in self.only]
+        self.lines = rows.grouped(found, self.group)
+        self.rows = [line for line in self.lines if isinstance(line, rows.Row)]
         paths = [row.path for row in self.rows]
         self._select(paths.index(self.selected) if self.selected in paths else self.number)
         self.window.erase()
@@ -332,7 +365,7 @@ class Page:
         foot = self._foot(width)[: max(height - top - 1, 1)]
         self.room = max(height - top - len(foot), 0)
         if self.overlay is None:
-            self._draw_rows(top)
+            self._draw_rows(top, width)
         else:
             self._draw_overlay(top, width)
         for i, line in enumerate(foot):
@@ -352,23 +385,41 @@ class Page:
             rates[most - 1 :] = [f"{len(rates) - most + 1} more ports"]
         for i, line in enumerate(rates, 1):
             self._put(i, line)
-        if self.overlay is None:
-            head = rows.HEAD
-        else:
+        if self.overlay is not None:
             head = ""
+        elif width >= rows.WIDE:
+            head = rows.wide_head(self.rows)
+        else:
+            head = rows.HEAD
         self._put(1 + len(rates), text.padded(head, max(width, len(head))), curses.A_REVERSE)
         return 2 + len(rates)
 
-    def _draw_rows(self, top):
-        last = min(self.first, self.number, max(len(self.rows) - self.room, 0))
-        self.first = max(last, self.number - self.room + 1)
-        for y, row in enumerate(self.rows[self.first : self.first + self.room], top):
-            if row.path == self.selected:
-                chosen = curses.A_REVERSE
+    def _draw_rows(self, top, width):
+        """The lines around the selected one, as many as there is room for."""
+        if self.rows:
+            chosen = self.lines.index(self.rows[self.number])
+        else:
+            chosen = 0
+        last = min(self.first, chosen, max(len(self.lines) - self.room, 0))
+        self.first = max(last, chosen - self.room + 1)
+        if chosen == self.first == 1:
+            self.first = 0  # the line of its group
+        shown = self.lines[self.first : self.first + self.room]
+        for y, (line, words) in enumerate(zip(shown, self._spelt_lines(shown, width)), top):
+            if not isinstance(line, rows.Row):
+                self._put(y, words, curses.A_UNDERLINE)
+            elif line.path == self.selected:
+                self._put(y, words, curses.A_REVERSE)
             else:
-                chosen = 0
-            self._put(y, rows.line(row), chosen)
-            self._put(y, row.state or "", chosen or self.attributes.get(row.state, 0))
+                self._put(y, words)
+                self._put(y, line.state or "", self.attributes.get(line.state, 0))
+
+    def _spelt_lines(self, shown, width):
+        """What is drawn for Rows and lines of groups."""
+        if width < rows.WIDE:
+            return [rows.line(line) if isinstance(line, rows.Row) else line for line in shown]
+        wide = rows.wide_lines([line for line in shown if isinstance(line, rows.Row)], self.rows)
+        return [next(wide) if isinstance(line, rows.Row) else line for line in shown]
 
     def _draw_overlay(self, top, width):
         lines = [part for line in self.overlay for part in _wrapped(self._spelt(line), max(width, 1))]
@@ -413,7 +464,7 @@ class Page:
         return text.safe(line).encode(coding, "backslashreplace").decode(coding)
 
 
-async def show(looking, meters, sort, wanted):
+async def show(looking, meters, sort, wanted, doctor):
     """Show the page until the user ends it; the terminal is always restored."""
     with screen() as window:
-        await Page(window, looking, meters, sort, wanted).follow()
+        await Page(window, looking, meters, sort, wanted, doctor).follow()

@@ -1,11 +1,14 @@
 """What rttop shows of a system, as lines and as JSON; sorting and filtering its rows."""
 
 import collections
+import functools
+import re
 
-from rtshell_lite import text
+from rtshell_lite import path, text
 from rtshell_lite.views.listing import MARKS
 
-SORTS = ("name", "state", "rate", "connections")
+SORTS = ("name", "state", "rate", "connections", "trouble")
+GROUPS = ("none", "directory", "host")
 # the order by state: trouble first
 STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)
 
@@ -13,9 +16,14 @@ STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)
 # silent, or unknown: a part of the tree that cannot be listed. `state` is ? for what does not answer and -
 # for a zombie; `rate` in Hz, of the first context that runs, else of the first one; `running` whether any
 # does; `ports` and `connections` are counts. None is unknown (yet). `failure` is an errors.Error or None.
-Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure")
+# `since` are the seconds for which it has been so, None if that is longer than it has been looked at; `event`
+# is what was seen to change last, in words.
+Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure since event")
+Row.__new__.__defaults__ = (None, "")
 
 HEAD = "STATE         RATE  CONN  COMPONENT"
+WIDE = 110  # columns from which on there is room for more
+_NAMES = 36  # columns at most for names, and for directories
 
 
 def arranged(rows, sort="name", wanted=""):
@@ -34,8 +42,42 @@ def arranged(rows, sort="name", wanted=""):
         "state": lambda row: STATES.index(row.state),
         "rate": lambda row: -(row.rate or 0),
         "connections": lambda row: -(row.connections or 0),
+        "trouble": lambda row: min(STATES.index(row.state), STATES.index("Active")),
     }
     return sorted(rows, key=keys[sort])
+
+
+@functools.lru_cache(maxsize=4096)
+def natural(name):
+    """A key to sort names by, in which Filter2 comes before Filter10."""
+    parts = re.split("([0-9]+)", name)
+    for place in range(1, len(parts), 2):
+        number = parts[place].lstrip("0")
+        parts[place] = (len(number), number)
+    return parts
+
+
+def group(row, kind):
+    """The group of GROUPS that a Row is in: the directory or the host of its path."""
+    where = path.parse(row.path)
+    if kind == "directory":
+        return str(where.parent())
+    hosts = [text.printable(name.id) for name in where.names if name.kind == "host_cxt"]
+    return (hosts + [text.printable(where.server or "")])[0]
+
+
+def grouped(shown, kind):
+    """The Rows with a line before those of each group: [Row or text]; groups with trouble come first."""
+    if kind == "none":
+        return list(shown)
+    groups = collections.OrderedDict()
+    for row in shown:
+        groups.setdefault(group(row, kind), []).append(row)
+    lines = []
+    for name, members in groups.items():
+        lines.append(f"{name}: {summary(members)}")
+        lines += members
+    return lines
 
 
 def summary(rows):
@@ -72,6 +114,49 @@ def line(row):
         connections,
         MARKS.get(row.kind, "") + row.name + why,
     )
+
+
+def wide_head(shown):
+    """HEAD with the columns that `wide_line` adds, for these Rows."""
+    names, directories = _widths(shown)
+    return "%s  %s  %5s  %s  %s" % (
+        HEAD[: -len("COMPONENT")] + text.padded("COMPONENT", names),
+        text.padded("DIRECTORY", directories),
+        "SINCE",
+        "",
+        "LAST EVENT",
+    )
+
+
+def wide_lines(shown, listed):
+    """Yield a line for each Row of `shown`, which are some of those `listed`, below their `wide_head`."""
+    names, directories = _widths(listed)
+    for row in shown:
+        plain = line(row._replace(failure=None))
+        why = reason(row.path, row.failure) if row.failure else row.event
+        yield "%s  %s  %5s    %s" % (
+            text.padded(plain, len(HEAD) - len("COMPONENT") + names),
+            text.padded(group(row, "directory"), directories),
+            _duration(row.since),
+            why,
+        )
+
+
+def _widths(shown):
+    """Columns for names and for directories."""
+    names = [text.cells(row.name) + 1 for row in shown]
+    directories = [text.cells(group(row, "directory")) for row in shown]
+    return (min(max(names + [9]), _NAMES), min(max(directories + [9]), _NAMES))
+
+
+def _duration(seconds):
+    """`12s`, `5m`, `3h`, `2d`; `-` for None."""
+    if seconds is None:
+        return "-"
+    for unit, length in (("d", 86400), ("h", 3600), ("m", 60)):
+        if seconds >= length:
+            return f"{int(seconds // length)}{unit}"
+    return f"{int(seconds)}s"
 
 
 def rate_line(rate):

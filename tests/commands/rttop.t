@@ -178,7 +178,7 @@ Wrong usage is found before anything is asked:
   rttop: /localhost:$PORT/test.host_cxt/Motor0.rtc: no port specified (see --help)
   [2]
   $ rttop -s size
-  rttop: argument -s/--sort: not one of name, state, rate, connections: size (see --help)
+  rttop: argument -s/--sort: not one of name, state, rate, connections, trouble: size (see --help)
   [2]
   $ rttop -r 6
   rttop: -r 6: at most 5 (see --help)

@@ -27,6 +27,22 @@ class Arranged(unittest.TestCase):
     def test_the_order_stays_where_nothing_differs(self):
         self.assertEqual(self.names([row("b"), row("a"), row("C")]), ["b", "a", "C"])
 
+    def test_trouble_first_then_by_name(self):
+        given = [row("a", state="Inactive"), row("b", state="Active"), row("c", state="-"), row("d", state="Error"), row("e")]
+        self.assertEqual(self.names(given, "trouble"), ["d", "c", "a", "b", "e"])
+
+    def test_numbers_in_names(self):
+        names = ["Filter10", "Filter2", "Filter02", "Filter", "A1B2", "A1B10", "Ä" + "9" * 5000]
+        self.assertEqual(sorted(names, key=rows.natural), ["A1B2", "A1B10", "Filter", "Filter2", "Filter02", "Filter10", "Ä" + "9" * 5000])
+
+    def test_groups(self):
+        given = [row("x")._replace(path=path) for path in ("/h/a.host_cxt/X.rtc", "/h/b.host_cxt/c.cxt/X.rtc", "/h/a.host_cxt/Y.rtc")]
+        self.assertEqual(rows.grouped(given, "none"), given)
+        for kind, first, second in (("directory", "/h/a.host_cxt", "/h/b.host_cxt/c.cxt"), ("host", "a", "b")):
+            found = rows.grouped(given, kind)
+            self.assertEqual(found, [first + ": 2 components: 2 not asked yet", given[0], given[2],
+                                     second + ": 1 component: 1 not asked yet", given[1]])
+
     def test_words(self):
         """All of them match: a part of a path, a whole state."""
         given = [row("Arm0.rtc", state="Active"), row("Arm1.rtc", state="Inactive"), row("active.rtc", state="Error"), row("new.rtc")]
@@ -51,6 +67,15 @@ class Shown(unittest.TestCase):
                  "?                -     -  ?a.rtc: no answer within 3 s"),
                 (row("a.rtc", failure=errors.Failed("/robot", "bad \x1b")), "                 -     -  a.rtc: /robot: bad \\x1b")):
             self.assertEqual(rows.line(given), expected)
+
+    def test_wide_lines(self):
+        given = [row("A.rtc", path="/h/a.host_cxt/A.rtc", state="Active", rate=50.0, connections=2, since=75.0,
+                     event="Inactive to Active"),
+                 row("B.rtc", path="/h/B.rtc", state="?", kind="silent", failure=errors.Silent("/h/B.rtc", "no answer"))]
+        self.assertEqual([line.rstrip() for line in [rows.wide_head(given)] + list(rows.wide_lines(given, given))],
+                         ["STATE         RATE  CONN  COMPONENT  DIRECTORY      SINCE    LAST EVENT",
+                          "Active          50     2  A.rtc      /h/a.host_cxt     1m    Inactive to Active",
+                          "?                -     -  ?B.rtc     /h                 -    no answer"])
 
     def test_rates(self):
         for given, expected in (
