@@ -24,7 +24,7 @@ DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_typ
 # What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts,
 # empty if not asked, `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it
 # is composed of.
-Found = collections.namedtuple("Found", "node ports owned states sets active members profile")
+Found = collections.namedtuple("Found", "node ports owned states sets active members profile snapshot")
 
 # `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out
 # because nothing is connected to them, `failures` are errors, `notes` lines on what else is left out.
@@ -38,11 +38,12 @@ _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 # ---- asking ------------------------------------------------------------------------------------------------
 
 
-async def ask(node, brief=False, states=True):
+async def ask(node, brief=False, states=True, everything=False):
     """The Found of a component. Its ports come before its profile (docs/protocol.md 1.1).
 
-    `brief`: of properties and references only those that go into a file or are compared with one, a quarter
-    of the memory.
+    brief       of properties and references only those that go into a file or are compared with one, a quarter
+                of the memory
+    everything  all that rtcat shows, too, which stays in a snapshot.Snapshot
     """
     if brief:
         detail = BRIEF
@@ -52,10 +53,15 @@ async def ask(node, brief=False, states=True):
         in_contexts = {"participating": BRIEF, "states": FULL}
     else:
         in_contexts = {}
+    if everything:
+        in_contexts.update(participating=FULL, composites=FULL, members=FULL, names=FULL)
     shown = await snapshot.of(
         node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail
     )
-    return found_in(shown, brief)
+    found = found_in(shown, brief)
+    if everything:
+        return found._replace(snapshot=shown)
+    return found
 
 
 def found_in(shown, brief=False):
@@ -83,6 +89,7 @@ def found_in(shown, brief=False):
         active,
         [member for each in shown.organisations for member in each.members],
         shown.profile,
+        None,
     )
 
 
@@ -104,11 +111,14 @@ def is_reference(name, value):
 # ---- capturing ---------------------------------------------------------------------------------------------
 
 
-async def capture(tops=(), all_components=False, with_states=False, with_managers=False):
+async def capture(
+    tops=(), all_components=False, with_states=False, with_managers=False, with_snapshots=False
+):
     """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a
     composite of it.
 
-    `with_managers`: which manager lists a component goes into the profile.
+    `with_managers`: which manager lists a component goes into the profile; `with_snapshots`: ask each component
+    for everything, see `ask`.
     """
     nodes, managers, failures, notes = await components(tops)
     if with_managers:
@@ -117,9 +127,8 @@ async def capture(tops=(), all_components=False, with_states=False, with_manager
         holders = {}
     found = []
     silent = {}
-    for node, answer in zip(
-        nodes, await tree.on_nodes(nodes, functools.partial(ask, brief=True, states=with_states))
-    ):
+    question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
+    for node, answer in zip(nodes, await tree.on_nodes(nodes, question)):
         if not isinstance(answer, errors.Error):
             found.append(answer)
         elif await _is_zombie(node, answer):

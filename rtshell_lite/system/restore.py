@@ -284,4 +284,4 @@ async def tearing_down(profile, options):
 
 
 async def _ports_only(node):
-    return capture.Found(node, ports.in_system(await ports.ports(node)), [], {}, [], "", [], None)
+    return capture.Found(node, ports.in_system(await ports.ports(node)), [], {}, [], "", [], None, None)

@@ -119,7 +119,7 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
         return
     words = f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
     if not any(context is one for one in snapshot.owned):
-        words += f" of {printable(_instance(context.owner, snapshot))}"
+        words += f" of {printable(instance(context.owner, snapshot))}"
     yield words if len(snapshot.contexts) == 1 else f"{words}  {paint(state)}"
     if not level:
         return
@@ -128,18 +128,18 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
         ("Kind", context.kind),
         ("Rate", str(float(context.rate))),
     ]
-    owner = _instance(context.owner, snapshot)
+    owner = instance(context.owner, snapshot)
     yield from _pairs(items + ([("Owner", owner)] if owner else []), more + "  ")
     if context.participants:
         yield more + (" +" if level < 2 else " -") + "Participants"
         for participant in context.participants if level > 1 else ():
-            yield more + "    " + printable(_instance(participant, snapshot))
+            yield more + "    " + printable(instance(participant, snapshot))
     if context.properties:
         yield more + (" +" if level < 2 else " -") + "Extra properties"
         yield from _pairs(sorted(context.properties), more + "    ") if level > 1 else ()
 
 
-def _instance(ref, snapshot):
+def instance(ref, snapshot):
     """The instance name of a component that owns a context, or takes part in it."""
     if ref is None:
         return ""
@@ -219,8 +219,8 @@ def as_dict(snapshot, ends):
             "kind": c.kind,
             "rate": c.rate,
             "running": c.running,
-            "owner": _instance(c.owner, snapshot),
-            "participants": [_instance(p, snapshot) for p in c.participants],
+            "owner": instance(c.owner, snapshot),
+            "participants": [instance(p, snapshot) for p in c.participants],
             "properties": dict(c.properties),
             "state": state,
         }

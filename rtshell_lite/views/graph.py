@@ -11,6 +11,10 @@ from rtshell_lite.xmlprofile import model
 # port names; `tops` are indexes of the boxes that are not members of a composite.
 Graph = collections.namedtuple("Graph", "boxes edges tops")
 
+# A picture, the RtsProfile that it shows, what was found of each component or failed (errors.Error), lines on
+# what is left out.
+Drawing = collections.namedtuple("Drawing", "picture profile results notes")
+
 COLOURS = {
     "Inactive": "lightblue",
     "Active": "palegreen",
@@ -30,6 +34,9 @@ class Box:
     composite  index of the composite whose member it is, None if there is none
     counts     of a folded group: how many components are in each state ("" if unknown), else None
     labels     {port: words after its name}: rates, numbers of connections
+    origin     what it is in the profile: a model.Component; where that is missing the (component id, instance name)
+               of ends of connections; of what carries data the name of the transport
+    snapshot   the snapshot.Snapshot of a component that was asked for everything, else None
     """
 
     def __init__(self, name, state=None, missing=False):
@@ -41,6 +48,8 @@ class Box:
         self.composite = None
         self.counts = None
         self.labels = {}
+        self.origin = None
+        self.snapshot = None
         self.left = []
         self.right = []
         self.members = []
@@ -74,6 +83,7 @@ def of(profile, states=None):
         if key not in strangers:
             strangers[key] = len(boxes)
             boxes.append(Box(end.instance_name, missing=True))
+            boxes[-1].origin = key
         return strangers[key]
 
     def box_of_transport(connector):
@@ -81,6 +91,7 @@ def of(profile, states=None):
         if key not in strangers:
             strangers[key] = len(boxes)
             boxes.append(Box(key))
+            boxes[-1].origin = key
         return strangers[key]
 
     edges = []
@@ -95,6 +106,7 @@ def of(profile, states=None):
 
 def _box(component, states):
     box = Box(component.instance_name, states.get(component.path_uri))
+    box.origin = component
     try:
         box.path = capture.path_of(component)
     except errors.BadPath:

@@ -9,25 +9,26 @@ from rtshell_lite.system import capture
 from rtshell_lite.views import graph
 from rtshell_lite.xmlprofile import model
 
-# What is known of a component that runs: its state, (host, port) of its process.
-Look = collections.namedtuple("Look", "state process")
+# What is known of a component that runs: its state, (host, port) of its process, a snapshot.Snapshot or None.
+Look = collections.namedtuple("Look", "state process snapshot")
+SILENT = Look("Unknown", None, None)
 
 
-async def of_robot(tops, everything):
-    """(picture, results, notes): the graph.Graph of what is below the Paths `tops` (none: all name servers).
+async def of_robot(tops, everything, with_snapshots=False):
+    """The Drawing of what is below the Paths `tops` (none: all name servers).
 
     Components that do not answer are boxes without connections. `everything`: also what is not connected.
-    `results` are capture.Found and errors.Error.
+    `with_snapshots`: all that rtcat shows. `results` are capture.Found and errors.Error.
     """
-    found = await capture.capture(tops, everything, with_states=True)
+    found = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
     profile = found.profile
-    looks = [Look(capture.state(each), each.node.endpoint) for each in found.found]
+    looks = [Look(capture.state(each), each.node.endpoint, each.snapshot) for each in found.found]
     for failure in found.failures:
         silent = _silent(failure)
         if silent is not None:
             profile.components.append(silent)
-            looks.append(Look("Unknown", None))
-    return _of(profile, looks), found.found + found.failures, found.notes
+            looks.append(SILENT)
+    return graph.Drawing(_of(profile, looks), profile, found.found + found.failures, found.notes)
 
 
 def _silent(failure):
@@ -42,17 +43,16 @@ def _silent(failure):
 
 
 async def of_profile(profile):
-    """(picture, results): the graph.Graph of an RtsProfile with what is known of its components now.
-
-    `results` are Looks and errors.Error.
+    """The Drawing of an RtsProfile with what is known of its components now; `results` are Looks and
+    errors.Error.
     """
     results = await capture.ask_each(profile, _look)
-    looks = [Look("Unknown", None) if isinstance(each, errors.Error) else each for each in results]
-    return _of(profile, looks), results
+    looks = [SILENT if isinstance(each, errors.Error) else each for each in results]
+    return graph.Drawing(_of(profile, looks), profile, results, [])
 
 
 async def _look(node):
-    return Look(await component.state(node), node.endpoint)
+    return Look(await component.state(node), node.endpoint, None)
 
 
 def _of(profile, looks):
@@ -60,6 +60,7 @@ def _of(profile, looks):
     picture = graph.of(profile, states)
     for box, look in zip(picture.boxes, looks):
         box.process = look.process
+        box.snapshot = look.snapshot
     return picture
 
 

@@ -173,6 +173,8 @@ def _copy(box, places):
     made = graph.Box(box.name, box.state, box.missing)
     made.path = box.path
     made.process = box.process
+    made.origin = box.origin
+    made.snapshot = box.snapshot
     made.counts = box.counts
     made.labels = dict(box.labels)
     made.members = [places[member] for member in box.members if member in places]

@@ -128,5 +128,5 @@ Rates, where values are written:
 Formats exclude each other:
 
   $ rtstodot --dot --svg robot.rtsys
-  rtstodot: only one of --dot, --svg and --text or --ascii can be drawn (see --help)
+  rtstodot: only one of --dot, --svg, --html and --text or --ascii can be drawn (see --help)
   [2]

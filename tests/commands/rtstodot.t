@@ -165,7 +165,7 @@ Composites are boxes around their members; a port that a composite exports belon
   <path d="M229,75 C274,75 274,75 319,75" fill="none" stroke="black" marker-end="url(#arrow)"><title>ConsoleIn0:out to ConsoleOut0:in</title></path>
   </svg>
   $ rtstodot --svg --text a.xml
-  rtstodot: only one of --dot, --svg and --text or --ascii can be drawn (see --help)
+  rtstodot: only one of --dot, --svg, --html and --text or --ascii can be drawn (see --help)
   [2]
 
 --live colours components by their states; without a file it draws what is running:

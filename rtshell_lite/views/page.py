@@ -1,0 +1,208 @@
+"""A system as one page for a browser: a file that needs no network, and nothing but a browser.
+
+The page is rtshell_lite/views/web/page.html with the style, the scripts and the data in it. What a system says is
+data: JSON without any character that HTML knows, and the scripts put it into text nodes only. The page's
+Content-Security-Policy lets a browser run this script and no other, and load nothing.
+"""
+
+import base64
+import collections
+import hashlib
+import json
+import os
+import re
+import time
+
+import rtshell_lite
+from rtshell_lite import errors
+from rtshell_lite.system import capture
+from rtshell_lite.text import printable, safe
+from rtshell_lite.views import page_details, part
+from rtshell_lite.views.page_details import Table, shown
+from rtshell_lite.xmlprofile import model
+
+# The data of a page, in JSON:
+#   title what        the heading, and a line below it
+#   kinds kind most   kinds of groups; the one to begin with, null: one that leaves `most` boxes
+#   open names        names of groups that are not folded; names of all groups
+#   rows              lists of [name, value], by their numbers below
+#   boxes             name path state missing composite groups (of each kind but none, a number in `names`, or
+#                     null) parts [heading, rows] ports [name, type, rows]
+#   connections       name id service rows ends [box, port]: the source first
+#   findings          level path message remedy box
+#   sections          [heading, text]
+
+
+# What is to be looked at, as rtdoctor's findings have it: level (fail, warn, note or ok); path of a component or
+# port, or what else it is about; message; remedy, perhaps a command.
+Remark = collections.namedtuple("Remark", "level path message remedy")
+
+
+def html(fields):
+    """The text of a page that shows these fields of its data."""
+    script = _file("layout.js") + _file("page.js")
+    style = _file("page.css")
+    contents = {
+        "title": printable(fields["title"]).replace("&", "&amp;").replace("<", "&lt;"),
+        "script": script,
+        "script_hash": _hash(script),
+        "style": style,
+        "style_hash": _hash(style),
+        "system": as_json(fields),
+    }
+    return re.sub(r"\$(\w+)", lambda found: contents[found.group(1)], _file("page.html"))
+
+
+def as_json(value):
+    """JSON in ASCII that can be in an HTML file, as it is: no text in it ends or begins anything there."""
+    text = json.dumps(value, separators=(",", ":"))
+    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+
+
+def _file(name):
+    """The text of a file beside this one, which may be in a wheel."""
+    path = os.path.join(os.path.dirname(__file__), "web", name)
+    return rtshell_lite.__spec__.loader.get_data(path).decode()
+
+
+def _hash(text):
+    """A script or style as a Content-Security-Policy names it."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+# ---- the data ----------------------------------------------------------------------------------------------
+
+
+def fields(picture, profile, title, what, findings=(), kind=None, opened=(), sections=()):
+    """The data of a page that shows a graph.Graph of an RtsProfile, or of a part of it.
+
+    findings  doctor.finding.Findings, or what has such attributes
+    kind      of the groups that are folded (None: one that leaves few boxes); `opened` are names of those not folded
+    sections  (heading, text) each
+    """
+    names = Table()
+    rows = Table()
+    boxes = [_box(picture, number, names, rows) for number in range(len(picture.boxes))]
+    return {
+        "title": shown(title),
+        "what": shown(what),
+        "kinds": part.KINDS,
+        "kind": kind,
+        "most": part.MOST,
+        "open": [shown(name) for name in opened],
+        "boxes": boxes,
+        "connections": _connections(picture, profile, rows),
+        "findings": _findings(findings, boxes),
+        "sections": [(heading, shown(text)) for heading, text in sections],
+        "names": names.values,
+        "rows": rows.values,
+    }
+
+
+def _box(picture, number, names, rows):
+    box = picture.boxes[number]
+    groups = [part.group_name(picture, number, kind) for kind in part.KINDS[1:]]
+    made = {
+        "name": shown(box.name),
+        "path": box.path and str(box.path),
+        "state": box.state,
+        "missing": box.missing,
+        "composite": box.composite,
+        "groups": [None if name is None else names.number(shown(name)) for name in groups],
+        "parts": [],
+        "ports": [],
+    }
+    if isinstance(box.origin, model.Component):
+        made["parts"] = [(heading, rows.of_rows(pairs)) for heading, pairs in page_details.parts(box)]
+        made["ports"] = [
+            (shown(name), kind, rows.of_rows(pairs)) for name, kind, pairs in page_details.port_parts(box)
+        ]
+    return _without_defaults(made)
+
+
+def _without_defaults(made):
+    """A dict without what is empty, which the script adds again."""
+    return {name: value for name, value in made.items() if value not in (None, False, [])}
+
+
+def _connections(picture, profile, rows):
+    """Those between boxes of the picture; the source first."""
+    numbers = {_origin(box): number for number, box in enumerate(picture.boxes)}
+    locate = capture.locator(profile)
+    found = []
+    for connector in profile.connectors:
+        ends = [_end(end, locate, numbers) for end in connector.ends]
+        if len(ends) == 1:
+            ends.append([numbers.get(connector.interface_type), ""])
+            if connector.source is None:
+                ends.reverse()
+        if any(number is None for number, _ in ends):
+            continue
+        made = {
+            "name": shown(connector.name),
+            "id": shown(connector.connector_id),
+            "service": isinstance(connector, model.ServicePortConnector),
+            "rows": rows.of_rows(page_details.connection_rows(connector)),
+            "ends": ends,
+        }
+        found.append(_without_defaults(made))
+    return found
+
+
+def _origin(box):
+    """The key of a box: components of a profile cannot be hashed."""
+    if isinstance(box.origin, model.Component):
+        return id(box.origin)
+    return box.origin
+
+
+def _end(end, locate, numbers):
+    """[number of a box or None, port] of an end of a connection."""
+    component = locate(end)
+    if component is None:
+        key = (end.component_id, end.instance_name)
+    else:
+        key = id(component)
+    return [numbers.get(key), shown(capture.port_of(end))]
+
+
+def origin(command):
+    """The line of a page that says when and by what it was made."""
+    made = time.strftime("%Y-%m-%d %H:%M:%S %z")
+    return f"Made at {made} by {command} of rtshell_lite {rtshell_lite.__version__}"
+
+
+def remarks(drawing, picture):
+    """Remarks on what of a graph.Drawing failed, or is left out."""
+    failures = [each for each in drawing.results if isinstance(each, errors.Error)]
+    paths = {str(box.path) for box in picture.boxes if box.path}
+    found = [Remark("fail", each.where, each.why, "") for each in failures]
+    return found + [Remark("warn", _subject(line, paths), line, "") for line in drawing.notes]
+
+
+def _subject(line, paths):
+    """The first of these paths that a line names."""
+    for word in line.split():
+        word = word.rstrip(":,")
+        for name in (word, word.rpartition(":")[0]):
+            if name in paths:
+                return name
+    return ""
+
+
+def _findings(findings, boxes):
+    """Those that are to be looked at, with the number of the box that each is about."""
+    numbers = {box["path"]: number for number, box in enumerate(boxes) if "path" in box}
+    found = []
+    for each in findings:
+        owner = each.path.rpartition(":")[0]  # of a port
+        found.append(
+            {
+                "level": each.level,
+                "path": safe(each.path),
+                "message": safe(each.message),
+                "remedy": safe(each.remedy),
+                "box": numbers.get(each.path, numbers.get(owner)),
+            }
+        )
+    return found

@@ -1,0 +1,171 @@
+"""What a page shows of one component: all that rtcat -ll and the file have, as headings and rows of (name, value)."""
+
+from rtshell_lite.robot import ports
+from rtshell_lite.system import capture
+from rtshell_lite.text import printable
+from rtshell_lite.views import describe
+
+LONGEST = 4000  # characters of a text that are shown
+
+
+class Table:
+    """Values by number, each once: most components say the same as others of their kind."""
+
+    def __init__(self):
+        self.values = []
+        self._numbers = {}
+
+    def number(self, value):
+        """The number of a value, which can be hashed."""
+        if value not in self._numbers:
+            self._numbers[value] = len(self.values)
+            self.values.append(value)
+        return self._numbers[value]
+
+    def of_rows(self, pairs):
+        """The number of these (name, value)."""
+        return self.number(tuple((shown(name), shown(value or "")) for name, value in pairs))
+
+
+def shown(text):
+    """A text as a page shows it: what is invisible, or turns other text around, is escaped."""
+    if len(text) > LONGEST:
+        return shown(text[:LONGEST]) + f"… ({len(text) - LONGEST} more characters)"
+    return "\n".join(map(printable, text.split("\n")))
+
+
+def parts(box):
+    """(heading, rows) of a component, a graph.Box."""
+    found = []
+    if box.snapshot is not None:
+        found += _of_snapshot(box.snapshot)
+    else:
+        found += _of_file(box.origin)
+    for one in box.origin.configuration_sets:
+        heading = f"Configuration set {one.id}"
+        if one.id == box.origin.active_configuration_set:
+            heading += " (active)"
+        found.append((heading, [(each.name, each.data) for each in one.configuration_data]))
+    return [(shown(heading), rows) for heading, rows in found if rows]
+
+
+def port_parts(box):
+    """(name, type, rows) of the ports of a component, a graph.Box."""
+    if box.snapshot is not None:
+        instance = box.snapshot.profile.instance_name
+        return [
+            (ports.short_name(port.name, instance), port.type, _port_rows(port))
+            for port in box.snapshot.ports
+        ]
+    found = []
+    for port in box.origin.data_ports:
+        name = ports.short_name(port.name, box.name)
+        found.append((name, _data_type(box, name), _file_rows(port)))
+    for port in box.origin.service_ports:
+        found.append((ports.short_name(port.name, box.name), "CorbaPort", _file_rows(port)))
+    return found
+
+
+# ---- what is running ---------------------------------------------------------------------------------------
+
+
+def _of_snapshot(snapshot):
+    profile = snapshot.profile
+    rows = [
+        ("Instance name", profile.instance_name),
+        ("Type name", profile.type_name),
+        ("Category", profile.category),
+        ("Description", profile.description),
+        ("Vendor", profile.vendor),
+        ("Version", profile.version),
+        ("Parent", profile.parent),
+        ("Process", "%s:%s" % tuple(snapshot.node.endpoint)),
+    ]
+    found = [("Component", [(name, value) for name, value in rows if value])]
+    for organisation in snapshot.organisations:
+        members = [("Member", path) for path in snapshot.members[organisation.id]]
+        found.append(("Composition", [("ID", organisation.id)] + members))
+    for organisation_id, name, path in snapshot.composites:
+        found.append((f"Parent composition {name}", [("ID", organisation_id), ("Path", path)]))
+    for context, state in zip(snapshot.contexts, snapshot.states):
+        found.append(_context(context, state, snapshot))
+    found.append(("Extra properties", sorted(profile.properties)))
+    return found
+
+
+def _context(context, state, snapshot):
+    if context.handle is None:
+        return "Execution context of another component, which does not answer", [("State here", state)]
+    rows = [
+        ("State here", state),
+        ("Runs", "Running" if context.running else "Stopped"),
+        ("Kind", context.kind),
+        ("Rate", f"{float(context.rate)} Hz"),
+        ("Owner", describe.instance(context.owner, snapshot)),
+    ]
+    rows += [("Participant", describe.instance(ref, snapshot)) for ref in context.participants]
+    return f"Execution context {context.handle}", rows + sorted(context.properties)
+
+
+def _port_rows(port):
+    rows = sorted(port.properties.items())
+    for interface in port.interfaces:
+        rows.append((f"interface {interface.instance_name}", f"{interface.type_name}, {interface.polarity}"))
+    return rows
+
+
+# ---- what a file has ---------------------------------------------------------------------------------------
+
+
+def _of_file(component):
+    kind, _, rest = component.id.partition(":")
+    vendor, category, type_name, version = (rest.split(":") + [""] * 4)[:4]
+    rows = [
+        ("Instance name", component.instance_name),
+        ("Type name", type_name),
+        ("Category", category),
+        ("Vendor", vendor),
+        ("Version", version),
+        ("Id", component.id),
+        ("Required", "yes" if component.is_required else "no"),
+        ("Comment", component.comment),
+    ]
+    found = [("Component", [(name, value) for name, value in rows if value])]
+    members = [("Member", member.component.instance_name) for member in component.participants]
+    if members:
+        found.append(("Composition", [("Type", component.composite_type)] + members))
+    for context in component.execution_contexts:
+        rows = [("Kind", context.kind), ("Rate", f"{context.rate:g} Hz")]
+        rows += [("Participant", each.instance_name) for each in context.participants]
+        found.append((f"Execution context {context.id}", rows + _properties(context)))
+    found.append(("Properties", _properties(component)))
+    return found
+
+
+def _data_type(box, port):
+    """What kind of data port it is, by the connections in the file, which does not say it."""
+    if port in box.left:
+        return "DataInPort"
+    if port in box.right:
+        return "DataOutPort"
+    return "Data port"
+
+
+def _file_rows(port):
+    rows = _properties(port)
+    if port.comment:
+        rows.insert(0, ("Comment", port.comment))
+    return rows
+
+
+def _properties(element):
+    return [(each.name, each.value) for each in element.properties]
+
+
+def connection_rows(connector):
+    """Rows of a connection, a model.Connector."""
+    return [
+        (each.name, each.value)
+        for each in connector.properties
+        if not capture.is_reference(each.name, each.value)
+    ]

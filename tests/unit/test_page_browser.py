@@ -1,0 +1,292 @@
+"""Pages of systems in a real browser, a headless Chromium: if one of these fails, a person sees or does something wrong there."""
+import os
+import re
+import shlex
+import shutil
+import tempfile
+import unittest
+
+import browser
+import large_robots
+from rtshell_lite import path
+from rtshell_lite.views import graph, page, part
+
+PART = 3  # a short run takes one in PART of its tests
+ONCE = "a browser is the same for every Python"
+
+LIST = "[...document.querySelectorAll('#list button')].map(each => each.textContent)"
+NAMES = "[...document.querySelectorAll('.box .name')].map(each => each.textContent)"
+DETAILS = "document.getElementById('details').textContent"
+
+
+def setUpModule():
+    if not browser.program():
+        raise unittest.SkipTest("needs Chromium (Debian's package chromium)")
+    Pages.directory = tempfile.mkdtemp()
+    Pages.browser = browser.Browser()
+    Pages.small = large_robots.profile(5)
+    Pages.middle = large_robots.profile(120)
+    Pages.large = large_robots.profile(1000)
+    write("small", Pages.small, large_robots.picture(Pages.small, {2}))
+    write("middle", Pages.middle, large_robots.picture(Pages.middle, {5, 60, 117}))
+    write("large", Pages.large, large_robots.picture(Pages.large, {5, 500, 997}))
+
+
+def tearDownModule():
+    Pages.browser.close()
+    shutil.rmtree(Pages.directory)
+
+
+def write(name, profile, picture):
+    remarks = [page.Remark("fail", str(picture.boxes[3].path), "does not answer", "rtdoctor -q"),
+               page.Remark("note", "elsewhere", "something that is left out", "")]
+    with open(os.path.join(Pages.directory, name + ".html"), "w", encoding="utf-8") as file:
+        file.write(page.html(page.fields(picture, profile, "A robot", "made by a test", remarks)))
+
+
+class Pages(unittest.TestCase):
+    def open(self, name, **view):
+        """The page of that name; at the end of the test it must have complained of nothing and asked nobody."""
+        address = os.path.join(self.directory, name + ".html")
+        shown = self.browser.open(address, **view)
+        self.addCleanup(lambda: self.assertEqual((shown.complaints(), shown.requests()), ([], ["file://" + address])))
+        return shown
+
+    def click(self, shown, words, within="#details"):
+        """Click on the button with these words with the mouse."""
+        find = "[...document.querySelectorAll('%s button')].find(each => each.textContent.trim() === %s)" % (within, page.as_json(words))
+        self.point(shown, find)
+
+    def point(self, shown, find):
+        """Click into the middle of an element that an expression gives."""
+        shown.run("window.found = %s; found.scrollIntoView({block: 'center', inline: 'center'})" % find)
+        x, y = shown.run("(({left, top, width, height}) => [left + width / 2, top + height / 2])(found.getBoundingClientRect())")
+        shown.click(x, y)
+
+    def box(self, name):
+        """An expression for the box of that name on the map."""
+        return ("[...document.querySelectorAll('.box')].find(each => each.querySelector('.name').textContent === %s)"
+                % page.as_json(name))
+
+    def choose(self, shown, name, value):
+        shown.run("{const chosen = document.getElementById('%s'); chosen.value = '%s'; chosen.dispatchEvent(new Event('change'))}"
+                  % (name, value))
+
+    def names(self, numbers, profile):
+        return sorted(profile.components[number].instance_name for number in numbers)
+
+
+class Map(Pages):
+    def test_small_ones_are_shown_whole(self):
+        shown = self.open("small")
+        self.assertEqual(sorted(shown.run(NAMES)), self.names(range(5), self.small))
+        lines = graph.of(self.small).edges
+        self.assertEqual(shown.run("document.querySelectorAll('.line').length"), len(lines))
+
+    def test_large_ones_are_folded(self):
+        for name, components in (("middle", 120), ("large", 1000)):
+            shown = self.open(name)
+            self.assertLessEqual(shown.run("document.querySelectorAll('.box').length"), part.MOST)
+            words = shown.run("[...document.querySelectorAll('.box')].map(each => each.getAttribute('aria-label'))")
+            sizes = [re.search(r", (\d+) components", each) for each in words]
+            self.assertEqual(sum(int(size.group(1)) if size else 1 for size in sizes), components)
+
+    def test_boxes_do_not_overlap(self):
+        """Nor is anything outside of the page."""
+        for name, kind in (("small", "auto"), ("middle", "auto"), ("middle", "none"), ("large", "process")):
+            shown = self.open(name)
+            self.choose(shown, "kind", kind)
+            self.assertEqual(shown.run("""(() => {
+                const boxes = [...document.querySelectorAll('.box rect')].map((each) => each.getBBox());
+                const {width, height} = document.querySelector('svg').viewBox.baseVal;
+                const outside = [...document.querySelectorAll('.box, .line')].map((each) => each.getBBox()).filter(
+                    (each) => each.x < 0 || each.y < 0 || each.x + each.width > width || each.y + each.height > height);
+                const over = boxes.filter((one, place) => boxes.some((other, at) => at > place && one.x < other.x + other.width &&
+                    other.x < one.x + one.width && one.y < other.y + other.height && other.y < one.y + one.height));
+                return outside.length + over.length;
+                })()"""), 0, (name, kind))
+
+    def test_open_and_fold(self):
+        shown = self.open("middle")
+        group = shown.run(NAMES)[0]
+        members = {each.instance_name for each in self.middle.components[:7]}
+        self.point(shown, self.box(group))
+        self.assertIn("7 components", shown.run(DETAILS))
+        self.click(shown, "Open")
+        self.assertLessEqual(members, set(shown.run(NAMES)))
+        self.assertNotIn(group, shown.run(NAMES))
+        self.point(shown, self.box("Camera0"))
+        self.click(shown, "Fold " + group)
+        self.assertIn(group, shown.run(NAMES))
+        self.assertFalse(members & set(shown.run(NAMES)))
+
+    def test_only_broken(self):
+        """Those in Error, that with a finding, and their neighbours."""
+        shown = self.open("large")
+        shown.run("document.getElementById('broken').click()")
+        self.choose(shown, "kind", "none")
+        picture = graph.of(self.large)
+        self.assertEqual(sorted(shown.run(NAMES)), self.names(part.neighbours(picture, {3, 5, 500, 997}), self.large))
+        broken = shown.run("[...document.querySelectorAll('.box.broken .name')].map(each => each.textContent)")
+        self.assertEqual(sorted(broken), self.names({3, 5, 500, 997}, self.large))
+
+    def test_around(self):
+        shown = self.open("large")
+        shown.run("select(500)")
+        self.click(shown, "Around this")
+        self.choose(shown, "kind", "none")
+        picture = graph.of(self.large)
+        for hops, way in ((1, "both"), (2, "upstream"), (3, "downstream")):
+            self.choose(shown, "hops", hops)
+            self.choose(shown, "way", way)
+            wanted = part.neighbours(picture, {500}, hops, way != "downstream", way != "upstream")
+            self.assertEqual(sorted(shown.run(NAMES)), self.names(wanted, self.large))
+        self.click(shown, "Show all", "header")
+        self.assertEqual(shown.run("document.querySelectorAll('.box').length"), 1000)
+
+    def test_zoom(self):
+        shown = self.open("small")
+        width = "document.querySelector('svg').getBoundingClientRect().width"
+        before = shown.run(width)
+        self.click(shown, "+", "header")
+        self.assertAlmostEqual(shown.run(width), 1.25 * before, delta=2)
+        self.click(shown, "Fit", "header")
+        self.assertLessEqual(shown.run(width), shown.run("document.getElementById('map').clientWidth"))
+
+
+class Search(Pages):
+    def test_as_one_types(self):
+        shown = self.open("large")
+        shown.press("/")
+        shown.type("motor99")
+        self.assertEqual(sorted(each.split()[1] for each in shown.run(LIST)),
+                         sorted(each.instance_name for each in self.large.components if "Motor99" in each.instance_name))
+        dim = shown.run("document.querySelectorAll('.box.dim').length")
+        self.assertTrue(0 < dim < shown.run("document.querySelectorAll('.box').length"))
+        shown.press("Enter", "\r")
+        self.assertIn("Motor990", shown.run("document.querySelector('.box.selected .name').textContent"))
+        self.assertIn("Motor990", shown.run(DETAILS))
+
+    def test_values_and_states(self):
+        shown = self.open("middle")
+        for words, count in (("error", 3), ("group16", 7), ("gain perception", 30), ("nothing of this", 0)):
+            shown.run("document.getElementById('search').value = ''; document.getElementById('search').focus()")
+            shown.type(words)
+            self.assertEqual(len(shown.run(LIST)), count, words)
+
+    def test_what_is_broken_comes_first(self):
+        """Then by name, in natural order."""
+        listed = [each.split()[1] for each in self.open("middle").run(LIST)]
+        self.assertEqual(sorted(listed[:4]), self.names({3, 5, 60, 117}, self.middle))
+        self.assertEqual(listed[4:7], ["Camera0", "Camera8", "Camera16"])
+
+
+class Details(Pages):
+    def test_component(self):
+        shown = self.open("small")
+        self.point(shown, self.box("Filter2"))
+        found = shown.run(DETAILS)
+        for words in ("/localhost/robot2.host_cxt/group0/Filter2.rtc", "Error", "perception", "gain", "Configuration set fast"):
+            self.assertIn(words, found)
+        connector = next(each for each in self.small.connectors if "Filter2" in each.name)
+        for words in (connector.connector_id, "dataport.buffer.length"):
+            self.assertIn(words, found)
+
+    def test_commands_can_be_pasted(self):
+        shown = self.open("small")
+        self.point(shown, self.box("Filter2"))
+        lines = shown.run("[...document.querySelectorAll('#details code')].map(each => each.textContent)")
+        self.assertIn("rtreset /localhost/robot2.host_cxt/group0/Filter2.rtc", lines)
+        for line in lines:
+            command, *words = shlex.split(line)
+            self.assertTrue(command.startswith("rt"), line)
+            self.assertTrue(all(path.parse(word) for word in words if word.startswith("/")))
+
+    def test_copy(self):
+        shown = self.open("small")
+        self.point(shown, self.box("Camera0"))
+        self.click(shown, "Copy", "#details > details")
+        self.assertEqual(shown.run("document.getElementById('status').textContent"), "copied")
+
+    def test_far_end(self):
+        """A click on the other end of a connection leads there."""
+        shown = self.open("small")
+        connector = self.small.connectors[0]
+        near, far = [end.instance_name for end in connector.ends]
+        self.point(shown, self.box(near))
+        self.click(shown, "%s:%s" % (far, connector.ends[1].port_name.split(".")[1]))
+        self.assertEqual(shown.run("document.querySelector('#details h2').textContent"), far)
+
+    def test_findings(self):
+        shown = self.open("small")
+        self.assertIn("does not answer", shown.run(DETAILS))
+        self.click(shown, "/localhost/robot3.host_cxt/group0/Tracker3.rtc")
+        self.assertIn("does not answer", shown.run(DETAILS))
+        self.assertNotIn("something that is left out", shown.run(DETAILS))
+        shown.press("Escape")
+        self.assertIn("something that is left out", shown.run(DETAILS))
+
+
+class Everybody(Pages):
+    """By keyboard, by ear, on paper, on a phone, in the dark."""
+
+    def test_keyboard(self):
+        shown = self.open("small")
+        shown.run("document.querySelector('.box').focus()")
+        first, second = shown.run(NAMES)[:2]
+        shown.press("Enter", "\r")
+        self.assertEqual(shown.run("document.querySelector('#details h2').textContent"), first)
+        shown.run("document.querySelector('.box').focus()")
+        shown.press("ArrowRight")
+        shown.press(" ", " ")
+        self.assertEqual(shown.run("document.querySelector('#details h2').textContent"), second)
+
+    def test_names_of_controls(self):
+        shown = self.open("middle")
+        shown.run("select(5)")
+        nodes = shown.call("Accessibility.getFullAXTree")["nodes"]
+        controls = [node for node in nodes if node["role"]["value"] in ("button", "textbox", "searchbox", "checkbox", "combobox")]
+        self.assertGreater(len(controls), 50)
+        self.assertEqual([node for node in controls if not node["name"].get("value", "").strip()], [])
+
+    def test_print(self):
+        """One sheet."""
+        for name in "small", "middle":
+            shown = self.open(name)
+            shown.run("select(5 % data.boxes.length)")
+            self.assertEqual(len(re.findall(rb"/Type\s*/Page\b", shown.printed())), 1)
+
+    def test_phone(self):
+        shown = self.open("middle", width=390, height=760)
+        self.assertLessEqual(shown.run("document.documentElement.scrollWidth"), 390)
+        self.assertEqual(shown.run("getComputedStyle(document.querySelector('nav')).display"), "none")
+        self.click(shown, "Names", "header")
+        self.click(shown, "✖ Controller5", "nav")
+        self.assertIn("Controller5", shown.run(DETAILS))
+
+    def test_dark(self):
+        colours = {self.open("small", dark=dark).run("getComputedStyle(document.body).backgroundColor") for dark in (False, True)}
+        self.assertEqual(len(colours), 2)
+
+
+class Hostile(Pages):
+    """Whatever a system says stays text."""
+
+    def test_markup_in_every_field(self):
+        profile = large_robots.hostile(large_robots.profile(6))
+        picture = large_robots.picture(profile)
+        for box in picture.boxes:
+            box.state = large_robots.MARKUP
+        write("hostile", profile, picture)
+        shown = self.open("hostile")
+        for number in range(6):
+            shown.run("select(%d)" % number)
+            self.assertIn("<script>window.owned=1</script>", shown.run(DETAILS))
+        shown.run("clear()")
+        self.assertEqual(shown.run("[typeof window.owned, document.querySelectorAll('script').length, document.images.length]"),
+                         ["undefined", 2, 0])
+        self.assertEqual(shown.run("document.querySelectorAll('b').length"), 1)  # our own, in the header
+
+
+if __name__ == "__main__":
+    unittest.main()
