@@ -7,6 +7,7 @@ end at once. Absent components are looked for by their names.
 Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its neighbours.
 """
 
+import functools
 import time
 
 from rtshell_lite import errors
@@ -14,10 +15,11 @@ from rtshell_lite.corba import orb, session
 from rtshell_lite.events import observer
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, snapshot, tree
+from rtshell_lite.text import from_wire, to_wire
 
 SEEK = 0.3  # seconds between looks for the names of absent components; more where there are many
-BEAT = 10.0  # seconds between heartbeats of an observed component
-LATE = 2.5 * BEAT  # after so many seconds without one it is asked whether it lives
+BEAT = 20.0  # seconds between heartbeats of an observed component
+LATE = 1.5 * BEAT  # after so many seconds without one it is asked whether it lives
 AGAIN = 2.0  # seconds between questions to a dead object whose name is still bound
 TRIES = 5  # of a question whose connection is lost: to a process that ends, as a rule
 PAUSE = 0.15  # seconds between them
@@ -75,7 +77,9 @@ class Followed:
         """It reports an observer.Event, no heartbeat."""
 
     def seen(self, part):
-        """A question has shown that its "state" or its "ports" are not what `shown` has."""
+        """A question has shown that its "state", "contexts" (rates), "configuration" (the active set) or "ports"
+        are not what `shown` has.
+        """
 
     async def observe(self):
         """Lend it an observer, if it takes one, by the profile in `shown`. Raises Unreachable."""
@@ -276,26 +280,25 @@ class Presence:
             return
         self._looked[endpoint] = now
         polled = [each for each in self.at(endpoint) if _is_polled(each)]
-        questions = [(each, *question) for each in polled for question in _questions(each)]
+        number = polled[0].number
+        polled[0].number += 1
+        kind = _ASKED[number % len(_ASKED)]
+        questions = [(each, *question) for each in polled for question in kind(each)]
         if questions:
-            polled[0].number += 1
-            self.start(self._put(*questions[polled[0].number % len(questions)]), endpoint)
+            self.start(self._put(*questions[number // len(_ASKED) % len(questions)]), endpoint)
 
-    async def _put(self, each, ref, connector_id):
+    async def _put(self, each, part, has_changed):
+        """Ask a component a question: whether a part of it is not what `shown` has."""
         shown = each.shown
         try:
-            if connector_id is None:
-                is_changed = await component.state_in(shown.node, ref) not in shown.states
-            else:
-                profile = await orb.call(each.where, ref, "get_connector_profile", connector_id)
-                is_changed = not profile.connector_id
+            is_new = await has_changed(each.where, shown)
         except errors.Refused:
-            is_changed = True
+            is_new = True
         except errors.Error:
             await self.ask(each)
             return
-        if is_changed and each.shown is shown:
-            each.seen("state" if connector_id is None else "ports")
+        if is_new and each.shown is shown:
+            each.seen(part)
 
 
 def _is_polled(each):
@@ -307,12 +310,51 @@ def _is_doubtful(each, now):
     return is_late or each.is_there and (each.is_hung or each.is_ending)
 
 
-def _questions(each):
-    """(reference, id of a connector or None for its state) for what a component is asked in turn."""
-    found = [(context.ref, None) for context in each.shown.contexts[:1]]
+# ---- the questions: (part, function) that a component is asked in turn ---------------------------------------
+
+
+def _of_state(each):
+    yield "state", _is_in_other_state
+
+
+def _of_settings(each):
+    if each.shown.owned:
+        yield "contexts", _has_other_rate
+    if each.shown.configuration is not None:
+        yield "configuration", _has_other_set
+
+
+def _of_connections(each):
+    """Ports at one end of its connections: the other end has them, too."""
     for port in each.shown.ports:
-        found += [(port.ref, connector.id) for connector in port.connectors]
-    return found
+        if port.connectors and port.type != "DataInPort":
+            yield "ports", functools.partial(_has_lost, port)
+
+
+_ASKED = (_of_state, _of_connections, _of_state, _of_settings)  # kinds of questions, in turn
+
+
+async def _is_in_other_state(where, shown):
+    contexts = shown.contexts[:1]
+    states = [await component.state_in(shown.node, context.ref) for context in contexts]
+    return any(state not in shown.states for state in states)
+
+
+async def _has_other_rate(where, shown):
+    context = shown.owned[0]
+    return await orb.call(where, context.ref, "get_rate") != context.rate
+
+
+async def _has_other_set(where, shown):
+    known = shown.configuration
+    active = await orb.call(where, known.ref, "get_active_configuration_set")
+    now = from_wire(active.id), dict(orb.properties(active.configuration_data))
+    return now != (known.active, dict(known.set(known.active, True).values) if known.active else {})
+
+
+async def _has_lost(port, where, shown):
+    now = {profile.connector_id for profile in await orb.call(where, port.ref, "get_connector_profiles")}
+    return not {to_wire(connector.id) for connector in port.connectors} <= now
 
 
 async def _alive(each):
