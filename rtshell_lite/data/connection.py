@@ -340,6 +340,18 @@ class Connections:
             loop.current().hear(_signal.SIGTSTP, self._stop.ring)
             self._hears_stop = True
 
+    async def add(self, connections):
+        """Open further connections within the block; those that fail have a `failure`."""
+        for connection in connections:
+            connection.tasks = self._tasks
+            if connection not in self.connections:
+                self.connections.append(connection)
+        await self._each("open", connections)
+
+    def drop(self, connection):
+        """Forget a connection whose port is gone."""
+        self.connections.remove(connection)
+
     def live(self):
         """The connections that work, or may work again."""
         return [

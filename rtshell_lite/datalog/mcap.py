@@ -23,6 +23,7 @@ LITTLE = b"\0\1\0\0"  # in front of plain CDR
 BIG = b"\0\0\0\0"
 PREFIXES = {True: LITTLE, False: BIG}
 NEVER = (1 << 64) - 1
+LATEST = (1 << 63) - 1  # of times that are believed, ns
 
 _TIMES = struct.Struct("<QQ")
 _NUMBER = struct.Struct("<Q")

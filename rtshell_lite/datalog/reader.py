@@ -352,8 +352,8 @@ class Log:
     def _described(self, body):
         name, texts = mcap.metadata(body)
         created = texts.get("created", "")
-        if name == "rtlog" and self.started is None and created.isdigit() and len(created) < 19:
-            self.started = int(created)
+        if name == "rtlog" and self.started is None and created.isdigit() and len(created) < 20:
+            self.started = min(int(created), mcap.LATEST)
 
     def _define(self, kind, body):
         if kind == mcap.SCHEMA:
@@ -423,7 +423,7 @@ class Log:
 
     def _entry(self, number, moment, channel, data):
         ours = self._numbers.get(channel)
-        if ours is None or moment >= 1 << 63:
+        if ours is None or moment > mcap.LATEST:
             self._damaged[-1 - number] = 1
             return None
         encoding = self.channels[ours].encoding

@@ -48,7 +48,8 @@ class Channels:
                         "%s has another data type (%s, %s)"
                         % (printable(name), printable(channel.type_id), printable(type_id)),
                     )
-                channel.sources.append(where)
+                if where not in channel.sources:
+                    channel.sources.append(where)
                 return number
         try:
             type = await self._known.of_port(port)
@@ -60,12 +61,21 @@ class Channels:
         except errors.BadType as e:
             type = None
             self.notes.append(f"{where}: recorded as bytes: {e}")
+        self._append(name, type, type_id, where)
+        return len(self.found) - 1
+
+    def add_json(self, name, schema):
+        """The number of a channel of JSON; `schema` is its (name, encoding, data)."""
+        self.types.append(None)
+        self.found.append(Channel(name, schema[0], b"", [], "json", schema, ()))
+        return len(self.found) - 1
+
+    def _append(self, name, type, type_id, where):
         self.types.append(type)
         if type:
             self.found.append(Channel(name, type.id, type.to_bytes(), [where], "cdr", None, ()))
         else:
             self.found.append(Channel(name, type_id, b"", [where], "cdr", None, ()))
-        return len(self.found) - 1
 
 
 class Recorder:
@@ -77,13 +87,16 @@ class Recorder:
     2.1 repeats a `put` whose answer was lost; `failure` (OSError or None) why writing failed.
     """
 
-    def __init__(self, most=None, types=()):
-        """`types`: the datatypes.Type of each channel or None,
-        a list that may grow until the first message.
+    def __init__(self, most=None, types=(), channels=()):
+        """`types`: the datatypes.Type of each channel or None; `channels`: the records.Channels. Both lists may grow
+        until a message of theirs comes.
         """
         self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
         self._most = most
         self._types = types
+        self._channels = channels
+        self._added = 0  # how many of them the writer has
+        self._attachments = []  # that wait to be written: (moment, name, media type, data)
         self.count = self.octets = self.repeated = 0
         self._last = {}  # by channel: the data of the last value
         self.writer = self.failure = None
@@ -94,6 +107,7 @@ class Recorder:
         """Make the writer: that of a File for Channels, recorded since `begun` (ns since the epoch).
         Raises as File.writer does.
         """
+        self._added = len(self._channels)
         self.writer = await loop.on_thread(file.writer, channels, begun)
 
     async def run(self):
@@ -133,7 +147,16 @@ class Recorder:
         self.box.dropped[channel] += 1
         return False
 
+    def attach(self, moment, name, media_type, data):
+        """Put a file into the log, with the next messages."""
+        self._attachments.append((moment, name, media_type, data))
+
     def _append(self, batch):
+        for channel in self._channels[self._added :]:
+            self.writer.add(channel)
+            self._added += 1
+        while self._attachments:
+            self.writer.attach(*self._attachments.pop(0))
         self.writer.write(
             [(channel, message.received, message.little, message.data) for channel, message in batch]
         )
@@ -229,7 +252,7 @@ async def record(wanted, types, properties, pull, limits, file):
     tally = notes.Tally()
     channels = Channels(types)
     work = Recorder(limits.entries, channels.types)
-    readers = await _readers(wanted, properties, pull, channels, work.box, tally)
+    readers = await find_readers(wanted, properties, pull, channels, work.box, tally)
     for note in channels.notes:
         notes.note(note)
     watch = Watcher(readers)
@@ -242,15 +265,16 @@ async def record(wanted, types, properties, pull, limits, file):
                 if limits.words():
                     notes.note(limits.words())
                 async with loop.background(watch.watch()), loop.background(work.run()):
-                    await _wait(limits, work, opened)
+                    await wait(limits, work, opened)
     finally:
-        await loop.finish(_finish(work, watch, tally))
+        await loop.finish(finish(work, watch, tally))
     if work.failure:
         return 1
     return tally.status()
 
 
-async def _readers(wanted, properties, pull, channels, box, tally):
+async def find_readers(wanted, properties, pull, channels, box, tally):
+    """Readers of the ports that Targets name, each for its channel; what fails is counted in a Tally."""
     readers = []
     for number, target in enumerate(await port_arguments.find(wanted)):
         try:
@@ -265,13 +289,13 @@ async def _readers(wanted, properties, pull, channels, box, tally):
     return readers
 
 
-async def _wait(limits, work, opened):
-    """Wait for the end of recording, and report what is dropped."""
+async def wait(limits, work, opened=None):
+    """Wait for the end of recording, and report what is dropped. It ends when none of the Connections `opened` lives, too."""
     end = time.monotonic() + limits.left()
     reported = 0
     due = 0.0
     while (
-        opened.live()
+        (opened is None or opened.live())
         and time.monotonic() < end
         and not await work.done.wait(min(TICK, end - time.monotonic()))
     ):
@@ -284,7 +308,8 @@ async def _wait(limits, work, opened):
             )
 
 
-async def _finish(work, watch, tally):
+async def finish(work, watch, tally):
+    """End a recording: write what is left, and report."""
     try:
         await work.close()
     except OSError as e:

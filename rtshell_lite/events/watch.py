@@ -27,10 +27,11 @@ KINDS = list(observer.KINDS) + [LIFE]
 
 
 class Events:
-    """Watch for events of some of KINDS."""
+    """Watch for events of some of KINDS; `more` are further (property, value) for observers."""
 
-    def __init__(self, kinds):
+    def __init__(self, kinds, more=()):
         self.kinds = set(kinds)
+        self.more = more
 
     async def subscription(self, node, heard):
         """The observer to attach to a component, of the first kind that it takes, or None."""
@@ -42,7 +43,7 @@ class Events:
         offered = observer.taken(await observer.properties(node))
         for interface in kinds:
             if interface in offered:
-                return observer.observer(node, interface, self.kinds - {LIFE}, heard)
+                return observer.observer(node, interface, self.kinds - {LIFE}, heard, more=self.more)
         return None
 
     async def poll(self, node):
@@ -266,7 +267,7 @@ class Watch:
             await self._detach_all(hurried=is_signal)
 
     async def start(self, paths):
-        """Begin to watch the component at each path; an errors.Error or a Watched for each."""
+        """Begin to watch the component at each path, too; an errors.Error or a Watched for each."""
 
         async def begin(node):
             watched = Watched(self, node.path)
@@ -274,9 +275,10 @@ class Watch:
             return watched
 
         results = await tree.on_components(paths, begin)
-        self.watched = [watched for watched in results if isinstance(watched, Watched)]
+        begun = [watched for watched in results if isinstance(watched, Watched)]
+        self.watched += begun
         names = [watched.name for watched in self.watched]
-        for watched in self.watched:
+        for watched in begun:
             if names.count(watched.name) > 1:
                 watched.name = watched.where
             self._group.start(watched.follow(), watched.node.endpoint)
@@ -332,6 +334,10 @@ class Watch:
                 ", ".join(watched.where for watched in self.watched),
                 f"{number - left} of {number} within {seconds:g}s",
             )
+
+    def taken(self):
+        """What has come: [(Watched, Event or Record)]."""
+        return self._take(BATCH)
 
     def _take(self, most):
         batch = [self._items.popleft() for _ in range(min(most, len(self._items)))]

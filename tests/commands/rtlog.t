@@ -190,9 +190,6 @@ Wrong usage:
   $ rtlog Source0.rtc:number --property x
   rtlog: not KEY=VALUE: x (see --help)
   [2]
-  $ rtlog Source0.rtc
-  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc: no port specified (see --help)
-  [2]
   $ rtlog Source0.rtc:number --json -f x
   rtlog: --json and --csv exclude each other, and ports (see --help)
   [2]
@@ -214,9 +211,6 @@ What cannot be recorded; the others are:
   rtlog: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   rtlog: Recording for 0.1s.
   "name": "n"
-  $ rtlog -t 0.1 -f x /localhost
-  rtlog: /localhost: no port specified (see --help)
-  [2]
   $ rtlog -t 0.1 -f x /localhost:x
   rtlog: /localhost:x: localhost:x is not a name server (host or host:tcpport)
   [2]

@@ -70,7 +70,7 @@ class Files(Case):
         self.write(written)
         log, found = self.read()
         self.assertEqual(found, as_read(written))
-        self.assertEqual(log.channels, CHANNELS)
+        self.assertEqual((log.channels, log.started), (CHANNELS, START))
         self.assertEqual((log.count, log.first, log.last, log.counts, log.closed), (
             1000, written[0][1], written[-1][1], {"a": 500, "b": 500}, True))
         self.assertEqual(list(log.notes()), [])

@@ -1,0 +1,276 @@
+"""Recording a whole robot: every out port below some paths, now and later, and which of their values.
+
+Name servers are asked again and again which components there are; a component is asked for its ports once, when it
+appears, or another object has its name. No port gets more than one connector.
+"""
+
+import time
+
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb
+from rtshell_lite.data import connection, reading
+from rtshell_lite.data.watcher import Watcher
+from rtshell_lite.datalog import recorder
+from rtshell_lite.giop import descriptors
+from rtshell_lite.net import loop
+from rtshell_lite.robot import composites, ports, search, tree
+
+SEEK = 1.0  # seconds between two looks for components
+AGAIN = 10.0  # seconds until one that did not answer is asked again
+
+
+class Choice:
+    """Which ports are recorded, and how many of their values.
+
+    `only` and `without` are shell patterns for ports and types; `every` and `at_most`: {pattern: number}, of which the first
+    that fits counts.
+    """
+
+    def __init__(self, only=(), without=(), every=None, at_most=None):
+        self._only = search.patterns(only, ())
+        self._without = search.patterns(without, ())
+        self._every = [(search.patterns([glob], ())[0], number) for glob, number in (every or {}).items()]
+        self._at_most = [(search.patterns([glob], ())[0], hertz) for glob, hertz in (at_most or {}).items()]
+
+    def takes(self, port):
+        """Whether a Port is recorded."""
+        names = _names(port)
+        if self._only and not _fits(self._only, names):
+            return False
+        return port.type == "DataOutPort" and not _fits(self._without, names)
+
+    def thinned(self, port, deliver):
+        """A function that delivers some of the Messages of a Port."""
+        names = _names(port)
+        for pattern, number in self._every:
+            if _fits([pattern], names):
+                deliver = _every(number, deliver)
+                break
+        for pattern, hertz in self._at_most:
+            if _fits([pattern], names):
+                deliver = _at_most(hertz, deliver)
+                break
+        return deliver
+
+
+def _names(port):
+    """What patterns may fit: the path of a port, the end of it, its name; its type, in all spellings."""
+    label = ports.label(port)
+    dotted = descriptors.dotted(port.properties.get("dataport.data_type", ""))
+    return [label, label.rpartition("/")[2], label.rpartition(":")[2], dotted, dotted.rpartition(".")[2]]
+
+
+def _fits(patterns, names):
+    return any(match(name) for match in patterns for name in names)
+
+
+def _every(number, deliver):
+    count = -1
+
+    def take(message):
+        nonlocal count
+        count += 1
+        if count % number == 0:
+            deliver(message)
+
+    return take
+
+
+def _at_most(hertz, deliver):
+    due = 0
+    period = int(1e9 / hertz)
+
+    def take(message):
+        nonlocal due
+        if message.received >= due:
+            due = max(due + period, message.received - period // 2)
+            deliver(message)
+
+    return take
+
+
+class Flight:
+    """Follows the components below `tops` (Paths), and reads their ports.
+
+    take(port): an awaitable for the function that takes a Port's Messages; raises errors.Error. `readers` is the list of
+    reading.Readers, which grows and shrinks; `components` are the Paths of all that were seen.
+    """
+
+    def __init__(self, tops, choice, take, readers, properties, pull):
+        self._tops = tops
+        self._choice = choice
+        self._take = take
+        self.readers = readers
+        self._properties = properties
+        self._dataflow = "pull" if pull else None
+        self.components = {}  # Paths by their text
+        self.failures = {}  # by path: why it could not be listed
+        self._due = {}  # by identity of a component: when it is asked again; None: not
+        self._gone = set()  # identities of ports that are gone
+        self._read = {orb.identity(reader.port.ref): reader for reader in readers}  # by identity of a port
+
+    async def follow(self, opened):
+        """Look for components again and again, and connect to their ports, in connection.Connections."""
+        while True:
+            await loop.sleep(SEEK)
+            self._drop_dead(opened)
+            readers = await self.look()
+            if readers:
+                await opened.add(readers)
+
+    async def look(self):
+        """Readers for the ports of components that have come."""
+        found = await tree.at_each(self._tops, _components)
+        self.failures = {}
+        nodes = []
+        for top, part in zip(self._tops, found):
+            if isinstance(part, errors.Error):
+                self.failures[str(top)] = part
+            else:
+                nodes += part
+        now = time.monotonic()
+        new = []
+        for node in nodes:
+            identity = orb.identity(node.ref)
+            due = self._due.get(identity, 0.0)
+            if due is not None and now >= due:
+                self._due[identity] = now + AGAIN
+                new.append(node)
+        readers = []
+        for node, listed in zip(new, await tree.on_nodes(new, ports.ports)):
+            if not isinstance(listed, errors.Error):
+                self._due[orb.identity(node.ref)] = None
+                self.components[str(node.path)] = node.path
+                readers += [reader for reader in [await self._reader(port) for port in listed] if reader]
+        self.readers += readers
+        return readers
+
+    async def _reader(self, port):
+        """The Reader for a Port; None where it is not wanted, or read already."""
+        identity = orb.identity(port.ref)
+        if identity in self._read or not self._choice.takes(port):
+            return None
+        try:
+            reader = reading.Reader(port, None, self._dataflow, self._properties, "rtlog")
+            reader.deliver = self._choice.thinned(port, await self._take(port))
+        except errors.Error as e:
+            notes.fail(e)
+            return None
+        reader.compare_clocks()
+        self._read[identity] = reader
+        return reader
+
+    def _drop_dead(self, opened):
+        """Forget the Readers of ports that were gone at the last look, and are reported: they may come back."""
+        live = opened.live()
+        gone = {
+            identity
+            for identity, reader in self._read.items()
+            if reader not in live and isinstance(reader.failure, errors.Unreachable)
+        }
+        for identity in gone & self._gone:
+            reader = self._read.pop(identity)
+            self._due.pop(orb.identity(reader.port.node.ref), None)
+            self.readers.remove(reader)
+            opened.drop(reader)
+        self._gone = gone
+
+
+# ---- a recording from beginning to end ---------------------------------------------------------------------
+
+
+class Plan:
+    """What a flight records: `tops` (Paths), `wanted` ports (port_arguments.Targets), the Choice of ports below the tops, and
+    events with a `journal` (see system/journal.py, or None).
+    """
+
+    def __init__(self, tops, wanted, choice, journal=None):
+        self.tops = tops
+        self.wanted = wanted
+        self.choice = choice
+        self.journal = journal
+
+
+async def record(plan, types, properties, pull, limits, file):
+    """Record until a limit is reached; returns the exit status. The parameters are those of recorder.record."""
+    tally = notes.Tally()
+    channels = recorder.Channels(types)
+    work = recorder.Recorder(limits.entries, channels.types, channels.found)
+    readers = await recorder.find_readers(plan.wanted, properties, pull, channels, work.box, tally)
+
+    async def take(port):
+        return work.box.taker(await channel_of(channels, port))
+
+    flight = Flight(plan.tops, plan.choice, take, readers, properties, pull)
+    await flight.look()
+    for failure in flight.failures.values():
+        tally.add(failure)
+    if tally.statuses and not readers and len(flight.failures) == len(plan.tops):
+        return tally.status()
+    watch = Watcher(readers)
+    try:
+        await _fly(plan, flight, work, channels, watch, limits, file)
+    finally:
+        await loop.finish(recorder.finish(work, watch, tally))
+    if work.failure:
+        return 1
+    tally.done += 1  # it has recorded what there was
+    return tally.status()
+
+
+async def _fly(plan, flight, work, channels, watch, limits, file):
+    begun = int(time.time() * 1e9)
+    async with connection.Connections(flight.readers) as opened:
+        opened.step_aside_when_stopped()
+        await loop.finish(work.begin(file, channels, begun))
+        notes.note("Recording %d ports of %d components." % (len(flight.readers), len(flight.components)))
+        async with loop.background(watch.watch()), loop.background(work.run()):
+            async with loop.background(flight.follow(opened)), loop.background(
+                _journal(plan, flight, work, channels)
+            ):
+                await recorder.wait(limits, work)
+
+
+async def _journal(plan, flight, work, channels):
+    if plan.journal is not None:
+        await plan.journal.run(flight, work, channels)
+
+
+async def channel_of(channels, port):
+    """The number of the channel of a Port, which is called by its path; by its type, too, where that has changed."""
+    label = ports.label(port)
+    try:
+        return await channels.add(port, label)
+    except errors.Failed:
+        return await channels.add(port, "%s (%s)" % (label, port.properties.get("dataport.data_type", "")))
+
+
+async def _components(top):
+    """The components at and below a Path, whose last name may be a pattern; members of a composite, too."""
+    names = top.names
+    if names and any(mark in str(names[-1]) for mark in "*?"):
+        parent = await tree.resolve(top.parent())
+        match = search.patterns([str(names[-1])], ())[0]
+        below = [node for node in await tree.children(parent) if match(node.name)]
+        nodes = [each for node in below for each in await tree.walk(node, managers=node.kind == "manager")]
+    else:
+        node = await tree.resolve(top)
+        nodes = await tree.walk(node, managers=node.kind == "manager")
+        if node.kind == "component":
+            nodes += await _members(node)
+    if nodes and nodes[0].error is not None:
+        raise nodes[0].error
+    return [node for node in nodes if node.kind == "component" and node.alias is None]
+
+
+async def _members(node):
+    """The Nodes of the members of a composite, as far as they have names."""
+    from rtshell_lite import path as paths
+
+    found = []
+    for organisation in await composites.owned(node):
+        for text in await composites.member_paths(node, organisation):
+            if text.startswith("/"):
+                member = await tree.component(paths.parse(text))
+                found += [member] + await _members(member)
+    return found

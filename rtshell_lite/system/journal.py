@@ -1,0 +1,134 @@
+"""What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the whole system.
+
+Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as rtcryo writes it: at the start, and after
+changes.
+"""
+
+import json
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.data.reading import Message
+from rtshell_lite.events import presence, watch
+from rtshell_lite.net import loop
+from rtshell_lite.xmlprofile import rtsprofile
+
+EVENT = "rtlog.Event"
+RECORD = "rtlog.Record"
+TICK = 0.1  # seconds between two looks at what has been reported
+QUIET = 2.0  # seconds without a change, after which the system is looked at
+RARELY = 10.0  # seconds between two looks at the whole system
+CHANGES = ("PORT_CONNECT", "PORT_DISCONNECT", "DIED", "EXITED", "BACK", "APPEARED")
+SERIOUS = {"ERROR": "Error", "DIED": "died", "NO_ANSWER": "does not answer"}
+# components of C++ would report each value that is sent
+_FEW = tuple((f"port_profile.{word}_event.min_interval", presence.NEVER) for word in ("send", "receive"))
+
+
+def schema(name, fields):
+    """(name, encoding, data) of the JSON of a channel; `fields`: {name: type}."""
+    properties = {field: {"type": kind} for field, kind in fields.items()}
+    described = {"title": name, "type": "object", "properties": properties}
+    return name, "jsonschema", json.dumps(described, sort_keys=True).encode("ascii")
+
+
+_EVENTS = schema(EVENT, dict.fromkeys(("path", "kind", "subject", "event", "mark"), "string"))
+_RECORDS = schema(
+    RECORD, dict(dict.fromkeys(("path", "logger", "level", "message", "mark"), "string"), time="number")
+)
+
+
+class Journal:
+    """Events and logs of the components of a datalog.flight.Flight. `listener`, if any, is called with each event's fields."""
+
+    def __init__(self, tops, listener=None):
+        """`tops`: the Paths below which the system is that is described."""
+        self._tops = tops
+        self._listener = listener
+        self._changed = 0.0  # when something changed that the profile shows; 0: nothing
+        self._looked = 0.0
+        self._number = 0
+        self._work = None
+        self._numbers = None
+
+    async def run(self, flight, work, channels):
+        """Watch all components that come, until it is cancelled. `work`: a recorder.Recorder."""
+        self._work = work
+        self._numbers = channels.add_json("/events", _EVENTS), channels.add_json("/logs", _RECORDS)
+        known = set()
+        kinds = set(watch.KINDS) - {"HEARTBEAT"}
+        async with watch.Watch(watch.Events(kinds, _FEW), self._note) as events:
+            async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
+                while True:
+                    new = [path for text, path in flight.components.items() if text not in known]
+                    known |= {str(path) for path in new}
+                    if new:
+                        await self._begin(new, events, logs)
+                    self._take(events, logs)
+                    await self._describe()
+                    await loop.sleep(TICK)
+
+    async def _begin(self, paths, events, logs):
+        for path in paths:
+            self.put(str(path), "LIFE_EVENT", "", "APPEARED")
+        await events.start(paths)
+        await logs.start(paths)  # few components take loggers: the others say so
+
+    def _note(self, line):
+        """What is said of a component beside events."""
+
+    def _take(self, events, logs):
+        for watched, event in events.taken():
+            if event.event not in ("PORT_SEND", "PORT_RECEIVE"):
+                self.put(watched.where, event.kind, event.subject, event.event)
+        for watched, record in logs.taken():
+            fields = dict(record._asdict(), path=watched.where)
+            if record.level in ("ERROR", "FATAL"):
+                fields["mark"] = f"{watched.name}: {record.message[:80]}"
+            self._put(1, fields)
+
+    def put(self, where, kind, subject, event):
+        """Record an event of a component."""
+        fields = {"path": where, "kind": kind, "subject": subject, "event": event}
+        if event in SERIOUS:
+            fields["mark"] = "%s: %s" % (where.rpartition("/")[2], SERIOUS[event])
+        if event in CHANGES or kind == "CONFIG_EVENT":
+            self._changed = time.monotonic()
+        self._put(0, fields)
+        if self._listener is not None:
+            self._listener(fields)
+
+    def _put(self, which, fields):
+        data = json.dumps(fields, sort_keys=True).encode("ascii")
+        self._work.box.put(self._numbers[which], Message(int(time.time() * 1e9), data, True))
+
+    async def _describe(self):
+        """Attach the profile of the system: at the start, and when it has changed and is quiet."""
+        now = time.monotonic()
+        if not self._changed:
+            return
+        is_busy = now - self._changed < QUIET or now - self._looked < RARELY
+        if self._number and is_busy:
+            return
+        self._changed = 0.0
+        self._looked = now
+        self._number += 1
+        try:
+            data = await describe(self._tops)
+        except errors.Error:
+            return  # the next change shows it
+        self._work.attach(int(time.time() * 1e9), "system-%d.rtsys" % self._number, "application/xml", data)
+
+
+def _ignore(line):
+    """Take no notice of a line about loggers."""
+
+
+async def describe(tops):
+    """The RtsProfile of the system below some Paths, as octets of XML. Raises errors.Error."""
+    from rtshell_lite.system import capture
+
+    found = await capture.capture(tops, True)
+    profile = found.profile
+    profile.id = "RTSystem:rtlog:recorded:0"
+    profile.creation_date = profile.update_date = time.strftime("%Y-%m-%dT%H:%M:%S")
+    return rtsprofile.dump(profile, rtsprofile.XML).encode("utf-8", "surrogateescape")

@@ -1,0 +1,65 @@
+rtlog records a whole robot: every out port below a directory, now and later, and what happens.
+
+world: observed
+world: senders 100 100
+alone: kills and time
+
+  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ entries() { rtlog -d --json -f $1 2>/dev/null | python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
+
+A directory with events. A component that dies and comes back goes on in its channel; no port has two connectors:
+
+  $ rtlog -f a.mcap --events . 2> told & pid=$!; soon '[ $(entries a.mcap :number) -gt 20 ]'
+  $ soon 'ctl observers ConsoleIn0 | grep Observer'; rtact ConsoleIn0.rtc; ctl error ConsoleIn0
+  $ ctl @senders connectors Source0:number | wc -l
+  1
+  $ kill-mock senders; soon 'rtlog --json -q -f a.mcap | grep DIED'; before=$(entries a.mcap :number)
+  $ mock senders 100 100; soon '[ $(entries a.mcap :number) -gt $((before + 50)) ]'; soon 'rtlog --json -q -f a.mcap | grep BACK'
+  $ kill $pid; wait $pid
+  [143]
+  $ cat told
+  rtlog: Recording * ports of * components. (glob)
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:block: the component is gone, and its process too
+  $ rtlog -d --json -f a.mcap | grep -o '"name": "[^"]*Source0[^"]*"\|closed": [a-z]*\|"system-1.rtsys"'
+  "system-1.rtsys"
+  "name": "/localhost:$PORT/test.host_cxt/Source0.rtc:number"
+  "name": "/localhost:$PORT/test.host_cxt/Source0.rtc:block"
+  closed": true
+  $ rtlog --json -f a.mcap | grep rtlog.Event | grep 'RTC_STATUS\|DIED\|BACK' | sed 's/.*"value": //' | sort -u
+  {"event": "ACTIVE", "kind": "RTC_STATUS", "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc", "subject": "0"}}
+  {"event": "BACK", "kind": "LIFE_EVENT", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": ""}}
+  {"event": "DIED", "kind": "LIFE_EVENT", "mark": "Source0.rtc: died", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": ""}}
+  {"event": "ERROR", "kind": "RTC_STATUS", "mark": "ConsoleIn0.rtc: Error", "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc", "subject": "0"}}
+  $ rtplot -f a.mcap --ascii Source0.rtc:number | grep 's  .*rtc:' | sed 's/^[^ ]* s  //' | sort -u
+  ConsoleIn0.rtc: Error
+  Source0.rtc: died
+  $ soon '[ -z "$(ctl @senders2 connectors Source0:number)" ]'; ctl observers ConsoleIn0
+
+Some ports, and some of their values:
+
+  $ rtlog -q -t 2 -f b.mcap --only '*number' --every 10 .; [ $(entries b.mcap :number) -lt 30 ]; rtlog -d -f b.mcap | grep -c Channel
+  1
+  $ rtlog -q -t 2 -f b.mcap --not TimedLong --at-most '5:*block' 'Sou*'; [ $(entries b.mcap :block) -lt 15 ]; rtlog -d -f b.mcap | grep -c Channel
+  1
+  $ rtlog -q -t 0.5 -f b.mcap Source0.rtc:number.x Source0.rtc; rtlog -d --json -f b.mcap | grep -o '"name": "[^"]*"'
+  "name": "x"
+  "name": "/localhost:$PORT/test.host_cxt/Source0.rtc:block"
+
+What cannot be:
+
+  $ rtlog -t 1 -f c.mcap ./nothing
+  rtlog: /localhost:$PORT/test.host_cxt/nothing: no such path
+  [3]
+  $ rtlog -t 1 --events -f c.mcap Source0.rtc:number
+  rtlog: --only, --not, --every, --at-most and --events need a PATH without a port (see --help)
+  [2]
+  $ rtlog -t 1 --every x -f c.mcap .
+  rtlog: --every: not N or N:GLOB: x (see --help)
+  [2]
+  $ rtlog -t 1 --at-most 0:a -f c.mcap .
+  rtlog: --at-most: not above 0: 0:a (see --help)
+  [2]
+  $ rtlog -t 1 -l text -f c.mcap .
+  rtlog: -l text takes ports only (see --help)
+  [2]
