@@ -43,13 +43,10 @@ def of_words(operation, words, find):
 
 
 def of_json(operation, given, find):
-    """The same from a JSON object of all arguments: a text, @FILE, or - for stdin."""
+    """The same from a text, a JSON object of all arguments."""
     import json
-    from rtshell_lite import files
     from rtshell_lite.data import build_value
 
-    if given == "-" or given.startswith("@"):
-        given = files.read(given.lstrip("@"))
     try:
         written = json.loads(given, parse_constant=lambda word: build_value.NUMBERS[word])
     except (ValueError, RecursionError) as e:
@@ -59,6 +56,22 @@ def of_json(operation, given, find):
     return _built(
         operation, {_parameter(operation, name).name: (value, True) for name, value in written.items()}, find
     )
+
+
+def of_line(operation, line, find):
+    """The same from a line of JSON: the value of the only argument, or an array or an object of all; nothing for an
+    operation without any.
+    """
+    given = operation.given()
+    if not line.strip():
+        return _built(operation, {}, find)
+    if len(given) == 1 and not re.match(r'\s*\{\s*"%s"\s*:' % given[0].name, line):
+        return _built(operation, {given[0].name: _parsed(given[0].type, line.strip())}, find)
+    if line.lstrip()[:1] == "[":
+        from rtshell_lite.data import literals
+
+        return of_values(operation, literals.parse(line)[0], {}, find)
+    return of_json(operation, line, find)
 
 
 def of_values(operation, values, named, find):

@@ -218,7 +218,7 @@ async def providers(path, types):
     listed = await ports.ports(node)
     if path.port is None:
         found = [service for port in listed for service in await services.of_port(port)]
-        return [_of_service(service, types) for service in found]
+        return [of_service(service, types) for service in found]
     port, instance = _named(path, listed)
     found = await services.of_port(port)
     if not found:
@@ -230,7 +230,7 @@ async def providers(path, types):
             raise errors.NoSuch(
                 ports.label(port), "interface", text.printable(instance) + text.candidates(instance, there)
             )
-    return [_of_service(service, types) for service in found]
+    return [of_service(service, types) for service in found]
 
 
 def _named(path, listed):
@@ -246,7 +246,8 @@ def _named(path, listed):
     raise port
 
 
-def _of_service(service, types):
+def of_service(service, types):
+    """The Provider for a services.Service."""
     return Provider(
         services.label(service), service.port.node, service.ref, service.repository_id, service, types
     )

@@ -21,7 +21,7 @@ README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files.
     instance_name, type_name, category, vendor, version, description
     profile.json                            all of it, as rtcat --json prints it
     properties/KEY
-    ports/PORT/type, data_type, properties/KEY, interfaces/NAME
+    ports/PORT/type, data_type, properties/KEY, interfaces/NAME/type
     ports/PORT/connections/NAME             a link to the port at the other end; ln -s connects, rm disconnects
     configuration/active                    the active set; write a name
     configuration/SET/PARAM                 read, write
@@ -39,6 +39,8 @@ Not listed, as they wait, connect, change something or cost much; those that are
   ports/PORT/value                          of an in port: write a value; it has been read when the write returns.
                                             of an out port: the next value
   ports/PORT/values                         of an out port: one value a line, for ever
+  ports/PORT/interfaces/NAME/OPERATION      of a provided interface whose IDL is known (RTSHELL_IDL): write a line of JSON, the
+                                            argument or an object of all, and read what it returns from the same open file
   events, log                               of a component, as rtwatch and rtvlog print them
   loadable                                  of a manager: modules that it could load; it runs a process for each
 

@@ -55,6 +55,10 @@ class OpenFile:
         self._size = 0
         return _text(whole)
 
+    async def store(self, text):
+        """Do what is written. Raises errors.Error."""
+        await self.node.store(text)
+
     def split(self, begun):
         """(what can be stored now, what the next piece belongs to)"""
         return b"", begun

@@ -7,6 +7,7 @@ import stat
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import Absent, Directory, Items, Link, Text, line, link_text, meant, unique
+from rtshell_lite.mount.services import InterfacesDirectory
 from rtshell_lite.robot import connectors, places, ports
 
 # A connection of a port, as seen from one of its ends: the Connector, and the reference of one of the other
@@ -68,15 +69,10 @@ class PortDirectory(Directory):
                 lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")),
             )
         else:
-            found["interfaces"] = (Items, self.source, self._interfaces)
+            found["interfaces"] = (InterfacesDirectory,)
         found["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
         found["connections"] = (ConnectionsDirectory,)
         return found
-
-    def _interfaces(self, snapshot):
-        return [
-            (one.instance_name, f"{one.polarity} {one.type_name}") for one in self.port(snapshot).interfaces
-        ]
 
     def hidden(self, snapshot):
         from rtshell_lite.mount.streams import PortStream, Sending  # with all that sends and receives data

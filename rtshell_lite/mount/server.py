@@ -34,6 +34,7 @@ ERRNOS = (
     (errors.BadPath, errno.EINVAL),
     (errors.Usage, errno.EINVAL),
     (errors.Refused, errno.EPERM),
+    (errors.Raised, errno.EPERM),
     (errors.Failed, errno.EPERM),
 )
 # Of these a name that is not there is no failure worth keeping.
@@ -306,7 +307,7 @@ class Server:
             return payload
 
         async def store():
-            await handle.node.store(text)
+            await handle.store(text)
             return payload
 
         self._change(request, handle.node, store)

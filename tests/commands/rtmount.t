@@ -113,7 +113,7 @@ Ports, and what they are connected to:
   interfaces
   properties
   type
-  $ cat MyServiceProvider0.rtc/ports/MyService/interfaces/*
+  $ cat MyServiceProvider0.rtc/ports/MyService/interfaces/*/type
   Provided MyService
 
 Configuration; hidden sets are not listed, but can be opened:
@@ -204,6 +204,7 @@ The modules that could be loaded are in no listing: to find them, a manager runs
   RTC:Shinji Kurihara:test:Err:Python:1.0
   RTC:Shinji Kurihara:test:ErrStart:Python:1.0
   RTC:Shinji Kurihara:test:Mock:Python:1.0
+  RTC:Shinji Kurihara:test:Robot:Python:1.0
   RTC:Shinji Kurihara:test:Slow:Python:1.0
   RTC:Shinji Kurihara:test:Source:Python:1.0
   RTC:Shinji Kurihara:test:Stuck:Python:1.0
