@@ -23,6 +23,7 @@ from rtshell_lite.giop.descriptors import (
     STRING,
     STRUCT,
     TYPECODE,
+    ULONGLONG,
     UNION,
 )
 from rtshell_lite.giop.marshal import Any, TypeCode
@@ -38,7 +39,10 @@ def invoke(orb, where, ref, schema, args):
     from omniORB import CORBA
 
     given, returned, raised = _described(schema)
-    values = tuple(_sent(orb, descriptor, value) for descriptor, value in zip(schema.given, args))
+    try:
+        values = tuple(_sent(orb, descriptor, value) for descriptor, value in zip(schema.given, args))
+    except OverflowError as e:
+        raise errors.Refused(where, f"cannot be asked: {e}", name="BAD_PARAM")
     answers.begin()
     try:
         result = ref._obj.invoke(schema.name, (given, returned, raised), values)
@@ -86,7 +90,11 @@ class _Described:
         if kind == OBJECT and self.is_guarded:
             return ior.guarded(descriptor, _taker, None)
         if kind == INDIRECT:
-            return (INDIRECT, self.holes[id(descriptors.around(descriptor))])
+            descriptor = descriptors.around(descriptor)
+            kind = descriptors.kind(descriptor)
+        hole = self.holes.get(id(descriptor))
+        if hole:
+            return hole[0] or (INDIRECT, hole)
         if kind == STRUCT:
             return self._within(descriptor, lambda: (STRUCT,) + descriptor[1:4] + self._members(descriptor))
         if kind == UNION:
@@ -101,7 +109,7 @@ class _Described:
         return (kind, made, type_id, name) + self._members(descriptor)
 
     def _within(self, descriptor, make):
-        hole = self.holes.setdefault(id(descriptor), [None])
+        hole = self.holes[id(descriptor)] = [None]
         hole[0] = make()
         return hole[0]
 
@@ -164,7 +172,15 @@ def _sent(orb, descriptor, value):
         from omniORB import CORBA
 
         return CORBA.fixed(descriptor[1], descriptor[2], int(value.replace(".", "")))
+    if kind in (SEQUENCE, ARRAY):
+        _check_numbers(descriptors.element(descriptor), value)
     return _each_part(functools.partial(_sent, orb), descriptor, value)
+
+
+def _check_numbers(element, value):
+    """Raise OverflowError for numbers in a sequence that omniORBpy (4.3) sends as others."""
+    if descriptors.target(element) == ULONGLONG and any(number >> 63 for number in value):
+        raise OverflowError("omniORBpy sends no such numbers in sequences; set RTSHELL_ORB=builtin")
 
 
 def _typecode(descriptor):

@@ -54,6 +54,7 @@ from rtshell_lite import errors
 ) = range(2, 29)
 VALUE = 29
 INDIRECT = -1
+_INDIRECT = 0xFFFFFFFF  # the same in TypeCodes that omniORBpy has read
 
 NAMES = {
     SHORT: "short",
@@ -419,10 +420,13 @@ class Adoption:
         self.each = each
         self.count = 0
         self.sequences = 0
+        self.taking = set()  # identities of the structs and unions around this place
         self.open = {}  # id of each struct or union around this place → its hole, and the sequences around it
 
     def take(self, descriptor, depth):
         sort = kind(descriptor)
+        if sort == _INDIRECT:
+            sort = INDIRECT
         if sort == ENUM:
             self.count += len(items(descriptor))
         elif sort in (STRUCT, UNION):
@@ -452,6 +456,9 @@ class Adoption:
             return self.indirection(around(descriptor), depth)
         if sort not in (STRUCT, UNION):
             raise errors.BadType(words(descriptor), "no type for data")
+        if id(descriptor) in self.taking:  # by way of an alias or a sequence that an indirection names
+            return self.indirection(descriptor, depth)
+        self.taking.add(id(descriptor))
         hole = [None]
         before = self.open.get(descriptor[2])
         self.open[descriptor[2]] = hole, self.sequences
@@ -460,6 +467,7 @@ class Adoption:
         else:
             hole[0] = self.choice(descriptor, depth)
         self.open[descriptor[2]] = before  # of another one of that id, around this one
+        self.taking.discard(id(descriptor))
         return hole[0]
 
     def structure(self, descriptor, depth):
@@ -492,6 +500,8 @@ class Adoption:
         return (ENUM, descriptor[1], descriptor[2], taken)
 
     def indirection(self, inner, depth):
+        if kind(inner) in (ALIAS, SEQUENCE, ARRAY):
+            return self.take(inner, depth - 1)
         if isinstance(inner, str):
             wanted = inner
         elif isinstance(inner, tuple) and len(inner) > 2:

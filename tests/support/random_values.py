@@ -2,9 +2,9 @@
 import math
 import struct
 
-from rtshell_lite.giop import descriptors
-from rtshell_lite.giop.descriptors import (ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, OCTET, RANGES, SEQUENCE, STRING, STRUCT,
-                                           UNION, WCHAR, WSTRING, kind, target)
+from rtshell_lite.giop import descriptors, marshal, rare, references
+from rtshell_lite.giop.descriptors import (ANY, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FIXED, FLOAT, OBJECT, OCTET, RANGES, SEQUENCE,
+                                           STRING, STRUCT, TYPECODE, UNION, WCHAR, WSTRING, kind, target)
 
 LETTERS = "ab'\"\\{}\n\x1b é日本\u202e"
 
@@ -37,6 +37,16 @@ def value(rng, descriptor, depth=4):
         return bytes(values) if inner == OCTET else "".join(values) if inner == CHAR else values
     if sort == STRUCT:
         return descriptor[1](*[value(rng, inner, depth - 1) for _, inner in descriptors.members(descriptor)])
+    if sort == FIXED:
+        return rare.fixed("%s%d.%s" % (rng.choice(("", "-")), rng.randrange(10 ** (descriptor[1] - descriptor[2])),
+                                       "%0*d" % (descriptor[2], rng.randrange(10 ** descriptor[2]))), *descriptor[1:])
+    if sort == OBJECT:
+        return rng.choice((None, references.at("127.0.0.1", 1, b"key")))
+    if sort == TYPECODE:
+        return marshal.TypeCode(rng.choice((2, (STRING, 0), (SEQUENCE, (SEQUENCE, 3, 0), 4))))
+    if sort == ANY:
+        inner = rng.choice((3, DOUBLE, (STRING, 0), (WSTRING, 0), (SEQUENCE, BOOLEAN, 0), (SEQUENCE, ANY, 0), (FIXED, 4, 2)))
+        return marshal.Any(inner, value(rng, inner, depth - 1))
     assert sort == UNION
     label = rng.choice([case[0] for case in descriptor[6]] + [value(rng, descriptor[4])])
     case = descriptor[8].get(label, descriptor[7])
