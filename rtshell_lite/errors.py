@@ -116,6 +116,12 @@ class Misspelt(NotFound):
     """{}: no such path; did you mean {}?"""
 
 
+class Ambiguous(Error):
+    """{}: {}; which one?"""  # what was typed, what it may mean
+
+    status = 3
+
+
 class NoSuch(Error):
     """{}: no such {}: {}"""
 

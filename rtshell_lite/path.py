@@ -5,6 +5,10 @@ and kind at its last dot, as in OpenRTM. `.`, `..` and a working directory (RTCS
 system. A backslash makes the next character an ordinary one (`\/ \: \. \\`), \xHH \uHHHH \UHHHHHHHH name a
 character by its code, and \e is an empty name. Spelling a path (`str`) and parsing it again gives the same
 path.
+
+Without a name server: corbaloc:iiop:HOST:PORT/KEY/…/NAME:PORT and IOR:…, whose SERVER is that object. OpenRTM's
+own rtcname://HOST/CONTEXT.kind/NAME.PORT and rtcloc://HOST:PORT/CATEGORY/NAME are read, too (docs/protocol.md 1).
+In names and in the place of a server, * is any one and ** any number of them: robot/lookup.py finds what is meant.
 """
 
 import collections
@@ -18,6 +22,13 @@ DEFAULT_PORT = 2809
 # name servers behind HTTP: the rest of the path follows a '#'
 SCHEMES = ("http://", "https://", "ws://", "wss://")
 PROTOCOLS = ("iiop", "ssliop", "diop", "shmiop", "htiop")
+MANAGER_PORT = 2810  # corba.master_manager
+# objects that are reached without a name server, in the place of a server
+REFERENCES = ("corbaloc:", "IOR:")
+# after its groups: the address, and the rest with the key
+CORBALOC = r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(.+))?\Z"
+ANY = ("*", "**")
+_OPENRTM = r"(rtcname|rtcloc)(?:\.iiop)?(\.\w+)?://"
 
 
 class Name(collections.namedtuple("Name", "id kind")):
@@ -47,7 +58,7 @@ class Path(collections.namedtuple("Path", "server names port directory")):
     def __str__(self):
         if self.server is None:
             return "/"
-        text = "/" + _spelt_server(self.server) + "".join("/" + str(name) for name in self.names)
+        text = _spelt_server(self.server) + "".join("/" + str(name) for name in self.names)
         if self.port is not None:
             text += ":" + _spelt(self.port)
         return text
@@ -65,6 +76,13 @@ class Path(collections.namedtuple("Path", "server names port directory")):
     def object(self):
         """The same path without its port."""
         return Path(self.server, self.names, None, False)
+
+    @property
+    def instance(self):
+        """The name before the ports of a component that is bound so; "" for one without a name."""
+        if self.names:
+            return self.names[-1].id
+        return ""
 
     def with_port(self, port):
         """The path of the port called `port` of this component."""
@@ -85,9 +103,11 @@ def _spelt(s, more=""):
 
 
 def _spelt_server(server):
+    if server.startswith(REFERENCES):
+        return printable(server)
     if server.startswith(SCHEMES):
-        return printable(server) + "#"
-    return printable(server).replace("/", "\\/")
+        return "/" + printable(server) + "#"
+    return "/" + printable(server).replace("/", "\\/")
 
 
 def parse(text, cwd=None):
@@ -95,12 +115,12 @@ def parse(text, cwd=None):
 
     An empty path is the working directory, as for rtshell.
     """
-    elements = _elements(typed(text) or ".")
-    if not text.startswith("/"):
-        elements = _elements(typed(_working_directory(cwd))) + elements
-    directory = elements[-1] in ("", ".", "..")
+    wanted = elements(text)
+    if not is_absolute(text):
+        wanted = elements(_working_directory(cwd)) + wanted
+    directory = wanted[-1] in ("", ".", "..")
     resolved = []  # type: list
-    for element in elements:
+    for element in wanted:
         if element in ("", "."):
             continue
         if element == "..":
@@ -111,7 +131,8 @@ def parse(text, cwd=None):
         return ROOT
     server = _server(resolved[0], text)
     if len(resolved) == 1:
-        return Path(server, (), None, directory)
+        server, port = _split_reference(server, text)
+        return Path(server, (), port, directory)
     last, port = _split_port(resolved[-1], text)
     names = tuple(_name(element, text) for element in resolved[1:-1] + [last])
     if port is not None and directory:
@@ -122,9 +143,14 @@ def parse(text, cwd=None):
 def _working_directory(cwd):
     if cwd is None:
         cwd = os.environ.get("RTCSH_CWD") or "/"
-    if not cwd.startswith("/"):
+    if not is_absolute(cwd):
         raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
     return cwd
+
+
+def is_absolute(text):
+    """Whether a path as typed does not start at the working directory."""
+    return text.startswith(("/",) + REFERENCES) or re.match(_OPENRTM, text) is not None
 
 
 def _cut(text, separator):
@@ -140,23 +166,97 @@ def _cut(text, separator):
     return pieces + [text[start:]]
 
 
+def elements(text):
+    """The elements of a path as typed, still escaped. Raises BadPath."""
+    return _elements(_standard(typed(text)) or ".")
+
+
 def _elements(text):
     """The elements between the slashes, still escaped; the first one is empty for an absolute path."""
     if text.lstrip("/").startswith(SCHEMES):
         server, _, rest = text.lstrip("/").partition("#")
         return [server] + (_cut(rest, "/") if rest else [])
+    if text.lstrip("/").startswith(REFERENCES):
+        return _reference(text.lstrip("/"))
     return _cut(text, "/")
+
+
+# ---- without a name server ---------------------------------------------------------------------------------
+
+
+def _standard(text):
+    """OpenRTM's rtcname:// and rtcloc:// as a path of ours; other text as it is."""
+    found = re.match(_OPENRTM, text)
+    if not found:
+        return text
+    form, protocol = found.groups()
+    host, _, rest = text[found.end() :].partition("/")
+    if protocol or not host or not rest:
+        raise errors.BadPath(text, "not rtcname://HOST[:PORT]/…/NAME or rtcloc://HOST[:PORT]/CATEGORY/NAME")
+    above, slash, last = rest.rpartition("/")
+    if ":" not in last and not last.endswith((".rtc", ".mgr")):
+        name, dot, port = last.partition(".")
+        last = name + ".rtc" + (":" + port if dot else "")
+    if form == "rtcname":
+        above = re.sub(r"\*(?=/|\Z)", "**", above)  # looked for in all directories below
+        return "/" + host + "/" + above + slash + last
+    if host in ANY:
+        raise errors.BadPath(text, "name the host of the manager")
+    return f"corbaloc:iiop:{host}/manager/{last}"
+
+
+def _reference(text):
+    """The elements of a path that begins with an object; the first one is not escaped."""
+    first, *below = _cut(text, "/")
+    if text.startswith("IOR:"):
+        return [first] + below
+    found = re.match(CORBALOC, text, re.DOTALL)
+    if not found or split_address(found.group(1))[1] is None:
+        raise errors.BadPath(printable(text), "not corbaloc:iiop:HOST[:PORT][/KEY]")
+    address, rest = found.groups()
+    key, *below = _cut(rest or "manager", "/")
+    if key == "NameService":
+        return ["", address] + below
+    # keys of components may have a slash in them: CATEGORY/NAME
+    while key != "manager" and below and not re.search(r"\.(rtc|mgr)(:|\Z)", below[0]):
+        key += "/" + below.pop(0)
+    if ":" not in address:
+        address += f":{MANAGER_PORT}"
+    return [f"corbaloc:iiop:{address}/{key}"] + below
+
+
+def _split_reference(server, text):
+    """(server, port) where the server is an object, and a port of that may follow."""
+    if not server.startswith(REFERENCES):
+        return server, None
+    at = max(server.rfind("/"), 3) + 1
+    head, colon, port = server[at:].partition(":")
+    if colon and not port:
+        raise errors.BadPath(text, "no port after the colon")
+    if server.startswith("IOR:") and not re.match("([0-9a-fA-F]{2})+\\Z", head):
+        raise errors.BadPath(text, "not a stringified reference (IOR:…)")
+    return server[:at] + head, port or None
+
+
+# ---- elements ----------------------------------------------------------------------------------------------
 
 
 def _server(element, text):
     """A server address; its colons belong to it."""
     address = _unescaped(element, text)
-    if address.startswith(SCHEMES) or address.partition(":")[0] in PROTOCOLS:
+    if address.startswith(REFERENCES + SCHEMES) or address.partition(":")[0] in PROTOCOLS:
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:
-        raise errors.BadPath(text, f"{address} is not a name server (host or host:tcpport)")
+        raise errors.BadPath(text, _why_no_server(address))
     return address
+
+
+def _why_no_server(address):
+    host, _, port = address.partition(":")
+    if host and port and ":" not in port:
+        return f"{port} is not a TCP port (1 to 65535)"
+    return f"{address} is not a name server (host or host:tcpport)"
 
 
 def split_address(address):

@@ -4,11 +4,11 @@ import collections
 import re
 
 from rtshell_lite import errors, path as paths
-from rtshell_lite.robot import ports, tree
+from rtshell_lite.robot import lookup, ports, tree
 from rtshell_lite.text import printable
 
-# A port as typed: NAME is still part of the port in `path`; `label` is printable.
-Target = collections.namedtuple("Target", "path formatter label")
+# A port as typed, `word`: NAME is still part of the port in `path`; `label` is printable.
+Target = collections.namedtuple("Target", "word path formatter label")
 # The Port, and the NAME given or None.
 Found = collections.namedtuple("Found", "port name formatter label")
 
@@ -28,7 +28,7 @@ def parse(words, formatters=False):
         path = paths.parse(text)
         if path.port is None:
             raise errors.Usage(f"{path!s}: no port specified")
-        targets.append(Target(path, formatter and formatter.group(1), printable(text)))
+        targets.append(Target(text, path, formatter and formatter.group(1), printable(text)))
     return targets
 
 
@@ -37,6 +37,8 @@ async def find(targets):
 
     A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
+    meant = await lookup.paths([target.word for target in targets])
+    targets = [target._replace(path=path) for target, path in zip(targets, meant)]
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
     return [
         known if isinstance(known, errors.Error) else _named(target, known)

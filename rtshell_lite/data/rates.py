@@ -25,7 +25,7 @@ async def measured(node, seconds):
             count, spent = await reading.count_writes(port, seconds)
             if count > 1:
                 return count / spent, "writes to " + printable(
-                    ports.short_name(port.name, node.path.names[-1].id)
+                    ports.short_name(port.name, node.path.instance)
                 )
     return None, "no out port is written to"
 

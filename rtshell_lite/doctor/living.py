@@ -9,6 +9,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import counted, listed, warn
+from rtshell_lite.path import MANAGER_PORT
 from rtshell_lite.robot import manager
 from rtshell_lite.system import capture
 
@@ -110,4 +111,4 @@ def _managers(component):
         return
     for name in where.names:
         if name.kind == "host_cxt" and name.id:
-            yield "corbaloc::%s:%d/manager" % (name.id, manager.DEFAULT_PORT)
+            yield "corbaloc::%s:%d/manager" % (name.id, MANAGER_PORT)

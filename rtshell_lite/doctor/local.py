@@ -287,7 +287,8 @@ async def fault(address):
     """What is wrong with the address of a name server, '' if nothing."""
     if re.search(r"[,\s]", address):
         return "several are separated by semicolons"
-    if address.startswith(("corbaloc:", "corbaname:", "rtcname:", "rtcloc:", "IOR:")):
+    is_manager = re.match("corbaloc:.*/manager$", address)
+    if not is_manager and address.startswith(("corbaloc:", "corbaname:", "rtcname:", "rtcloc:", "IOR:")):
         return f"only HOST[:PORT], without {address.partition(':')[0]}:"
     try:
         parsed = path.parse("/" + address)

@@ -181,7 +181,7 @@ def _finding(watched, spent, missed):
     in which this host was too busy for `missed` seconds to let us run, and perhaps others.
     """
     where = watched.where
-    name = printable(ports.short_name(watched.port.name, watched.snapshot.node.path.names[-1].id))
+    name = printable(ports.short_name(watched.port.name, watched.snapshot.node.path.instance))
     if watched.count < 2:
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = watched.count / spent

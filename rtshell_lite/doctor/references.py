@@ -187,6 +187,8 @@ async def _not_what_it_says(node):
     """A name of kind rtc or mgr for an object of another kind: somebody else's;
     and objects of unknown kinds.
     """
+    if not node.path.names:
+        return []
     kind = node.path.names[-1].kind
     expected = {"rtc": "component", "mgr": "manager"}
     what = printable(orb.address(node.ref).type_id) or node.what

@@ -60,7 +60,8 @@ def _too_late(place, e, findings=()):
 async def _visit(place, tops, used):
     """The Visit to one name server; `used` are the ports of all."""
     visit = Visit(place, [], [], [], {}, aliases.Known(), "")
-    if not await _reach(visit, await tree.resolve(place), used):
+    server = await tree.resolve(place)
+    if server.kind == "server" and not await _reach(visit, server, used):
         return visit
     for top in tops:
         known = {node.path for node in visit.nodes}
@@ -94,7 +95,7 @@ async def _unbound(visit):
     """
     host = orb.endpoint((await tree.resolve(visit.path)).ref)[0]
     where = str(visit.path)
-    word = "corbaloc::%s:%d/manager" % (f"[{host}]" if ":" in host else host, manager.DEFAULT_PORT)
+    word = "corbaloc::%s:%d/manager" % (f"[{host}]" if ":" in host else host, path.MANAGER_PORT)
     try:
         living = await manager.components(await manager.find(word))
     except errors.Error:
@@ -102,7 +103,7 @@ async def _unbound(visit):
     if not living:
         return []
     message = (
-        f"has no names, though a manager at port {manager.DEFAULT_PORT} of its host has {counted(len(living), 'component')} "
+        f"has no names, though a manager at port {path.MANAGER_PORT} of its host has {counted(len(living), 'component')} "
         f"({listed(printable(name) for name, _ in living)}): it was started again, perhaps, and they were not"
     )
     return [warn("name server", where, message, remedies.words("bind again"))]

@@ -81,7 +81,7 @@ class Watched:
         self.watch = watch
         self.path = path
         self.where = str(path)
-        self.name = str(path.names[-1])  # in lines; its path if two have the same
+        self.name = str(path.names[-1] if path.names else path)  # in lines; its path if two have the same
         self.node = self.subscription = self.poll = self.heard = None
         self.since = self.looked = time.monotonic()
         self.ending = False  # it has announced that it will exit

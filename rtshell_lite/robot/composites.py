@@ -132,7 +132,7 @@ async def member(path, must_live=True):
     except (errors.NotFound, errors.Unreachable):
         if must_live or not path.names:
             raise
-        return Member(path.names[-1].id, None, wanted)
+        return Member(path.instance, None, wanted)
     if must_live and wanted:
         names = [ports.short_name(port.name, instance) for port in await ports.ports(node)]
         for name in wanted:

@@ -42,8 +42,8 @@ async def connect(ends, name="", connector_id="", given=None):
     """
     given = given or {}
     ports.check(ends, given)
-    name = name or ports.short_name(ends[0].name, ends[0].node.path.names[-1].id) + "_".join(
-        ports.short_name(port.name, port.node.path.names[-1].id) for port in ends[1:]
+    name = name or ports.short_name(ends[0].name, ends[0].node.path.instance) + "_".join(
+        ports.short_name(port.name, port.node.path.instance) for port in ends[1:]
     )
     refs = [port.ref for port in sorted(ends, key=lambda port: port.type == "DataInPort")]
     asked = orb.struct(PROFILE)(

@@ -10,20 +10,15 @@ import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.path import Path, parse, split_address
-from rtshell_lite.robot import component, exiting, ports, tree
+from rtshell_lite.path import CORBALOC, MANAGER_PORT, parse, split_address
+from rtshell_lite.robot import component, exiting, lookup, ports, tree
 from rtshell_lite.text import from_wire, printable, to_wire
 
-DEFAULT_PORT = 2810  # corba.master_manager
 CREATE_TIME = 15.0  # seconds: a master may have to start a slave process first
 MODULES_TIME = 60.0  # seconds: looking for modules runs a helper process a file, 0.5 s each
 SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later
 END_TIME = (
     5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
-)
-
-_CORBALOC = re.compile(
-    r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(?P<address>\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(?P<key>.+))?\Z"
 )
 
 
@@ -34,7 +29,7 @@ class Address(str):
 
     def child(self, name):
         """The Path of a component or slave of this manager."""
-        return Path(str(self), (name,), None, False)
+        return parse(self).child(name)
 
 
 # ---- which manager -----------------------------------------------------------------------------------------
@@ -46,9 +41,9 @@ async def find(word):
 
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
-    direct = word.startswith("corbaloc:")
+    direct = _is_direct(word)
     (node,) = await tree.check_alive(
-        [tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(parse(word))]
+        [tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(word)]
     )
     if node.kind == "manager":
         return node
@@ -59,7 +54,13 @@ async def find(word):
     raise node.error or errors.WrongKind(str(node.path), "manager", node.what)
 
 
-async def _bound(path):
+def _is_direct(word):
+    """Whether it is a corbaloc of the manager itself, not of what is below another manager."""
+    return word.startswith("corbaloc:") and not re.search(r"/manager/.", word)
+
+
+async def _bound(word):
+    (path,) = await lookup.paths([word])
     if path.port is not None:
         raise errors.WrongKind(str(path), "manager", "port")
     return await tree.resolve(path)
@@ -67,7 +68,7 @@ async def _bound(path):
 
 def check(word):
     """Raise BadPath for what cannot name a manager; contacts nobody."""
-    if word.startswith("corbaloc:"):
+    if _is_direct(word):
         _split(word)
     else:
         parse(word)
@@ -75,10 +76,10 @@ def check(word):
 
 def _split(word):
     """(address, key) of a corbaloc. Raises BadPath."""
-    match = _CORBALOC.match(word)
-    if not match or split_address(match.group("address"))[1] is None:
+    match = re.match(CORBALOC, word)
+    if not match or split_address(match.group(1))[1] is None:
         raise errors.BadPath(printable(word), "not corbaloc:iiop:HOST[:PORT][/KEY]")
-    return match.group("address"), match.group("key") or "manager"
+    return match.group(1), match.group(2) or "manager"
 
 
 def check_argument(argument):
@@ -94,7 +95,7 @@ def check_argument(argument):
 def reference(word):
     """The reference that a corbaloc of a manager means; contacts nobody. Raises BadPath."""
     address, key = _split(word)
-    return orb.corbaloc(word, address, key, DEFAULT_PORT)
+    return orb.corbaloc(word, address, key, MANAGER_PORT)
 
 
 # ---- what it has -------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ unbind and destroy, and what must never be deleted by mistake.
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.path import Path
+from rtshell_lite.path import REFERENCES, Path
 from rtshell_lite.robot import aliases, tree
 from rtshell_lite.text import printable, shell_word
 
@@ -27,6 +27,8 @@ async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, 
     if path.port is not None or not path.names:
         if path.port is not None:
             kind = "port"
+        elif path.server and path.server.startswith(REFERENCES):
+            kind = "reference, which has no name"
         elif path.server:
             kind = "name server"
         else:

@@ -58,7 +58,7 @@ class Node:
         """The last name of its path, spelt for the terminal."""
         if self.path.names:
             return str(self.path.names[-1])
-        return str(self.path)[1:] or "/"
+        return str(self.path).lstrip("/") or "/"
 
     @property
     def endpoint(self):
@@ -131,7 +131,7 @@ def classified(path, ref, is_context=False):
     if is_context and not address.type_id:
         kind = "directory"
     else:
-        kind = _kind(address.type_id, path.names[-1])
+        kind = kind_of(address.type_id, path.names[-1].kind)
     node = Node(path, kind, ref)
     node._endpoint = address[1:3]
     return node
@@ -144,15 +144,15 @@ def unusable(path, error):
     return Node(path, "silent", None, errors.Garbled(str(path), error.args[1]))
 
 
-def _kind(type_id, name):
-    """What an object is, by the type in its reference and the Name that it is bound with."""
+def kind_of(type_id, name_kind=""):
+    """What an object is, by the type in its reference and the kind of the Name that it is bound with."""
     if type_id in _CONTEXTS:
         return "directory"
     if type_id in _COMPONENTS:
         return "component"
     if type_id == _MANAGER:
         return "manager"
-    if name.kind in ("rtc", "mgr") or not type_id:
+    if name_kind in ("rtc", "mgr") or not type_id:
         return "unsure"
     return "unknown"
 

@@ -168,7 +168,7 @@ def short_name(name, instance):
 
 def label(port):
     """The path of a port as a user would type it, spelt for the terminal."""
-    return str(port.node.path.with_port(short_name(port.name, port.node.path.names[-1].id)))
+    return str(port.node.path.with_port(short_name(port.name, port.node.path.instance)))
 
 
 async def find(paths):
@@ -186,7 +186,7 @@ async def find(paths):
 
 def named(path, listed):
     """The one of these Ports that `path` names, or the error NoSuch."""
-    instance = path.names[-1].id
+    instance = path.instance
     exact = [port for port in listed if port.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one
     same_end = [port for port in listed if port.name.endswith("." + path.port)]

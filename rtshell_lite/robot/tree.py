@@ -12,12 +12,11 @@ Resolution is lazy: only what a path names is asked. As a library:
 import collections
 import functools
 import os
-import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import aliases
-from rtshell_lite.path import DEFAULT_PORT, ROOT, Name, Path, parse, split_address
+from rtshell_lite.path import DEFAULT_PORT, MANAGER_PORT, REFERENCES, ROOT, Name, Path, parse
 
 # other modules use these as tree.check_alive, tree.Node …
 from rtshell_lite.robot.node import (
@@ -27,6 +26,7 @@ from rtshell_lite.robot.node import (
     check_alive,
     classified,
     classify_answer,
+    kind_of,
     name_server_error,
     on_nodes,
     stream_nodes,
@@ -52,51 +52,42 @@ async def known_servers(first):
     contacts nobody.
     """
     nodes = []
+    if first is None:  # of a component that has no name
+        first = servers()[0]
     for address in [first] + [address for address in servers() if address != first]:
         try:
-            nodes.append(await resolve(Path(address, (), None, False)))
+            nodes.append(name_server(address))
         except errors.BadPath:
             pass
     return nodes
 
 
-def tops(words):
-    """Paths of what a command looks at as a whole. Raises BadPath, Usage.
-
-    A bare host:2809, 192.0.2.1 or [::1] is a name server, and so is a bare word without a dot: names of
-    components have one.
-    """
-    return [_top(word) for word in words]
-
-
-def _top(word):
-    if word and "/" not in word and _is_server(word):
-        return parse("/" + word)
-    top = parse(word)
-    if top.port is not None:
-        raise errors.Usage(f"{printable(word)}: a port is looked at with its component")
-    return top
-
-
-def _is_server(word):
-    host, port = split_address(word)
-    if word in servers() or ":" in word and port is not None:
-        return True
-    return host == word and (
-        "." not in word and "\\" not in word or re.match(r"[0-9]+(\.[0-9]+){3}$", word) is not None
-    )
-
-
 def _server(path):
-    """The node of the name server that `path` begins with; contacts nobody."""
+    """The node of the name server, or of the object, that `path` begins with; contacts nobody."""
+    if path.server.startswith(REFERENCES):
+        return _object(path.server)
     node = Node(Path(path.server, (), None, False), "server", _reference(path.server))
     session.current().name_servers.add(node.endpoint)
     return node
 
 
 def name_server(address):
-    """The node of the name server at an address; contacts nobody. Raises BadPath."""
-    return _server(Path(address, (), None, False))
+    """The node of the name server at an address; contacts nobody. Raises BadPath.
+
+    It may be a manager, too, that is reached without a name server: corbaloc:iiop:HOST:PORT/manager.
+    """
+    return _server(parse(address if address.startswith(REFERENCES) else "/" + address))
+
+
+def _object(reference):
+    """The Node of an object that is reached without a name server: corbaloc:… or IOR:…"""
+    path = Path(reference, (), None, False)
+    if reference.startswith("IOR:"):
+        ref = orb.from_text(str(path), reference)
+    else:
+        address, _, key = reference.partition("iiop:")[2].partition("/")
+        ref = orb.corbaloc(str(path), address, key, MANAGER_PORT)
+    return Node(path, kind_of(orb.address(ref).type_id), ref)
 
 
 @functools.lru_cache(maxsize=64)
@@ -118,8 +109,9 @@ async def resolve(path):
     """The Node at `path` (a Path or text; its port is left out). One call to the name server, none to a
     component.
 
-    A component or manager comes back unasked: `check_alive` finds out whether it lives. Raises NotFound,
-    Misspelt, WrongKind, and Unreachable or Silent when the name server does not answer.
+    A component or manager comes back unasked: `check_alive` finds out whether it lives; a corbaloc is asked
+    what it is. Raises NotFound, Misspelt, WrongKind, and Unreachable or Silent when the name server does not
+    answer.
     """
     path = (parse(path) if isinstance(path, str) else path).object()
     if path.server is None:
@@ -128,8 +120,13 @@ async def resolve(path):
 
 
 async def _resolved(server, path):
+    if path.server.startswith(REFERENCES):
+        server = await _identified(server)
     if not path.names:
         return server
+    if server.kind == "manager":
+        return await _descend(server, path.names)
+    await _directory(server)
     for size, name in enumerate(path.names[:-1], 1):
         if name.kind in (
             "rtc",
@@ -153,6 +150,21 @@ async def _resolved(server, path):
         node = classified(
             path, ref, (path.names[-1], True) in await bound(await _resolved(server, path.parent()))
         )
+    return node
+
+
+async def _identified(node):
+    """The Node of an object that is reached without a name server, asked what it is."""
+    if node.kind != "unsure":
+        return node
+    (node,) = await check_alive([node])
+    key = node.path.server.rpartition("/")[2]
+    if isinstance(node.error, errors.Gone):
+        raise errors.NoSuch(str(node.path), "object", printable(key))
+    if isinstance(node.error, errors.ConnectionRefused) and key == "manager":
+        raise errors.NoManager(str(node.path))
+    if node.error:
+        raise node.error
     return node
 
 
@@ -180,6 +192,10 @@ async def _descend(node, names):
     for name in names:
         below = await children(await _directory(node))
         matching = [child for child in below if child.path.names[-1] == name]
+        if len(matching) > 1:  # of several slaves
+            raise errors.Ambiguous(
+                str(node.path.child(name)), f"{node.path} has {len(matching)} of that name"
+            )
         if not matching:
             raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
         node = matching[0]
@@ -286,7 +302,7 @@ async def children(node):
     no directory, and Unreachable.
     """
     if node.kind == "root":
-        return _sorted(_server(parse("/" + address)) for address in servers())
+        return _sorted(name_server(address) for address in servers())
     if node.kind == "manager":
         return _sorted(await slaves(node) + await managed(node))
     if node.kind not in ("server", "directory"):
@@ -426,7 +442,7 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
             if hidden is not None and node.path.names[: len(hidden)] == hidden:
                 continue
             hidden = None
-            if node.kind in ("directory", "manager"):
+            if node.kind in ("directory", "manager") and node.path.names:
                 node.alias = await known.path(node) or node.alias
                 if node.alias:
                     hidden = node.path.names
@@ -437,12 +453,15 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
 
 
 async def _walk(node, depth, managers, known):
-    if node.kind in ("directory", "manager"):
+    is_top = not node.path.names
+    if node.kind == "unsure" and is_top:
+        (node,) = await check_alive([node])
+    if node.kind in ("directory", "manager") and not is_top:
         node.alias = await known.path(node)
     below = []
     if node.kind in DIRECTORIES and node.alias is None and depth > 0:
         known.enter(node)
-        if managers or node.kind != "manager":
+        if managers or is_top or node.kind != "manager":
             below = await _below(node)
     found = [node]
     for child in below:

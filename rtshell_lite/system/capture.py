@@ -100,7 +100,7 @@ def component_id(profile):
 
 def path_uri(node):
     """Where a component is bound, as an RtsProfile has it: its path without the first slash."""
-    return str(node.path)[1:]
+    return str(node.path).lstrip("/")
 
 
 def is_reference(name, value):

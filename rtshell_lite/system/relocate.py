@@ -146,7 +146,7 @@ def _moved(text, maps):
     now = mapped(where, maps)
     if now == where:
         return text
-    return str(now)[1:]
+    return str(now).lstrip("/")
 
 
 def path_in(text):

@@ -46,7 +46,7 @@ async def blocks(path, recurse=False, shown="."):
     listed = collections.OrderedDict()
     for node in await tree.walk(top):
         if node.kind in tree.DIRECTORIES and node.alias is None:
-            below = str(node.path)[len(str(top.path)) :].strip("/")
+            below = str(node.path).lstrip("/")[len(str(top.path).lstrip("/")) :].strip("/")
             listed[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
         if node is not top:
             listed[node.path.parent()][1].append(node)
@@ -58,12 +58,7 @@ async def blocks(path, recurse=False, shown="."):
 async def _resolved(path):
     if path.port is None:
         return await tree.resolve(path)
-    try:
-        await tree.resolve(path)
-    except errors.NotFound:
-        if path.port.isdigit():  # a name server, without the slash before it
-            raise errors.Misspelt(str(path), f"/{path.names[-1]}:{path.port}")
-        raise
+    await tree.resolve(path)
     raise errors.WrongKind(str(path), "directory or component", "port; rtcat shows it")
 
 

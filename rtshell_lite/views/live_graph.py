@@ -39,7 +39,7 @@ def _silent(failure):
         return None
     if not where.names or where.names[-1].kind != "rtc":
         return None
-    return model.Component(instance_name=where.names[-1].id, path_uri=str(where)[1:])
+    return model.Component(instance_name=where.names[-1].id, path_uri=str(where).lstrip("/"))
 
 
 async def of_profile(profile):

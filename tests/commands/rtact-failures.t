@@ -207,7 +207,7 @@ Name servers: nobody listens on one, and ours falls silent:
   rtact: /localhost:1: connection refused; is the name server running?
   [4]
   $ rtact /localhost:99999/ConsoleIn0.rtc
-  rtact: /localhost:99999/ConsoleIn0.rtc: localhost:99999 is not a name server (host or host:tcpport)
+  rtact: /localhost:99999/ConsoleIn0.rtc: 99999 is not a TCP port (1 to 65535)
   [2]
   $ within 0.4-1.4 rtact --timeout 0.5 /localhost:$SILENT/ConsoleIn0.rtc
   rtact: /localhost:$SILENT: no answer within 0.5s

@@ -270,7 +270,7 @@ A name server that is not there, a path that is malformed, a file that cannot be
   rtcryo: /localhost:$PORT/nothing.host_cxt: no such path
   [3]
   $ rtcryo localhost:x
-  rtcryo: /localhost:x: localhost:x is not a name server (host or host:tcpport)
+  rtcryo: /localhost:x: x is not a TCP port (1 to 65535)
   [2]
   $ rtcryo -o no/such/dir.xml
   rtcryo: 1 component without connections left out; --all saves them, too

@@ -12,8 +12,7 @@ alone: it measures
   $ rtcwd /localhost:$PORT/test.host_cxt
   /localhost:$PORT/test.host_cxt
   $ rtcwd localhost:$PORT
-  rtcwd: /localhost:$PORT/test.host_cxt/localhost:$PORT: not a directory (it is a port)
-  [3]
+  /localhost:$PORT
   $ RTCSH_CWD= rtcwd localhost:$PORT
   /localhost:$PORT
   $ RTCSH_CWD=/localhost:$PORT rtcwd test.host_cxt/
@@ -161,6 +160,8 @@ The common options:
   examples:
     rtcwd localhost
     rtcwd ..
+    rtcwd --find
+          from now on, Motor0 is the Motor0.rtc of any directory
    (esc)
   $ rtcwd .. >/dev/full
   rtcwd: No space left on device

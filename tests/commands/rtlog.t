@@ -212,7 +212,7 @@ What cannot be recorded; the others are:
   rtlog: Recording for 0.1s.
   "name": "n"
   $ rtlog -t 0.1 -f x /localhost:x
-  rtlog: /localhost:x: localhost:x is not a name server (host or host:tcpport)
+  rtlog: /localhost:x: x is not a TCP port (1 to 65535)
   [2]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

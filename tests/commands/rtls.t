@@ -223,17 +223,16 @@ What is of another kind.
   rtls: a:b:c: bad path (one colon stands before a port; write \: in a name)
   [2]
 
-An empty path is the working directory. A name server needs the slash before it, unless the working directory is the root:
+An empty path is the working directory. A name server needs no slash before it (see rtls-lookup.t):
 
   $ rtls ''
   ConsoleIn0.rtc
   ConsoleOut0.rtc
   $ rtls localhost:1
-  rtls: /localhost:$PORT/test.host_cxt/localhost:1: no such path; did you mean /localhost:1?
-  [3]
+  rtls: /localhost:1: connection refused; is the name server running?
+  [4]
   $ rtls localhost:$PORT
-  rtls: /localhost:$PORT/test.host_cxt/localhost:$PORT: no such path; did you mean /localhost:$PORT?
-  [3]
+  test.host_cxt/
   $ rtls Nope0.rtc:in
   rtls: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [3]
@@ -256,10 +255,10 @@ Wrong usage contacts nobody.
   rtls: /:2809: :2809 is not a name server (host or host:tcpport)
   [2]
   $ rtls /localhost:65536
-  rtls: /localhost:65536: localhost:65536 is not a name server (host or host:tcpport)
+  rtls: /localhost:65536: 65536 is not a TCP port (1 to 65535)
   [2]
   $ rtls /localhost:port
-  rtls: /localhost:port: localhost:port is not a name server (host or host:tcpport)
+  rtls: /localhost:port: port is not a TCP port (1 to 65535)
   [2]
   $ rtls 'ConsoleIn0.rtc\q'
   rtls: ConsoleIn0.rtc\q: bad escape \q

@@ -58,7 +58,7 @@ What cannot be meant:
   rtresurrect: --map /old.host_cxt=new.host_cxt: nothing in the file is there (see --help)
   [2]
   $ rtresurrect --map localhost:$PORT=localhost:x a.xml
-  rtresurrect: /localhost:x: localhost:x is not a name server (host or host:tcpport)
+  rtresurrect: /localhost:x: x is not a TCP port (1 to 65535)
   [2]
   $ rtresurrect --map $O/ConsoleIn0.rtc=$O/ConsoleIn0.rtc:out a.xml
   rtresurrect: a map knows no ports: localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc:out (see --help)

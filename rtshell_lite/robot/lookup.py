@@ -1,0 +1,224 @@
+"""What users may call an object, and the Paths that they mean: one rule for all commands.
+
+    paths = await lookup.paths(args.paths)
+
+An ordinary path is taken as it is, and costs no call. These are looked up:
+
+    localhost:2810/robot.host_cxt/Motor0.rtc   is taken from the root, where the first word is HOST:PORT or a
+                                               name server of RTCTREE_NAMESERVERS, and the working directory
+                                               has no such entry
+    /localhost/*/Motor0.rtc                    * is any one directory, ** any number of them
+    Motor0.rtc                                 with RTSHELL_FIND=1, or below the working directory /**
+                                               (rtcwd --find): the one component of that name
+    rtcloc://localhost:2810/example/Motor0     the component of a manager, if it is of that category
+"""
+
+import os
+import re
+
+from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb
+from rtshell_lite.path import ANY, ROOT, Name, Path, elements, is_absolute, parse, split_address
+from rtshell_lite.robot import tree
+from rtshell_lite.text import printable
+
+EVERYWHERE = Path("**", (), None, False)  # as a working directory
+MOST_NAMED = 10  # candidates in a message
+
+
+async def paths(words):
+    """The Paths that a user means by `words`, in order.
+
+    Raises BadPath, Ambiguous, NotFound where nothing fits a pattern, and what looking it up raises.
+    """
+    return [await _path(word) for word in words]
+
+
+async def tops(words, dotted=False):
+    """Like `paths`, for what a command looks at as a whole: a word without a dot (robot1), or with one if
+    these are name servers in the first place (robot1.local), is a name server, too, where the working
+    directory has no such entry. Raises Usage for a port.
+    """
+    may_be_server = _may_be_dotted if dotted else _may_be_host
+    found = [await _path(word, may_be_server) for word in words]
+    for word, path in zip(words, found):
+        if path.port is not None:
+            raise errors.Usage(f"{printable(word)}: a port is looked at with its component")
+    return found
+
+
+async def _path(word, may_be_server=None):
+    if is_absolute(word):
+        path = parse(word)
+    else:
+        path = await _relative(word, may_be_server)
+    if path.server == "**" and not path.names:
+        return ROOT
+    if path.names and (path.server in ANY or any(_is_any(name) for name in path.names[:-1])):
+        path = await _single(path)
+    if word.startswith("rtcloc"):
+        await _check_category(path, word)
+    return path
+
+
+# ---- relative paths ----------------------------------------------------------------------------------------
+
+
+async def _relative(word, may_be_server):
+    """The Path of a word that starts neither at the root nor with a reference."""
+    above = parse(".")
+    first, *rest = elements(word or ".")
+    is_from_root = _is_address(first) or may_be_server is not None and may_be_server(first, rest)
+    is_to_find = _finds() and first not in ("", ".", "..")
+    if above in (ROOT, EVERYWHERE):
+        if is_to_find and not is_from_root and not (rest and above == ROOT):
+            return parse("/**/" + word)
+        return parse("/" + word)
+    if is_from_root and not await _is_here(word, first, rest):
+        return parse("/" + word)
+    if is_to_find and not rest and not await _is_here(word, first, rest):
+        return parse("/**/" + word)
+    return parse(word)
+
+
+def _finds():
+    """Whether a lone name is to be found wherever it is."""
+    return os.environ.get("RTSHELL_FIND", "") not in ("", "0") or parse(".") == EVERYWHERE
+
+
+async def _is_here(word, first, rest):
+    """Whether the working directory has an entry for the first element of a relative path."""
+    try:
+        if rest:
+            path = parse(first + "/x").parent()
+        else:
+            path = parse(word).object()
+        await tree.resolve(path)
+        return True
+    except errors.Error:
+        return False
+
+
+def _is_address(word):
+    """Whether the first word of a path is HOST:PORT, an IP address, or a name server of
+    RTCTREE_NAMESERVERS.
+    """
+    host, port = split_address(word)
+    if host in ("", ".", "..") or _has_kind(word.partition(":")[0]):
+        return False
+    known = [split_address(address) for address in tree.servers()]
+    if port is None:
+        return _has_bad_port(word, [host for host, _ in known])
+    return (host, port) in known or host != word or re.match(r"[0-9]+(\.[0-9]+){3}$|\[", host) is not None
+
+
+def _has_bad_port(word, hosts):
+    """Whether this is a known host with what is not a TCP port: reported as such, not as a missing entry."""
+    host, _, port = word.partition(":")
+    return host in hosts or port.isdigit() and int(port) > 65535
+
+
+def _may_be_host(first, rest):
+    return not rest and "." not in first and _may_be_dotted(first, rest)
+
+
+def _may_be_dotted(first, rest):
+    host, port = split_address(first)
+    is_host = port is not None and host not in ("", ".", "..")
+    return is_host and "\\" not in host and not _has_kind(host)
+
+
+def is_path(word):
+    """Whether a word that may be a file is a path in the RTC Tree by its looks."""
+    names = elements(word)
+    return is_absolute(word) or names[-1] in (".", "..") or _is_address(names[0]) or _has_kind(names[-1])
+
+
+def _has_kind(name):
+    """Whether a name has one of the kinds that OpenRTM gives to components, managers and naming contexts."""
+    return name.endswith((".rtc", ".mgr", "_cxt"))
+
+
+# ---- patterns ----------------------------------------------------------------------------------------------
+
+
+def _is_any(name):
+    return not name.kind and name.id in ANY
+
+
+async def _single(path):
+    """The Path of the one object that a Path with * or ** before its last name fits."""
+    wanted = path.names
+    if path.server == "**":
+        wanted = (Name("**", ""),) + wanted
+    found = {}
+    failed = []
+    for node in await _walk(path):
+        if _fits(node.path.names, wanted):
+            found.setdefault(orb.identity(node.ref), node.path)
+        elif node.error and node.kind in ("server", "directory"):
+            failed.append(node.error)
+    candidates = sorted(map(str, found.values()))
+    if len(candidates) > 1:
+        raise errors.Ambiguous(str(path), f"is one of {len(candidates)}: {_listed(candidates)}")
+    if not candidates:
+        raise failed[0] if failed else errors.NotFound(str(path))
+    for failure in failed:
+        notes.note(f"not searched: {failure}")
+    (only,) = found.values()
+    notes.detail(f"{path} is {only}")
+    return only._replace(port=path.port, directory=path.directory)
+
+
+def _listed(candidates):
+    more = len(candidates) - MOST_NAMED
+    return ", ".join(candidates[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
+
+
+async def _walk(path):
+    """The Nodes below what comes before the first pattern of a Path."""
+    if "**" in [path.server] + [name.id for name in path.names if _is_any(name)]:
+        depth = None
+    else:
+        depth = len(path.names)
+    if path.server in ANY:
+        servers = [tree.name_server(address) for address in tree.servers()]
+        return await tree.walk_servers(servers, depth or tree.DEPTH, managers=False)
+    plain = next(at for at, name in enumerate(path.names) if _is_any(name))
+    top = await tree.resolve(Path(path.server, path.names[:plain], None, False))
+    nodes = await tree.walk(top, depth and depth - plain, managers=False)
+    if top.error is not None:
+        raise top.error
+    return nodes
+
+
+def _fits(names, wanted):
+    """Whether the names of a Path fit those of one with patterns."""
+    if not names:
+        return False
+    if len(wanted) == 1:  # of a component, the kind may be left out
+        return names[1:] == () and (
+            names[0] == wanted[0] or names[0] == Name(wanted[0].id, wanted[0].kind or "rtc")
+        )
+    if wanted[0] == ("**", ""):
+        return any(_fits(names[at:], wanted[1:]) for at in range(len(names)))
+    return (_is_any(wanted[0]) or names[0] == wanted[0]) and _fits(names[1:], wanted[1:])
+
+
+# ---- OpenRTM's own -----------------------------------------------------------------------------------------
+
+
+async def _check_category(path, word):
+    """Raise NoSuch for rtcloc://HOST:PORT/CATEGORY/NAME if the component is of another category."""
+    from rtshell_lite.robot import component, ports
+
+    wanted = word.split("/")[3:-1]
+    if not wanted or wanted == ["*"]:
+        return
+    node = await tree.component(path.object())
+    await ports.ports(node)  # first, see `component.profile`
+    category = (await component.profile(node)).category
+    if [category] != wanted:
+        raise errors.NoSuch(
+            str(path), "component of that category", f"it is of the category {printable(category)}"
+        )
