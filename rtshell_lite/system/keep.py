@@ -116,6 +116,8 @@ class Kept(presence.Followed):
         self.is_busy = self.is_paused = self.has_failed = self.has_exited = False
         self.is_counted = False  # whether its present Error is among the failures of its trial
         self.waits_for = None  # why its activation was not tried
+        # False for one whose state is nobody's business here
+        self.is_started = site.component.property(policy.PREFIX + "state") != "any"
         self.due = 0.0
 
     @property
@@ -140,7 +142,7 @@ class Kept(presence.Followed):
         return {
             "kind": "component",
             "object": self.where,
-            "wanted": "paused" if self.is_paused else "Active",
+            "wanted": self._wanted(),
             "state": self.state,
             "since": self.since,
             "restarts": self.restarts,
@@ -148,6 +150,11 @@ class Kept(presence.Followed):
             "by_hand": sorted(self.hands.values()),
             "given_up": self.trial.given_up or self.repairs.given_up,
         }
+
+    def _wanted(self):
+        if self.is_paused:
+            return "paused"
+        return "Active" if self.is_started else "any"
 
     def take_back(self):
         """Let it be kept again, whatever a person has done."""
@@ -262,7 +269,8 @@ class Keeper(presence.Presence):
         self._is_ending = True
         while any(kept.is_busy for kept in self.followed):
             await loop.sleep(TICK)
-        nodes = {id(kept.site.component): kept.shown.node for kept in self.followed if kept.is_usable}
+        kept_here = [kept for kept in self.followed if kept.is_usable and kept.is_started]
+        nodes = {id(kept.site.component): kept.shown.node for kept in kept_here}
         gone = [action.number for action in planned.actions if id(action.component) not in nodes]
         results = _Results()
         run = run_plan.Run(planned.actions, transitions.DEACTIVATE, results)
@@ -561,7 +569,7 @@ class Keeper(presence.Presence):
         """Activate what is not Active, in the order of the plan."""
         todo = []
         for kept in batch:
-            if kept.state == "Active":
+            if kept.state == "Active" or not kept.is_started:
                 self._is_active(kept)
             elif self._may_start(kept):
                 todo.append(kept)
@@ -637,7 +645,8 @@ class Keeper(presence.Presence):
         for action in self.actions:
             other = self._kept_of_component(action.component)
             if other not in todo:
-                ended[action.number] = plan.ALREADY if other.state == "Active" else plan.FAILED
+                is_reached = other.state == "Active" or other.is_usable and not other.is_started
+                ended[action.number] = plan.ALREADY if is_reached else plan.FAILED
         results = _Results()
         run = run_plan.Run(self.actions, transitions.ACTIVATE, results)
         run.take({id(kept.site.component): kept.shown.node for kept in todo}, ended)

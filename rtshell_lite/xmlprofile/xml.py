@@ -138,7 +138,7 @@ class _Reader:
             self.fail("a tag or comment of more than %d MiB" % (LONGEST_TAG >> 20))
 
 
-def _nodes(data, name):
+def nodes(data, name):
     """The root node of an XML document. Raises BadProfile."""
     reader = _Reader(name)
     if len(data) > MOST_BYTES:
@@ -193,7 +193,7 @@ def _decoded(decoder, chunk, final, reader):
 
 def read(data, name):
     """The profile in `data`, the bytes of an XML file. Raises BadProfile; `name` is for messages."""
-    root = _nodes(data, name)
+    root = nodes(data, name)
 
     def fail(node, reason):
         raise errors.BadProfile(name, node.line, node.column, reason)
