@@ -44,6 +44,7 @@ __all__ = [
     "connected",
     "disconnect",
     "dump_profile",
+    "keep",
     "load_profile",
     "next_value",
     "restore",
@@ -54,6 +55,7 @@ __all__ = [
 ]
 
 POLL = 0.2  # seconds between two looks
+LOOK = 2.0  # seconds between questions to a process whose components report nothing, see rtkeep
 
 # A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its
 # connections.
@@ -350,6 +352,8 @@ class _Feed:
     so that the component need not wait for the program.
     """
 
+    session = _session
+
     def __init__(self):
         self._loop = self._task = self._failure = None
         self._is_ending = self._is_over = False
@@ -390,7 +394,7 @@ class _Feed:
 
     def _run(self, *words):
         try:
-            loop.run(self._receive(*words), session=_session)
+            loop.run(self._receive(*words), session=self.session)
         except loop.Cancelled:
             pass
         except BaseException as e:
@@ -590,6 +594,57 @@ async def check(profile, state="Active", extra=False):
     if result.failures:
         raise result.failures[0]
     return [difference.message for difference in result.differences if difference.required]
+
+
+def keep(profile, timeout=None, create=False, manager=None, strict=False):
+    """Keep the running system as a profile says, as rtkeep does, and yield what happens: time, object, seen, done,
+    seconds, error of each. Ends with the generator, and leaves the components as they are.
+
+    With a `timeout`, yields None where nothing has happened for so many seconds. `create`, `manager` as in
+    `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be meant.
+    """
+    feed = _Happenings()
+    try:
+        feed.begin(profile, create, manager, strict)
+        while True:
+            yield from feed.next(timeout)
+    finally:
+        feed.end()
+
+
+class _Happenings(_Feed):
+    """What happens to a system that is kept, on a thread of its own."""
+
+    def __init__(self):
+        super().__init__()
+        self.session = Session(_session.timeout)
+        self._batch = collections.deque()
+
+    def next(self, timeout):
+        """Yield what has happened; waits for something. None where nothing came in time."""
+        if not self._wait(timeout):
+            yield None
+        while self._batch:
+            yield self._batch.popleft()
+
+    async def _receive(self, profile, create, manager, strict):
+        from rtshell_lite.system import keep as keeping, plan, policy
+
+        here = loop.current()
+        here.make_bell()
+        self._task = here.running
+        self._loop = here
+        if self._is_ending:
+            return
+        planned = plan.make(profile, "activation", "the profile")
+        how = keeping.Options(create, manager, False, strict, LOOK, True, policy.USUAL)
+        async with keeping.Keeper(profile, planned, how, self._take) as keeper:
+            self._tell()
+            await keeper.follow()
+
+    def _take(self, happening):
+        self._batch.append(happening)
+        self._tell()
 
 
 def load_profile(name):

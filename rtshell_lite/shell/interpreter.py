@@ -107,7 +107,7 @@ class Interpreter:
 
     def name(self, word):
         """The command that a word means, with or without its `rt`. Raises BadLine."""
-        for name in ({"cd": "rtcwd"}.get(word, word), "rt" + word):
+        for name in ({"cd": "rtcwd", "wait": "rtkeep"}.get(word, word), "rt" + word):
             if name in self.files:
                 return name
         raise errors.BadLine(f"{printable(word) or repr('')}: no such command{near(word, self._names())}")
@@ -135,6 +135,8 @@ class Interpreter:
             name = self.name(words[0])
         except errors.BadLine as e:
             return notes.fail(e)
+        if name == "rtkeep" and words[0] == "wait":
+            return self._run(name, ["--once"] + words[1:])
         if name == "rtcwd" and not re.match("-h$|--help$|--version$|--shell", " ".join(words[1:2])):
             return self._change_directory(name, words[1:])
         return self._run(name, words[1:])
@@ -146,7 +148,11 @@ class Interpreter:
             "\n".join(
                 ["commands, with or without rt; help COMMAND says more:"]
                 + installation.summaries()
-                + ["  cd  changes the working directory, as rtcwd does", "  exit [STATUS]  ends rtsh"]
+                + [
+                    "  cd  changes the working directory, as rtcwd does",
+                    "  wait FILE  waits until all is as an RtsProfile says, as rtkeep --once does",
+                    "  exit [STATUS]  ends rtsh",
+                ]
             )
         )
         return 0

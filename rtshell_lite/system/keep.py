@@ -4,7 +4,7 @@ What has changed is noticed by events/presence.py. Only that is looked at again,
 started by the plan of the file.
 
 What hangs is left alone: its neighbours look hung, too, and a second process of a name makes things worse
-(docs/protocol.md 3.4). So is what a person has done: a component that went from Active to Inactive without an
+(docs/protocol.md 5a). So is what a person has done: a component that went from Active to Inactive without an
 Error, a value, a set or a rate that was as the file has it, a connection that differs in its id alone.
 """
 

@@ -320,28 +320,6 @@ class Readme(Case):
                     outputs.append(said)
         return outputs
 
-    def test_start_robot(self):
-        self.in_shells("start-robot", "Sensor0.rtc Motor0.rtc", "rtdeact --wait 5 Sensor0.rtc Motor0.rtc",
-                       "rtfind / --state active -n Sensor0.rtc -q && rtfind / --state active -n Motor0.rtc -q")
-
-    def test_start_robot_waits(self):
-        """It is started before the components, as at boot."""
-        self.robot.close()
-        self.robot.run("rtdel -z")
-        process = self.robot.start("dash %s Motor0.rtc" % self.script("start-robot"))
-        self.robot.begin(FRESH)
-        self.assertEqual(self.robot.outcome(process)[0], 0)
-        self.assertEqual(self.robot.run("rtfind / --state active -n Motor0.rtc -q")[0], 0)
-
-    def test_restart_failed(self):
-        self.robot.worlds.append(World("--context", CONTEXT + "/%n.rtc", "error"))
-        said = self.in_shells("restart-failed", "", None, "rtls -q")
-        self.assertIn("Broken0.rtc was in Error", said[0])
-
-    def test_keep_robot(self):
-        self.in_shells("keep-robot", "save saved.rtsys", SYSTEM, "cmp -s saved.rtsys robot.rtsys || rtcheck saved.rtsys")
-        self.in_shells("keep-robot", "restore robot.rtsys", "rtstop robot.rtsys && rtteardown robot.rtsys", "rtcheck robot.rtsys")
-
     def test_log_port(self):
         """It ends when the disk is full: here after two files, because of our `df`."""
         with open(os.path.join(TOP, "df"), "w") as file:

@@ -191,6 +191,26 @@ class World(unittest.TestCase):
         coming.close()
         self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").ports()[0].connections, [])
 
+    def test_a_system_is_kept(self):
+        one, other = self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"
+        api.connect(one, other)
+        profile = api.capture(self.home)
+        profile.components = [each for each in profile.components if each.instance_name in ("ConsoleIn0", "ConsoleOut0")]
+        happening = api.keep(profile, timeout=worlds.LIMIT)
+        self.addCleanup(happening.close)
+        active = set()
+        while len(active) < len(profile.components):
+            event = next(happening)
+            active |= {event.object} if event.done == "Active" else set()
+        self.assertEqual(api.disconnect(one, other), 1)
+        event = next(happening)
+        self.assertEqual((event.object, event.done[:19], event.error), (one[:-len(":out")], "restored connection", None))
+        happening.close()
+        self.assertEqual(api.disconnect(one, other), 1)
+        for each in [api.component(port[:-len(":out")] if port == one else port[:-len(":in")]) for port in (one, other)]:
+            self.assertEqual(each.state, "Active")
+            each.deactivate(wait=10)
+
     def test_systems(self):
         with api.connected(self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"), \
                 tempfile.TemporaryDirectory() as directory:
