@@ -226,9 +226,9 @@ async def components(top="/"):
     """The Components at and below a path, a list.
     What does not answer is left out; if that leaves none, the first failure is raised.
     """
-    from rtshell_lite.system import capture
+    from rtshell_lite.robot import search
 
-    nodes, _, failures, _ = await capture.components([paths.parse(top)])
+    nodes, _, failures, _ = await search.components([paths.parse(top)])
     if failures and not nodes:
         raise failures[0]
     return [Component(str(node.path)) for node in nodes]

@@ -283,13 +283,14 @@ _PRINTERS = {
 }
 
 
-def report(args, results):
+def report(args, results, shown=False):
     """Report the results of changes, each an errors.Error or a line; returns the exit status.
 
-    A line says what was done, for --verbose; with --dry-run it is the command that would do it, for stdout.
+    A line says what was done, for --verbose, or for stdout if it is to be `shown`; with --dry-run it is the
+    command that would do it, for stdout.
     """
     tally = Tally()
     for result in results:
         if tally.add(result) and result:
-            (print if args.dry_run else detail)(result)
+            (print if args.dry_run or shown else detail)(result)
     return tally.status()

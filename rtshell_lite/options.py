@@ -289,6 +289,15 @@ def wait(parser, what):
     )
 
 
+def all_below(parser, verb):
+    """--all: args.all."""
+    parser.add_argument(
+        "--all",
+        action="store_true",
+        help=f"{verb} all components at and below each PATH, in parallel, and print what became of each",
+    )
+
+
 def dry_run(parser):
     """--dry-run."""
     parser.add_argument(

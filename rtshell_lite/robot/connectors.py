@@ -22,6 +22,32 @@ def refuse_duplicate(ends, name, connector_id):
         raise errors.Refused(ports.between(ends), f"already connected (id {printable(connector.id)})")
 
 
+def existing(ends, name="", connector_id="", given=None):
+    """The Connector that joins just the Ports `ends`, None if there is none. Raises Failed where there are
+    only others than the one that is asked for: of another name or id, or with other properties.
+    """
+    wanted = {orb.identity(port.ref) for port in ends}
+    others = []
+    for connector in ends[0].connectors:
+        if {orb.identity(ref) for ref in connector.ports if ref is not None} != wanted:
+            continue
+        differing = _differing(connector, name, connector_id, given or {})
+        if not differing:
+            return connector
+        others += [f"id {printable(connector.id)}: {', '.join(differing)}"]
+    if others:
+        raise errors.Failed(ports.between(ends), f"connected otherwise ({'; '.join(others)})")
+    return None
+
+
+def _differing(connector, name, connector_id, given):
+    """What a Connector has, each as text, where something else is asked for."""
+    known = dict(connector.properties)
+    has = [("id", connector.id, connector_id), ("name", connector.name, name)]
+    has += [(key, known.get(key, ""), value) for key, value in sorted(given.items())]
+    return [f"its {key} is {printable(now) or 'empty'}" for key, now, asked in has if asked and asked != now]
+
+
 def command(labels, name, connector_id, given):
     """The rtcon command for a connection of the ports at these paths (texts, see `ports.label`),
     ready for a shell.

@@ -4,6 +4,8 @@ import collections
 import re
 
 from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.path import ROOT
 from rtshell_lite.robot import component, tree
 
 POLL = 0.5  # seconds between two searches of --wait
@@ -63,6 +65,42 @@ async def find(paths, wanted):
 
 def _matches(name, patterns):
     return any(match(name) for match in patterns)
+
+
+async def components(tops=()):
+    """(component nodes, each object once, by its first path; manager nodes; errors; notes) below the Paths
+    (none: all name servers).
+
+    Components below managers are skipped: they are bound in a name server, too.
+    """
+    orb.start()
+    parts, failures = errors.split(await tree.at_each(tops or [ROOT], _walk_top))
+    walked = [node for part in parts for node in part]
+    failures += [
+        node.error for node in walked if node.kind in ("server", "directory") and node.error is not None
+    ]
+    unsure = [node for node in walked if node.kind == "unsure"]
+    sure = dict(zip(unsure, await tree.check_alive(unsure)))
+    walked = sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path))
+    managers = [node for node in walked if node.kind == "manager" and node.alias is None]
+    nodes = []
+    notes = []
+    seen = {}
+    for node in walked:
+        if node.kind == "silent":
+            failures.append(node.error)
+        if node.kind != "component":
+            continue
+        before = seen.setdefault(orb.identity(node.ref), node)
+        if before is node:
+            nodes.append(node)
+        elif before.path != node.path:
+            notes.append(f"{node.path}: the same component as {before.path}")
+    return nodes, managers, failures, notes
+
+
+async def _walk_top(top):
+    return await tree.walk(await tree.resolve(top), managers=False)
 
 
 async def _below(path, wanted):

@@ -3,10 +3,10 @@
 import collections
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, tree
+from rtshell_lite.robot import component, search, tree
 from rtshell_lite.text import printable, shell_word
 
 JITTER = 0.03  # seconds that a cycle of an execution context may come late
@@ -43,6 +43,34 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
     return [node for node in nodes if isinstance(node, errors.WrongKind)] or await tree.on_nodes(
         nodes, change_one
     )
+
+
+async def change_below(paths, transition, index=None, wait=None, dry_run=False):
+    """`change` for all components at and below the Paths, in parallel: a line or an errors.Error for each;
+    '' for those that a reset does not concern, as they are not in Error. Zombies are left out.
+
+    Raises Failed where there is no component.
+    """
+    nodes, _, failures, _ = await search.components(paths)
+    if not nodes and not failures:
+        raise errors.Failed(", ".join(map(str, paths)), "no components")
+
+    async def change_one(node):
+        if transition is RESET and await component.state(node) != "Error":
+            return ""
+        if dry_run:
+            return await _command(node, transition, index)
+        now = await change(node, transition, index, wait)
+        return f"{node.path}: {now}"
+
+    changed = []
+    results = await tree.on_nodes(nodes, change_one)
+    for node, result in zip(nodes, results):
+        if isinstance(result, (errors.Gone, errors.ProcessGone)):
+            notes.note(f"{node.path}: zombie, left out")
+        else:
+            changed.append(result)
+    return failures + changed
 
 
 async def _command(node, transition, index):

@@ -8,7 +8,7 @@ import re
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, places, ports, snapshot, tree
+from rtshell_lite.robot import component, places, ports, search, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
@@ -120,7 +120,7 @@ async def capture(
     `with_managers`: which manager lists a component goes into the profile; `with_snapshots`: ask each component
     for everything, see `ask`.
     """
-    nodes, managers, failures, notes = await components(tops)
+    nodes, managers, failures, notes = await search.components(tops)
     if with_managers:
         holders = await _holders(managers, notes)
     else:
@@ -155,42 +155,6 @@ async def capture(
             profile.service_port_connectors.append(connector)
     notes = list(dict.fromkeys(notes))  # each once: a hostile composite names one member a thousand times
     return System(profile, found, unused, failures, notes)
-
-
-async def components(tops=()):
-    """(component nodes, each object once, by its first path; manager nodes; errors; notes) below the Paths
-    (none: all name servers).
-
-    Components below managers are skipped: they are bound in a name server, too.
-    """
-    orb.start()
-    parts, failures = errors.split(await tree.at_each(tops or [path.ROOT], _walk))
-    walked = [node for part in parts for node in part]
-    failures += [
-        node.error for node in walked if node.kind in ("server", "directory") and node.error is not None
-    ]
-    unsure = [node for node in walked if node.kind == "unsure"]
-    sure = dict(zip(unsure, await tree.check_alive(unsure)))
-    walked = sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path))
-    managers = [node for node in walked if node.kind == "manager" and node.alias is None]
-    nodes = []
-    notes = []
-    seen = {}
-    for node in walked:
-        if node.kind == "silent":
-            failures.append(node.error)
-        if node.kind != "component":
-            continue
-        before = seen.setdefault(orb.identity(node.ref), node)
-        if before is node:
-            nodes.append(node)
-        elif before.path != node.path:
-            notes.append(f"{node.path}: the same component as {before.path}")
-    return nodes, managers, failures, notes
-
-
-async def _walk(top):
-    return await tree.walk(await tree.resolve(top), managers=False)
 
 
 async def _holders(managers, notes):

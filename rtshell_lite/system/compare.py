@@ -11,7 +11,7 @@ import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import ports, tree
+from rtshell_lite.robot import ports, search, tree
 from rtshell_lite.system import capture, connect_steps, sites, steps
 from rtshell_lite.text import printable
 
@@ -333,7 +333,7 @@ def _beyond(check, required, message, path, actual):
 async def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
     servers = {site.path._replace(names=()) for site in listed if site.path.server is not None}
-    nodes, _, failures, _ = await capture.components(sorted(servers, key=str))
+    nodes, _, failures, _ = await search.components(sorted(servers, key=str))
     known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {
         site.where for site in listed
     }

@@ -150,6 +150,23 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
   [6]
 
+--ensure leaves a connection that is as it is asked for, and refuses one that is otherwise:
+
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon --ensure -v ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected, id $UUID
+  $ rtcon --ensure -v ConsoleOut0.rtc:in ConsoleIn0.rtc:out
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connected already
+  $ rtcon --ensure -n outin -p dataport.subscription_type=new ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon --ensure -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected otherwise (id $UUID: its dataport.subscription_type is new)
+  [1]
+  $ rtcon --ensure --dry-run ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ ctl connectors ConsoleIn0:out
+  $UUID outin
+  $ rtcon --ensure --dry-run ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  rtcon /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in
+
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A:out B:in

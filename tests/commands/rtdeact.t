@@ -80,7 +80,7 @@ Usage:
   rtdeact: the following arguments are required: PATH (see --help)
   [2]
   $ rtdeact --help | head -1
-  usage: rtdeact [-e N] [--wait [SECONDS]] [--dry-run] [-v] [-q]
+  usage: rtdeact [-e N] [--wait [SECONDS]] [--all] [--dry-run] [-v] [-q]
   $ rtdeact --help | grep -A 2 '^examples'
   examples:
     rtdeact ConsoleIn0.rtc ConsoleOut0.rtc     stop both

@@ -154,6 +154,15 @@ No such thing, or not that kind of thing:
   rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not connected
   [1]
 
+With --ensure, a connection that is not there is no failure; a port that is not there is one:
+
+  $ rtdis --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtdis --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtdis --ensure -i nosuch ConsoleIn0.rtc:out
+  $ rtdis --ensure ConsoleIn0.rtc:nosuch
+  rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such port: nosuch (its ports: out)
+  [3]
+
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A:out B:in

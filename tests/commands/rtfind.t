@@ -147,8 +147,7 @@ Paths as everywhere; options may stand anywhere.
 
   $ rtfind . -n ConsoleIn0.rtc localhost:$PORT2
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
-  rtfind: /localhost:$PORT/test.host_cxt/localhost:$PORT2: not a directory (it is a port)
-  [5]
+  /localhost:$PORT2/test.host_cxt/ConsoleIn0.rtc
   $ RTCSH_CWD= rtfind -n ConsoleIn0.rtc localhost:$PORT2 localhost:$PORT
   /localhost:$PORT2/test.host_cxt/ConsoleIn0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
@@ -255,9 +254,9 @@ What cannot be:
   rtfind: /localhost:1: connection refused; is the name server running?
   [4]
   $ rtfind localhost:1 /no-such-host.invalid
-  rtfind: /localhost:$PORT/test.host_cxt/localhost:1: not a directory (it is a port)
+  rtfind: /localhost:1: connection refused; is the name server running?
   rtfind: /no-such-host.invalid: host name not known
-  [5]
+  [4]
 
 The common options:
 
