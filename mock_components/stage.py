@@ -67,10 +67,10 @@ class Stage:
         instance_name, _, port = text.rpartition(":")
         return self.components[instance_name].port(port)
 
-    def connect(self, one, other):
-        """Connect two ports, written `Instance:port`."""
+    def connect(self, one, other, *more):
+        """Connect two ports, written `Instance:port`; `more` are further properties, pairs."""
         ports = [self.port(one), self.port(other)]
-        pairs = PUSH + [("dataport.data_type", ports[0].data_type)]
+        pairs = PUSH + [("dataport.data_type", ports[0].data_type)] + list(more)
         name = "_".join(port.short_name for port in ports)
         profile = RTC.ConnectorProfile(name, "", [port.reference for port in ports], nvlist(pairs))
         code, _ = ports[0].connect(profile)

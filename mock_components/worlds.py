@@ -2,7 +2,7 @@
 import os
 import signal
 
-from . import ailments, components, deployment, hostile, observers, odd, orphans, wicked
+from . import ailments, chain, components, deployment, hostile, observers, odd, orphans, wicked
 
 
 def two(stage):
@@ -155,6 +155,12 @@ def fragile(stage):
     orphans.leave_behind(stage, "Fragile0", stage.flavour.but(dead_peer="die"))
 
 
+def chain_of(stage, count=5, *faults):
+    """[N [FAULT@NUMBER …]]: Link0, Link1, … pass values on at 50 Hz, active; one with a fault (stopped, held, thinned, delayed,
+    disordered, inactive, halted, slow, cut) does not"""
+    chain.add(stage, int(count), faults)
+
+
 def hung(stage, count=1):
     """N components Mock0, …, then the process stops (SIGSTOP): kill it with SIGKILL"""
     many(stage, count)
@@ -187,4 +193,4 @@ WORLDS = {world.__name__: world for world in (
     fsm, observed, senders, topics, custom, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update(ailments.WORLDS)
-WORLDS.update({"all": everything, "hostile": cruel, "wicked": harassing})
+WORLDS.update({"all": everything, "chain": chain_of, "hostile": cruel, "wicked": harassing})

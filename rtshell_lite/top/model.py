@@ -303,7 +303,7 @@ class Top:
         unique = len({entry.node.name for _, entry in entries}) == len(entries)
         rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
         rows += [
-            Row(path, path, "unknown", "?", None, None, None, None, failure)
+            Row(path, path, "unknown", "?", None, None, None, None, failure, None, "")
             for path, failure in failed.items()
         ]
         return sorted(rows, key=lambda row: (natural(row.name), row.path))

@@ -19,7 +19,6 @@ STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)
 # `since` are the seconds for which it has been so, None if that is longer than it has been looked at; `event`
 # is what was seen to change last, in words.
 Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure since event")
-Row.__new__.__defaults__ = (None, "")
 
 HEAD = "STATE         RATE  CONN  COMPONENT"
 WIDE = 110  # columns from which on there is room for more

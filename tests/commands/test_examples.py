@@ -63,6 +63,7 @@ NAMES = [
 STATUS = {line: int(what) for line, arrow, what in STATED if arrow == "->"}
 STATUS["""rtls -l | while read -r state ports in out svc name; do [ "$state" = Error ] && rtreset "$name"; done"""] = 1  # no Error
 STATUS["rtstodot --text --live --broken"] = 1  # nothing is
+STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0.rtc:in -t 10"] = 1  # they are not connected
 ENDLESS, ASKING = ([command for command, lines in invocations.stated("examples").items() if word in lines]
                    for word in ("endless", "asking"))
 ELSEWHERE = {  # run by other tests

@@ -7,7 +7,7 @@ from rtshell_lite.top import rows
 
 
 def row(name, **changes):
-    return rows.Row("/robot/" + name, name, "component", None, None, None, None, None, None)._replace(**changes)
+    return rows.Row("/robot/" + name, name, "component", None, None, None, None, None, None, None, "")._replace(**changes)
 
 
 class Arranged(unittest.TestCase):

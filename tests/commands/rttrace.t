@@ -1,0 +1,86 @@
+rttrace follows a signal through components, and names the stage where it stops.
+
+server: healthy
+world: chain 4
+world: services
+world: these ConsoleOut:Apart0
+
+Values and times differ from run to run; what stays is who is named:
+
+  $ trace() { rttrace -t 1 "$@" > out; code=$?; tail -n +2 out | sed -n 's/^\([A-Z][a-z]*\) .*yes  .*\/\(.*\)/\1 \2/p'; grep -v -e ' Hz ' -e ^STATE out; return $code; }
+  $ trace Link0.rtc:out
+  Active Link0.rtc:out
+  Active Link1.rtc:out
+  Active Link2.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ head -1 out
+  STATE     CONTEXT   VALUES        HZ       AGE    JITTER     DELAY  CHANGE  PORT
+  $ trace -u Link3.rtc:in
+  Active Link0.rtc:out
+  Active Link1.rtc:out
+  Active Link2.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ trace Link1.rtc:out --to Link2.rtc:in
+  Active Link1.rtc:out
+  Active Link2.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ rttrace -t 0.5 --json Link2.rtc:out | sed 's/[0-9]*[.][0-9]*[e0-9-]*/N/g; s/"values": [0-9]*/"values": N/; s/"changes": [0-9]*/"changes": N/'
+  {"age": N, "changes": N, "context": N, "delay": null, "jitter": N, "port": "/localhost:$PORT/testNhost_cxt/LinkNrtc:out", "rate": N, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active", "values": N}
+  {"context": N, "delay": null, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active"}
+  {"culprit": null, "sure": null, "why": null}
+
+A connection is made to each port on the way, and removed:
+
+  $ ctl @chain connectors Link1:out | wc -l
+  1
+
+What stops it; rtdoctor has the last word:
+
+  $ rtdeact --wait 2 Link2.rtc; trace Link0.rtc:out
+  Active Link0.rtc:out
+  Active Link1.rtc:out
+  /localhost:$PORT/test.host_cxt/Link2.rtc: it is Inactive (certain)
+    rtdoctor: warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Link2.rtc
+  [1]
+  $ rttrace -t 0.5 --json Link0.rtc:out | tail -1
+  {"culprit": "/localhost:$PORT/test.host_cxt/Link2.rtc", "sure": "certain", "why": "it is Inactive"}
+  $ rtec Link2.rtc stop; trace Link0.rtc:out | head -4
+  Active Link0.rtc:out
+  Active Link1.rtc:out
+  Inactive  stopped         0         0         -         -         -  no      /localhost:$PORT/test.host_cxt/Link2.rtc:out
+  /localhost:$PORT/test.host_cxt/Link2.rtc: its execution context is stopped (certain)
+  $ rtec Link2.rtc start; rtact --wait 2 Link2.rtc
+  $ rtcon Link2.rtc:out Apart0.rtc:in; hang these; trace Link0.rtc:out -t 2.5 2> err | sed 's/within.*/within …/' | grep -v doctor; resume these
+  Active Link0.rtc:out
+  Active Link1.rtc:out
+  ?         /localhost:$PORT/test.host_cxt/Link2.rtc: it waits for /localhost:$PORT/test.host_cxt/Apart0.rtc, which does not answer
+  ?         beside /localhost:$PORT/test.host_cxt/Link2.rtc: it does not answer
+  /localhost:$PORT/test.host_cxt/Apart0.rtc: it does not answer (certain)
+  $ rtdis Link1.rtc:out Link2.rtc:in; trace Link0.rtc:out --to Link3.rtc:in
+  Active Link0.rtc:out
+  Active Link1.rtc:out
+  /localhost:$PORT/test.host_cxt/Link1.rtc: no connection leads on from it to /localhost:$PORT/test.host_cxt/Link2.rtc (certain)
+  [1]
+
+Where it cannot begin or end:
+
+  $ rttrace Link0.rtc:nothing
+  rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no such port: nothing (its ports: out)
+  [3]
+  $ rttrace Link0.rtc
+  rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no port specified (see --help)
+  [2]
+  $ rttrace MyServiceProvider0.rtc:MyService
+  rttrace: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not a data port (it is a CorbaPort)
+  [3]
+  $ rttrace Link0.rtc:out -u --to Link3.rtc:in
+  rttrace: --to does not go with -u: give the port where the signal starts (see --help)
+  [2]
+  $ rtdis Link2.rtc:out Apart0.rtc:in; rttrace -t 0.2 Link0.rtc:out --to Apart0.rtc:in | tail -1
+  /localhost:$PORT/test.host_cxt/Link1.rtc: no connection leads on from it to /localhost:$PORT/test.host_cxt/Apart0.rtc (certain)
+
+What the tests that run all commands have to know of this one (see tests/support/invocations.py):
+
+invocation: OUT -t 0.3
+broken component: 4
+examples: asking
