@@ -9,6 +9,7 @@ sections: commands   CPU, wall, peak memory and remote calls of every command, f
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
           logs       rtlog: rates, CPU, memory            ports   rtprint, rtinject: rates
           mount      rtmount: CPU of reads and listings, beside commands
+          idl        what 500 IDL files in RTSHELL_IDL cost
 
 Both of a pair run by turns, so that another load on the machine hits both. --rtshell also runs the real rtshell, where pip can
 install it (into a directory of its own); a status in place of its figures: it does not do this, or not so.
@@ -29,7 +30,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
 import worlds  # noqa: E402: the path first
 
-SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports", "mount")
+SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports", "mount", "idl")
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
 SIZES = sorted(ROUNDS)
 
@@ -286,7 +287,8 @@ def main():
                     bench.sessions()
             finally:
                 bench.close()
-    for section, name in (("profiles", "restore.py"), ("logs", "rtlog.py"), ("ports", "ports.py"), ("mount", "mount.py")):
+    for section, name in (("profiles", "restore.py"), ("logs", "rtlog.py"), ("ports", "ports.py"), ("mount", "mount.py"),
+                          ("idl", "idl.py")):
         if section in wanted:
             script(name)
 

@@ -11,8 +11,8 @@ import random_values
 import simpkl_files
 from fuzz import DATA, TESTS, Crash, Refused, Target, same, spoilt
 from rtshell_lite import errors, path, text
-from rtshell_lite.giop import descriptors
-from rtshell_lite.data import datatypes, literals, type_json, values
+from rtshell_lite.giop import descriptors, marshal
+from rtshell_lite.data import call_values, datatypes, defaults, literals, type_json, values
 from rtshell_lite.data.idl import parser, tokens
 from rtshell_lite.datalog import decode, export, logfile, mcap, records, writer
 from rtshell_lite.xmlprofile import rtsprofile
@@ -194,16 +194,42 @@ class Idl(Target):
         with open(self.file, "wb") as file:
             file.write(data)
         try:
-            types = parser.parse_file(self.file, [os.path.join(DATA, "idl", "valid")])
+            contents = parser.read_file(self.file, [os.path.join(DATA, "idl", "valid")])
         except (errors.BadIdl, errors.Failed) as e:
             raise Refused(str(e))
-        for type_id, descriptor in types.items():
+        for interface in list(contents.interfaces.values())[:20]:
+            for operation in list(interface.all_operations().values())[:40]:
+                self.check_operation(operation)
+        for type_id, descriptor in contents.types.items():
             plain = type_json.plain(descriptor)
             try:
                 again = type_json.descriptor(json.dumps(plain).encode())
             except errors.BadType as e:
                 raise Crash("%s is read from IDL, and not from a log: %s" % (type_id, e))
             same(type_json.plain(again), plain, type_id)
+
+    def check_operation(self, operation):
+        """It can be printed, and its template sent, or there is a reason."""
+        operation.idl()
+        if operation.why_not_callable():
+            return
+        try:
+            template = json.dumps(defaults.template(operation.given()))
+        except errors.BadType:
+            return
+        arguments = call_values.of_json(operation, template, lambda name: self.fail(name))
+        made = operation.schema().operation
+        data = bytearray()
+        for write, value in zip(made.arguments, arguments):
+            write(data, value)
+        maker, at = marshal.ValueMaker("<"), 0
+        for parameter in operation.given():
+            _, at = maker.reader(parameter.type)(bytes(data), at)
+        same(at, len(data), operation.idl())
+
+    @staticmethod
+    def fail(name):
+        raise Crash("a template names the type %s" % name)
 
 
 # ---- values ---------------------------------------------------------------------------------------------------

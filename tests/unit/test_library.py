@@ -2,6 +2,7 @@
 import contextlib
 import os
 import tempfile
+import time
 import unittest
 
 from rtshell_lite import errors, notes
@@ -114,6 +115,32 @@ class Found(unittest.TestCase):
             given = datatypes.Types().interface("IDL:M/Service:1.0").operations[0]
             self.assertEqual(descriptors.words(given.result), "Part")
 
+    def test_what_is_read(self):
+        """Nothing, while no type of it is named; then the files are searched, and those that declare it are parsed."""
+        texts = {"a%d" % number: SERVICE.replace("M", "M%d" % number) for number in range(50)}
+        read, parsed = [], []
+        own = library._text, library.parser.read_file
+
+        def text(path, *rest):
+            read.append(path)
+            return own[0](path, *rest)
+
+        def read_file(path, *rest):
+            parsed.append(os.path.basename(path))
+            return own[1](path, *rest)
+        library._text, library.parser.read_file = text, read_file
+        try:
+            with tree(b="module N { interface Other { void Service(in long part); }; };", **texts) as made:
+                types = datatypes.Types().load()
+                types.named("TimedLong")
+                types.interface("IDL:omg.org/RTC/PortService:1.0")
+                self.assertEqual([path for path in read if path.startswith(made.path)], [])
+                del parsed[:]
+                self.assertTrue(types.interface("IDL:N/Other:1.0"))
+                self.assertEqual((len([path for path in read if path.startswith(made.path)]), parsed), (51, ["b.idl"]))
+        finally:
+            library._text, library.parser.read_file = own
+
     def test_component_s_own(self):
         interface = datatypes.Types().interface("IDL:omg.org/RTC/PortService:1.0")
         self.assertIn("RTC::ReturnCode_t connect(inout RTC::ConnectorProfile connector_profile);",
@@ -160,6 +187,13 @@ class Hostile(unittest.TestCase):
                 self.assertIn("too many IDL files", notes.listener.of(notes.NOTE)[-1])
             finally:
                 library.MOST_FILES, library.LARGEST, library.CANDIDATES = before
+
+    def test_typedefs_that_never_end(self):
+        with tree(long="typedef " * 400000 + " Service", service=SERVICE):
+            begun = time.process_time()
+            self.assertTrue(datatypes.Types().interface("IDL:M/Service:1.0"))
+            self.assertIsNone(datatypes.Types().interface("IDL:N/Service:1.0"))
+            self.assertLess(time.process_time() - begun, 10)
 
     def test_includes_that_never_end(self):
         with tree(one='#include "two.idl"\ninterface Service {};', two='#include "one.idl"\n'):

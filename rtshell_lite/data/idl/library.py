@@ -20,6 +20,8 @@ MOST_FILES = 5000
 MOST_ENTRIES = 100000  # of directories
 LARGEST = 64 << 20  # octets of all files
 DEEPEST = 16  # directories within directories
+LONGEST = 2000  # octets of a typedef
+PLACES = 100  # where a name may be that is looked at
 CANDIDATES = 10  # files that are parsed for one name
 
 
@@ -85,14 +87,13 @@ class Library:
         named = name.encode("utf-8", "replace")
         word = re.escape(named)
         declared = re.compile(rb"\b(?:interface|struct|union|enum)\s+_?%s\b\s*[^\s;]" % word)
-        renamed = re.compile(rb"\btypedef\b[^;]*\b%s\b" % word)
         pragma = type_id.encode("utf-8", "replace")
         sure = []
         others = []
         for path, text in self.texts().items():
             if pragma and pragma in text or named in text and declared.search(text):
                 sure.append(path)
-            elif named in text and renamed.search(text):
+            elif named in text and _is_typedef(text, named):
                 others.append(path)
         return notes.first(CANDIDATES, sure + others, printable(name), "IDL files that may declare it")
 
@@ -119,6 +120,18 @@ class Library:
                     break
                 self._texts[path] = text
         return self._texts
+
+
+def _is_typedef(text, named):
+    """Whether a file seems to declare a name by a typedef. (A regular expression takes for ever on some files.)"""
+    at = text.find(named)
+    for _ in range(PLACES):
+        if at < 0:
+            return False
+        if b"typedef" in text[max(0, at - LONGEST) : at].rpartition(b";")[2]:
+            return True
+        at = text.find(named, at + len(named))
+    return False
 
 
 def _last(type_id):
