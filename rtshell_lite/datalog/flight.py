@@ -180,15 +180,17 @@ class Flight:
 
 
 class Plan:
-    """What a flight records: `tops` (Paths), `wanted` ports (port_arguments.Targets), the Choice of ports below the tops, and
-    events with a `journal` (see system/journal.py, or None).
+    """What a flight records: `tops` (Paths), `wanted` ports (port_arguments.Targets), the Choice of ports below the tops;
+    a `journal` of events (see system/journal.py), and triggers.Triggers with the ring.Incidents that they make, or None.
     """
 
-    def __init__(self, tops, wanted, choice, journal=None):
+    def __init__(self, tops, wanted, choice, journal=None, triggers=None, incidents=None):
         self.tops = tops
         self.wanted = wanted
         self.choice = choice
         self.journal = journal
+        self.triggers = triggers
+        self.incidents = incidents
 
 
 async def record(plan, types, properties, pull, limits, file):
@@ -196,10 +198,14 @@ async def record(plan, types, properties, pull, limits, file):
     tally = notes.Tally()
     channels = recorder.Channels(types)
     work = recorder.Recorder(limits.entries, channels.types, channels.found)
-    readers = await recorder.find_readers(plan.wanted, properties, pull, channels, work.box, tally)
+    work.incidents = plan.incidents
+    readers = await recorder.find_readers(
+        plan.wanted, properties, pull, channels, work.box, tally, plan.triggers
+    )
 
     async def take(port):
-        return work.box.taker(await channel_of(channels, port))
+        number = await channel_of(channels, port)
+        return recorder.taker(work.box, channels, number, plan.triggers)
 
     flight = Flight(plan.tops, plan.choice, take, readers, properties, pull)
     await flight.look()
@@ -223,17 +229,23 @@ async def _fly(plan, flight, work, channels, watch, limits, file):
     async with connection.Connections(flight.readers) as opened:
         opened.step_aside_when_stopped()
         await loop.finish(work.begin(file, channels, begun))
-        notes.note("Recording %d ports of %d components." % (len(flight.readers), len(flight.components)))
+        notes.note("Recording %d ports." % len(flight.readers))
         async with loop.background(watch.watch()), loop.background(work.run()):
             async with loop.background(flight.follow(opened)), loop.background(
-                _journal(plan, flight, work, channels)
+                _triggers(plan, work, channels)
             ):
-                await recorder.wait(limits, work)
+                async with loop.background(_journal(plan, flight, work, channels)):
+                    await recorder.wait(limits, work)
 
 
 async def _journal(plan, flight, work, channels):
     if plan.journal is not None:
         await plan.journal.run(flight, work, channels)
+
+
+async def _triggers(plan, work, channels):
+    if plan.triggers is not None:
+        await plan.triggers.watch(work, channels)
 
 
 async def channel_of(channels, port):

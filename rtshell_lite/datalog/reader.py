@@ -39,6 +39,7 @@ class Log:
         self._damaged = {}  # by offset: messages left out
         self.unread = collections.Counter()  # by encoding: messages of CDR that is not plain
         self.closed = False
+        self._parses = True  # JSON
         self.started = None
         self.end = 0  # offset after the last whole record before the summary
         head = self._head(len(mcap.MAGIC))
@@ -86,6 +87,15 @@ class Log:
             for entry in self._messages(stretch):
                 if entry.number >= start:
                     yield entry
+
+    def octets(self, start=0):
+        """The messages from number `start` on as a Writer takes them: (channel, received, little, data)."""
+        self._parses = False
+        try:
+            for entry in self.entries(start):
+                yield entry.channel, entry.received, entry.little, entry.data
+        finally:
+            self._parses = True
 
     def since(self, moment):
         """The number of the first entry that arrived at `moment` (ns) or later, or None."""
@@ -427,7 +437,7 @@ class Log:
             self._damaged[-1 - number] = 1
             return None
         encoding = self.channels[ours].encoding
-        if encoding == "json":
+        if encoding == "json" and self._parses:
             return self._parsed(number, moment, ours, data)
         if encoding != "cdr":
             return Entry(number, moment, ours, True, data, None)

@@ -18,6 +18,7 @@ from rtshell_lite.text import printable
 VALUES = 200000  # that may wait to be written
 OCTETS = 32 << 20  # of them
 GATHER = 0.1  # seconds for which values are gathered: what a kill -9 costs
+BUSY = 0.01  # seconds between two portions of other work
 TICK = 0.1  # seconds between two looks whether recording is over
 TIMESTAMP = 8  # octets
 SYNC = 1.0  # seconds between two fsyncs: what a power failure costs
@@ -95,6 +96,7 @@ class Recorder:
         self._most = most
         self._types = types
         self._channels = channels
+        self.incidents = None  # ring.Incidents, to be made of what is written
         self._added = 0  # how many of them the writer has
         self._attachments = []  # that wait to be written: (moment, name, media type, data)
         self.count = self.octets = self.repeated = 0
@@ -113,10 +115,16 @@ class Recorder:
     async def run(self):
         """Write what comes."""
         while self.count != self._most and self.failure is None:
-            batch = await self.box.get(TICK)
-            if batch or time.monotonic() >= self._sync_at:
+            batch = await self.box.get(self._patience())
+            if batch or self.incidents or time.monotonic() >= self._sync_at:
                 await loop.finish(self._write(batch))
         self.done.ring()
+
+    def _patience(self):
+        """Seconds to wait for messages: few while something else is to be written."""
+        if self.incidents is not None and self.incidents.is_busy():
+            return BUSY
+        return TICK
 
     async def close(self):
         """Write what is left, and flush it to the disk. Raises OSError, the reason why writing failed."""
@@ -124,6 +132,8 @@ class Recorder:
             return
         if self.failure is None:
             await self._write(await self.box.get(0))
+            if self.incidents is not None:
+                await self._try(self.incidents.finish, self.writer, self._channels)
         await self._try(self.writer.close)
         if self.failure is not None:
             raise self.failure
@@ -163,6 +173,8 @@ class Recorder:
         self.count += len(batch)
         self.repeated += sum(self._is_repeated(channel, message.data) for channel, message in batch)
         self.octets += sum(len(message.data) for _, message in batch)
+        if self.incidents is not None:
+            self.incidents.step(self.writer, self._channels)
         if time.monotonic() >= self._sync_at:
             self.writer.sync()
             self._sync_at = time.monotonic() + SYNC
@@ -216,11 +228,13 @@ class Limits:
 
 class File:
     """The file to record to: `name`, None for one made from the time; `form`: mcap, simpkl or text;
-    whether to append.
+    whether to append. `limits`: ring.Limits of several files, or None; `is_in_memory`: they are not written.
     """
 
-    def __init__(self, name, form, append):
+    def __init__(self, name, form, append, limits=None, is_in_memory=False):
         self.name = name
+        self.limits = limits
+        self.is_in_memory = is_in_memory
         self.form = form
         self.append = append
 
@@ -230,7 +244,7 @@ class File:
         """
         name = self.name
         if name is None:
-            name = "rtlog_%d.mcap" % time.time()
+            name = default_name()
             notes.note(f"recording to {name}")
         if self.form == "text":
             from rtshell_lite.datalog import textlog
@@ -238,9 +252,22 @@ class File:
             return textlog.Writer(name, channels.found, channels.types, self.append)
         if self.form == "simpkl":
             notes.note("simpkl files are only read; recording as MCAP")
+        if self.is_in_memory:
+            from rtshell_lite.datalog import ring
+
+            return ring.Memory(channels.found, self.limits.span, self.limits.size)
+        if self.limits is not None:
+            from rtshell_lite.datalog import ring
+
+            return ring.Parts(name, channels.found, begun, self.limits, self.append)
         from rtshell_lite.datalog import writer
 
         return writer.Writer(name, channels.found, begun, self.append)
+
+
+def default_name():
+    """The name of a log whose user has given none."""
+    return "rtlog_%d.mcap" % time.time()
 
 
 async def record(wanted, types, properties, pull, limits, file):
@@ -273,7 +300,16 @@ async def record(wanted, types, properties, pull, limits, file):
     return tally.status()
 
 
-async def find_readers(wanted, properties, pull, channels, box, tally):
+def taker(box, channels, number, triggers):
+    """The function that takes the Messages of a channel; triggers.Triggers judge them, too, if there are any."""
+    deliver = box.taker(number)
+    if triggers is None:
+        return deliver
+    channel = channels.found[number]
+    return triggers.wrapped((channel.name, *channel.sources), channels.types[number], deliver)
+
+
+async def find_readers(wanted, properties, pull, channels, box, tally, triggers=None):
     """Readers of the ports that Targets name, each for its channel; what fails is counted in a Tally."""
     readers = []
     for number, target in enumerate(await port_arguments.find(wanted)):
@@ -281,7 +317,8 @@ async def find_readers(wanted, properties, pull, channels, box, tally):
             if isinstance(target, errors.Error):
                 raise target
             reader = reading.Reader(target.port, None, "pull" if pull else None, properties, "rtlog")
-            reader.deliver = box.taker(await channels.add(target.port, target.name or f"input{number}"))
+            channel = await channels.add(target.port, target.name or f"input{number}")
+            reader.deliver = taker(box, channels, channel, triggers)
             reader.compare_clocks()
             readers.append(reader)
         except errors.Error as e:

@@ -55,6 +55,22 @@ _BUILT_IN = {
 }
 
 
+EVENT = "rtlog.Event"  # the type of what happens to a robot, whose `mark` plots show
+
+
+def of_json(name, fields):
+    """(name, encoding, data) for messages of JSON; `fields`: {name: type}."""
+    import json
+
+    properties = {field: {"type": kind} for field, kind in fields.items()}
+    described = {"title": name, "type": "object", "properties": properties}
+    return name, "jsonschema", json.dumps(described, sort_keys=True).encode("ascii")
+
+
+def of_events():
+    return of_json(EVENT, dict.fromkeys(("path", "kind", "subject", "event", "mark"), "string"))
+
+
 class _NotExpressible(Exception):
     """A type that this language has no words for."""
 

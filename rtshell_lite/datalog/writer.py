@@ -126,11 +126,15 @@ class Writer:
 
     def _begin_part(self, channels):
         """Say when this part of the recording began, and describe its channels."""
-        described = mcap.metadata_record("rtlog", {"created": str(self._begun)})
-        self.contents.add_metadata(self.end, len(described), "rtlog")
-        self._put([described])
+        self.describe("rtlog", {"created": str(self._begun)})
         for channel in channels:
             self.add(channel)
+
+    def describe(self, name, texts):
+        """Write a Metadata record; `texts` is a dict."""
+        described = mcap.metadata_record(name, texts)
+        self.contents.add_metadata(self.end, len(described), name)
+        self._put([described])
 
     def _go_on(self, channels):
         from rtshell_lite.datalog import logfile

@@ -9,11 +9,11 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.data.reading import Message
+from rtshell_lite.datalog import schemas
 from rtshell_lite.events import presence, watch
 from rtshell_lite.net import loop
 from rtshell_lite.xmlprofile import rtsprofile
 
-EVENT = "rtlog.Event"
 RECORD = "rtlog.Record"
 TICK = 0.1  # seconds between two looks at what has been reported
 QUIET = 2.0  # seconds without a change, after which the system is looked at
@@ -24,15 +24,7 @@ SERIOUS = {"ERROR": "Error", "DIED": "died", "NO_ANSWER": "does not answer"}
 _FEW = tuple((f"port_profile.{word}_event.min_interval", presence.NEVER) for word in ("send", "receive"))
 
 
-def schema(name, fields):
-    """(name, encoding, data) of the JSON of a channel; `fields`: {name: type}."""
-    properties = {field: {"type": kind} for field, kind in fields.items()}
-    described = {"title": name, "type": "object", "properties": properties}
-    return name, "jsonschema", json.dumps(described, sort_keys=True).encode("ascii")
-
-
-_EVENTS = schema(EVENT, dict.fromkeys(("path", "kind", "subject", "event", "mark"), "string"))
-_RECORDS = schema(
+_RECORDS = schemas.of_json(
     RECORD, dict(dict.fromkeys(("path", "logger", "level", "message", "mark"), "string"), time="number")
 )
 
@@ -53,7 +45,9 @@ class Journal:
     async def run(self, flight, work, channels):
         """Watch all components that come, until it is cancelled. `work`: a recorder.Recorder."""
         self._work = work
-        self._numbers = channels.add_json("/events", _EVENTS), channels.add_json("/logs", _RECORDS)
+        self._numbers = channels.add_json("/events", schemas.of_events()), channels.add_json(
+            "/logs", _RECORDS
+        )
         known = set()
         kinds = set(watch.KINDS) - {"HEARTBEAT"}
         async with watch.Watch(watch.Events(kinds, _FEW), self._note) as events:

@@ -4,13 +4,13 @@ import re
 
 from rtshell_lite import errors, text
 from rtshell_lite.data import datatypes, values
+from rtshell_lite.datalog import schemas
 from rtshell_lite.text import printable
 from rtshell_lite.views import plot
 
 PANELS = 8  # of a log without names of channels
 WINDOWS = 100  # spans of a log for which rates are counted, at most
 FEWEST = 3  # of them
-EVENT = "rtlog.Event"  # the type of the events in a log
 SHOWN = (
     "",
     "rate",
@@ -103,7 +103,7 @@ def of_log(channels, words, shown, entries):
         sources.append(Source(log.channels[number].name, field, shown, between, width))
         wanted.setdefault(number, []).append(sources[-1])
     picture = plot.Picture([source.panel for source in sources])
-    events = {number for number, each in enumerate(log.channels) if each.type_id == EVENT}
+    events = {number for number, each in enumerate(log.channels) if each.type_id == schemas.EVENT}
     moment = 0
     for entry in entries:
         moment = entry.received
@@ -132,7 +132,9 @@ def _value(channels, entry):
 def _all(log):
     """All channels but those of events, at most PANELS."""
     found = [
-        number for number, each in enumerate(log.channels) if each.encoding == "cdr" or each.type_id != EVENT
+        number
+        for number, each in enumerate(log.channels)
+        if each.encoding == "cdr" or each.type_id != schemas.EVENT
     ]
     return [(number, plot.Field("")) for number in found[:PANELS]]
 

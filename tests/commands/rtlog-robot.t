@@ -18,7 +18,7 @@ A directory with events. A component that dies and comes back goes on in its cha
   $ kill $pid; wait $pid
   [143]
   $ cat told
-  rtlog: Recording * ports of * components. (glob)
+  rtlog: Recording * ports. (glob)
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:block: the component is gone, and its process too
   $ rtlog -d --json -f a.mcap | grep -o '"name": "[^"]*Source0[^"]*"\|closed": [a-z]*\|"system-1.rtsys"'

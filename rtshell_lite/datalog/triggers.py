@@ -1,0 +1,228 @@
+"""Conditions upon which a flight recorder keeps what has happened.
+
+error, death, disconnect      what components report
+silent PATH:PORT SECONDS      no value has come for so long, after one had come
+PATH:PORT.FIELD OP VALUE      a value is <, <=, >, >=, ==, != a number or a word, which those before were not
+"""
+
+import _signal  # see start.py
+import json
+import operator
+import re
+import time
+
+from rtshell_lite import errors, notes
+from rtshell_lite.data import values
+from rtshell_lite.data.reading import Message
+from rtshell_lite.datalog import schemas
+from rtshell_lite.net import loop
+from rtshell_lite.text import printable
+
+LOOK = 0.05  # seconds between two looks
+EVENTS = {"error": ("ERROR",), "death": ("DIED",), "disconnect": ("PORT_DISCONNECT",)}
+_OPERATORS = {
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "==": operator.eq,
+    "!=": operator.ne,
+}
+_COMPARISON = re.compile(r"(\S.*?)\s*(<=|>=|==|!=|<|>)\s*(\S.*?)\s*\Z")
+_SILENCE = re.compile(r"silent\s+(\S.*\S)\s+(\d+\.?\d*|\.\d+)\s*\Z")
+
+
+def is_of_channel(word, names):
+    """Whether a word on the command line is one of the names of a channel: that in the log, the path of its port; or the end of
+    one.
+    """
+    return any(name == word or name.endswith("/" + word.lstrip("./")) for name in names)
+
+
+class Silence:
+    """No value of a channel has come for some time."""
+
+    def __init__(self, words, port, seconds):
+        self.words = words
+        self._port = port
+        self._seconds = seconds
+        self._last = {}  # by names of a channel: when a value came last; None: its silence has been noticed
+
+    def wrapped(self, names, type, deliver):
+        if not is_of_channel(self._port, names):
+            return deliver
+
+        def take(message):
+            self._last[names] = time.monotonic()
+            deliver(message)
+
+        return take
+
+    def look(self):
+        """What has happened, in words, since the last look."""
+        now = time.monotonic()
+        for name, last in self._last.items():
+            if last is not None and now - last > self._seconds:
+                self._last[name] = None
+                yield self.words
+
+
+class Comparison:
+    """A part of the values of a channel is more, less, or what."""
+
+    def __init__(self, words, part, compare, wanted):
+        self.words = words
+        self._part = part
+        self._compare = compare
+        self._wanted = wanted
+        self._happened = []
+        self._was = {}
+
+    def wrapped(self, names, type, deliver):
+        field = self._field(names)
+        if field is None or type is None:
+            return deliver
+
+        def take(message):
+            deliver(message)
+            self._judge(names, type, field, message)
+
+        return take
+
+    def _field(self, names):
+        for cut in [found.start() for found in reversed(list(re.finditer(r"[.\[]", self._part)))]:
+            if is_of_channel(self._part[:cut], names):
+                return self._part[cut:].lstrip(".")
+        return None
+
+    def _judge(self, names, type, field, message):
+        try:
+            value = values.field(type.decode(message.data, message.little), field)
+        except errors.Error:
+            return  # it is not there
+        value = getattr(value, "_n", value)
+        try:
+            is_so = self._compare(value, self._wanted)
+        except TypeError:
+            return  # a word and a number
+        if is_so and not self._was.get(names):
+            self._happened.append(self.words)
+        self._was[names] = is_so
+
+    def look(self):
+        happened, self._happened = self._happened, []
+        return happened
+
+
+class Report:
+    """Components report an event."""
+
+    def __init__(self, word):
+        self.words = word
+        self._events = EVENTS[word]
+        self._happened = []
+
+    def wrapped(self, names, type, deliver):
+        return deliver
+
+    def hear(self, fields):
+        """Take the fields of an event of a component."""
+        if fields["event"] in self._events:
+            self._happened.append("%s %s" % (self.words, fields["path"].rpartition("/")[2]))
+
+    def look(self):
+        happened, self._happened = self._happened, []
+        return happened
+
+
+def parse(words):
+    """The conditions that words on the command line say. Raises Usage."""
+    return [_condition(each.strip()) for each in words]
+
+
+def _condition(words):
+    if words in EVENTS:
+        return Report(words)
+    silence = _SILENCE.match(words)
+    if silence:
+        return Silence(words, silence.group(1), float(silence.group(2)))
+    comparison = _COMPARISON.match(words)
+    if comparison and ":" in comparison.group(1):
+        part, word, wanted = comparison.groups()
+        return Comparison(words, part, _OPERATORS[word], _number(wanted))
+    known = ", ".join(EVENTS)
+    raise errors.Usage(
+        f"--trigger: none of {known}, silent PATH:PORT SECONDS, PATH:PORT.FIELD OP VALUE: {printable(words)}"
+    )
+
+
+def _number(word):
+    """A number, a boolean or a word of a comparison."""
+    if word in ("true", "false"):
+        return word == "true"
+    try:
+        return float(word)
+    except ValueError:
+        return word.strip("'\"")
+
+
+class Triggers:
+    """The conditions of a recording, which have ring.Incidents made of what comes."""
+
+    def __init__(self, conditions, incidents, mailbox):
+        self._conditions = conditions
+        self._incidents = incidents
+        self._mailbox = mailbox
+        self._signals = 0
+
+    def wrapped(self, names, type, deliver):
+        """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of is_of_channel."""
+        for condition in self._conditions:
+            deliver = condition.wrapped(names, type, deliver)
+        return deliver
+
+    def hear(self, fields):
+        """Take the fields of an event of a component."""
+        for condition in self._conditions:
+            if isinstance(condition, Report):
+                condition.hear(fields)
+
+    def needs_events(self):
+        return any(isinstance(condition, Report) for condition in self._conditions)
+
+    async def watch(self, work, channels):
+        """Look whether something has happened, until it is cancelled. `work`: a recorder.Recorder."""
+        number = channels.add_json("/triggers", schemas.of_events())
+        loop.current().hear(_signal.SIGUSR1, self._signalled)
+        try:
+            while True:
+                for words in self._happened():
+                    self._incidents.trigger(words)
+                    notes.note(f"trigger: {printable(words)}")
+                    fields = {
+                        "path": "",
+                        "kind": "TRIGGER",
+                        "subject": "",
+                        "event": words,
+                        "mark": "trigger: " + words,
+                    }
+                    data = json.dumps(fields, sort_keys=True).encode("ascii")
+                    work.box.put(number, Message(int(time.time() * 1e9), data, True))
+                await loop.sleep(LOOK)
+        finally:
+            loop.current().hear(_signal.SIGUSR1, None)
+
+    def close(self):
+        self._mailbox.close()
+
+    def _signalled(self):
+        self._signals += 1
+
+    def _happened(self):
+        for condition in self._conditions:
+            yield from condition.look()
+        if self._signals:
+            self._signals = 0
+            yield "SIGUSR1"
+        if self._mailbox.taken():
+            yield "now"

@@ -1,0 +1,197 @@
+"""Rings and triggers without any port: what a ring holds, what is kept of it, and which conditions hold."""
+import glob
+import os
+import struct
+import time
+import types
+import unittest
+from unittest import mock
+
+from rtshell_lite import errors
+from rtshell_lite.data import datatypes
+from rtshell_lite.datalog import logfile, ring, triggers
+from test_datalog import CHANNELS, START, Case
+
+SECOND = 10 ** 9
+
+
+class Clock:
+    """A time that passes when it is told to, in the place of time.time and time.monotonic."""
+
+    def __init__(self):
+        self.now = START / 1e9
+
+    def __call__(self):
+        return self.now
+
+
+class Ring(Case):
+    def setUp(self):
+        Case.setUp(self)
+        self.clock = Clock()
+        self.number = 0
+        self.kept = []
+        for name in ("time", "monotonic"):
+            patch = mock.patch.object(time, name, self.clock)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def parts(self, span=4, size=None, leave=0):
+        made = ring.Parts(self.name + ".mcap", CHANNELS, START, ring.ring_limits(span, size, leave))
+        self.addCleanup(made.close)
+        return made
+
+    def memory(self, span=4, size=1 << 20):
+        return ring.Memory(CHANNELS, span, size)
+
+    def incidents(self, before=4, after=2):
+        return ring.Incidents(self.name + ".mcap", before, after, self.kept.append)
+
+    def run_for(self, seconds, made, incidents=None, step=0.1):
+        """Write a message every `step` seconds, and let the Incidents do their work."""
+        for _ in range(round(seconds / step)):
+            self.clock.now += step
+            made.write([(0, int(self.clock.now * 1e9), True, b"%08d" % self.number)])
+            self.number += 1
+            if incidents:
+                incidents.step(made, CHANNELS)
+
+    @staticmethod
+    def numbers(name):
+        with logfile.load(name) as log:
+            return [int(entry.data) for entry in log.entries()]
+
+    def test_a_ring_is_bounded(self):
+        made = self.parts()
+        self.run_for(60, made)
+        names = glob.glob(self.name + "-*")
+        self.assertLessEqual(len(names), ring.PARTS + 3)
+        held = sorted(number for name in names for number in self.numbers(name))
+        self.assertEqual(held, list(range(held[0], self.number)))
+        self.assertGreaterEqual(len(held), 40)
+
+    def test_a_ring_of_octets_is_bounded(self):
+        made = self.parts(None, 100000)
+        self.run_for(600, made)
+        self.assertLess(sum(map(os.path.getsize, glob.glob(self.name + "-*"))), 130000)
+
+    def test_a_trigger_keeps_before_and_after(self):
+        for make in (self.parts, self.memory):
+            self.kept.clear()
+            made, incidents = make(), self.incidents()
+            for wait in (10, 3, 17.3):
+                self.run_for(wait, made, incidents)
+                at = self.number - 1
+                incidents.trigger("cause")
+                self.run_for(4, made, incidents)
+                numbers = self.numbers(self.kept[-1])
+                self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
+                self.assertTrue(abs(numbers[0] - max(0, at - 40)) <= 1 or wait == 3, (numbers[0], at))
+                self.assertLessEqual(abs(numbers[-1] - at - 20), 1)
+            self.assertEqual(len(self.kept), 3)
+
+    def test_what_happens_meanwhile_is_another_cause(self):
+        made, incidents = self.memory(), self.incidents()
+        self.run_for(5, made, incidents)
+        for words in ("first", "second", "third"):
+            incidents.trigger(words)
+            self.run_for(0.5, made, incidents)
+        self.run_for(5, made, incidents)
+        self.assertEqual(len(self.kept), 1)
+        with open(self.kept[0], "rb") as file:
+            data = file.read()
+        for words in (b"first", b"second", b"third"):
+            self.assertIn(words, data)
+
+    def test_names_are_never_taken_twice(self):
+        made, incidents = self.memory(), self.incidents(1, 0)
+        for _ in range(3):
+            incidents.trigger("../../x y\x1b", START)
+            self.run_for(1, made, incidents)
+        self.assertEqual(len(set(self.kept)), 3)
+        self.assertEqual({os.path.dirname(name) for name in self.kept}, {self.directory.name})
+
+    def test_what_is_pending_is_not_removed(self):
+        """Even if it is copied slowly."""
+        made, incidents = self.parts(), self.incidents(4, 2)
+        self.run_for(10, made, incidents)
+        incidents.trigger("x")
+        at = self.number
+        with mock.patch.object(ring, "SLICE", 200):
+            self.run_for(30, made, incidents)
+        numbers = self.numbers(self.kept[0])
+        self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
+        self.assertLessEqual(abs(numbers[0] - at + 40), 1)
+
+    def test_an_end_keeps_what_there_is(self):
+        made, incidents = self.memory(), self.incidents(4, 100)
+        self.run_for(3, made, incidents)
+        incidents.trigger("x")
+        self.run_for(1, made, incidents)
+        incidents.finish(made, CHANNELS)
+        self.assertEqual(self.numbers(self.kept[0]), list(range(40)))
+
+    def test_a_disk_that_is_nearly_full(self):
+        made = self.parts(40, None, 1)
+        self.run_for(40, made)
+        count = len(glob.glob(self.name + "-*"))
+        free = iter([0, 0, 5] + [5] * 1000)
+        with mock.patch.object(ring.Parts, "_free", lambda self: next(free)):
+            self.run_for(1.2, made)
+        self.assertLess(len(glob.glob(self.name + "-*")), count)
+        with mock.patch.object(ring.Parts, "_free", lambda self: 0), self.assertRaisesRegex(OSError, "nearly full"):
+            self.run_for(1.2, made)
+
+
+class Conditions(unittest.TestCase):
+    def test_wrong_ones(self):
+        for words in ("", "errors", "silent x", "x.y > 5", "silent a:b x", "a:b", "a:b.c ="):
+            with self.assertRaises(errors.Usage):
+                triggers.parse([words])
+
+    def happened(self, words, numbers, name="/h/c/A.rtc:out"):
+        """How many times a condition held for TimedLongs of these numbers."""
+        (condition,) = triggers.parse([words])
+        type = datatypes.Types().named("TimedLong")
+        taken, count = [], 0
+        take = condition.wrapped((name,), type, taken.append)
+        for number in numbers:
+            take(types.SimpleNamespace(data=struct.pack("<IIi", 0, 0, number), little=True))
+            count += len(list(condition.look()))
+        self.assertEqual(len(taken), len(numbers))
+        return count
+
+    def test_comparisons(self):
+        for words, count in (("A.rtc:out.data > 5", 2), ("/h/c/A.rtc:out.data>5", 2), ("A.rtc:out.data == 9", 1),
+                             ("A.rtc:out.data <= -1.5", 0),
+                             ("B.rtc:out.data > 5", 0), ("A.rtc:out.nothing > 5", 0), ("A.rtc:out.tm > 5", 0), ("A.rtc:out.data == x", 0),
+                             ("A.rtc:out.data != x", 1), ("A.rtc:out.tm.sec == 0", 1)):
+            self.assertEqual(self.happened(words, [1, 6, 7, 2, 9]), count, words)
+
+    def test_events(self):
+        (condition,) = triggers.parse(["error"])
+        condition.hear({"event": "ACTIVE", "path": "/h/A.rtc"})
+        self.assertEqual(list(condition.look()), [])
+        condition.hear({"event": "ERROR", "path": "/h/A.rtc"})
+        self.assertEqual((list(condition.look()), list(condition.look())), (["error A.rtc"], []))
+
+    def test_silence_is_noticed_once(self):
+        clock = Clock()
+        with mock.patch.object(time, "monotonic", clock):
+            (condition,) = triggers.parse(["silent A.rtc:out 0.5"])
+            take = condition.wrapped(("/h/A.rtc:out",), None, lambda message: None)
+            clock.now += 9
+            self.assertEqual(list(condition.look()), [])  # nothing has come at all
+            take(None)
+            found = []
+            for _ in range(5):
+                clock.now += 0.3
+                found.append(len(list(condition.look())))
+            take(None)
+            clock.now += 1
+            found.append(len(list(condition.look())))
+        self.assertEqual(found, [0, 1, 0, 0, 0, 1])
+
+
+if __name__ == "__main__":
+    unittest.main()
