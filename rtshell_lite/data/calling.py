@@ -74,6 +74,8 @@ class Provider:
     def members(self):
         """Its Operations and Attributes, the inherited ones after its own."""
         found = []
+        if self.interface is None:
+            return found
         for interface in self.interface.ancestry():
             found += interface.attributes + interface.operations
         return found
@@ -88,8 +90,6 @@ class Provider:
 
     def names(self):
         """The names of its operations and attributes."""
-        if self.interface is None:
-            return []
         return [each.name for each in self.members()]
 
     def setter(self, name):

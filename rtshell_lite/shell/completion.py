@@ -73,6 +73,8 @@ async def _arguments(command, before, word):
     module = installation.load(known[command], "rtshell_lite command")
     parser = options.parser(module.arguments, module.__doc__, command)
     positional, option, ended = parser.unfinished(before)
+    positional = Positional(positional)
+    positional.line = before
     if option:
         found = await _for_action(option, word, positional)
         if found or option.nargs != "?":
@@ -81,6 +83,12 @@ async def _arguments(command, before, word):
     if word.startswith("-") and not ended:
         return await _options(parser, word, positional)
     return await _positional(parser, module.__doc__, positional, word)
+
+
+class Positional(list):
+    """The words before the last that are no options; `line` are all."""
+
+    line = ()
 
 
 async def _options(parser, word, positional):
@@ -267,6 +275,21 @@ async def _parameters(_, positional):
     return [Candidate(printable(name), True, printable(value)) for name, value in values.items()]
 
 
+# ---- services ----------------------------------------------------------------------------------------------
+
+_services = _paths(("component", "object", "manager"), ("CorbaPort",))
+
+
+async def _calls(word, positional):
+    """Of rtcall: a service port or a component, an operation, arguments."""
+    if not positional or "-l" in positional.line:
+        return await _services(word, positional)
+    from rtshell_lite.shell import calls
+
+    idl = [value for option, value in zip(positional.line, positional.line[1:]) if option == "--idl"]
+    return [Candidate(*found) for found in await calls.offered(word, positional, idl)]
+
+
 # ---- local files -------------------------------------------------------------------------------------------
 
 
@@ -313,6 +336,7 @@ KINDS = {
     "PATH:PORT[.NAME]": _paths(_OBJECTS, _DATA, True),
     "PATH[:PORT]": _paths(_OBJECTS, _ALL),
     "PATH[:PORT,…]": _paths(_OBJECTS, _ALL),
+    "PATH:SVC": _calls,
     "PATH:OUT": _paths(_OBJECTS, _DATA[1:], True),
     "PATH:IN": _paths(_OBJECTS, _DATA[:1], True),
     "SET": _sets,

@@ -1,13 +1,19 @@
-"""Targets of fuzz.py that need no robot: what callers send to our servants, and replies that our own ORB reads."""
+"""Targets of fuzz.py that need no robot: what callers send to our servants, replies that our own ORB reads, and what rtcall
+prints of them.
+"""
+import os
 import select
 import socket
 import struct
 
 import fuzz_replies
 import giop_client
-from fuzz import Crash, Refused, Target, spoilt
+from fuzz import ROOT, Crash, Refused, Target, spoilt
+from rtshell_lite import errors, text
 from rtshell_lite.corba.iiop import calls, server
-from rtshell_lite.giop import messages, operations, requests
+from rtshell_lite.data import call_values, defaults
+from rtshell_lite.data.idl import parser
+from rtshell_lite.giop import allowance, descriptors, marshal, messages, operations, requests
 from rtshell_lite.net import loop
 
 WORDS = fuzz_replies.WORDS + [bytes([1, minor, flags, kind]) for minor in (0, 1, 2) for flags in (0, 1, 3) for kind in range(8)]
@@ -120,4 +126,47 @@ class Answers(Target):
             raise Refused(str(e))
 
 
-TARGETS = [Requests, Answers]
+class Results(Target):
+    """What operations of a user's IDL return: values that can be printed, or a declared error."""
+
+    name = "results"
+    words = WORDS + [struct.pack("<I", kind) for kind in range(1, 30)] + [b"IDL:Mock/Step:1.0\0", b"\0\0\0\0\1\0\0\0"]
+
+    def prepare(self):
+        file = parser.read_file(os.path.join(ROOT, "mock_components", "robot.idl"))
+        named = file.interfaces["IDL:Mock/Robot:1.0"].all_operations()
+        self.operations = [(name, each, each.schema()) for name, each in sorted(named.items()) if each.schema().returned]
+        self.seeds = []
+        for number, (name, each, schema) in enumerate(self.operations):
+            out = bytearray(messages.HEADER + 12)
+            for descriptor in schema.returned:
+                marshal.ValueMaker("<").writer(descriptor)(out, self._value(descriptor, file))
+            self.seeds.append(bytes([number]) + bytes(out[messages.HEADER + 12:]))
+
+    @staticmethod
+    def _value(descriptor, file):
+        """A value of a type; one in an any that has parts."""
+        value = defaults.value(descriptor)
+        if isinstance(value, marshal.Any):
+            step = file.types["IDL:Mock/Steps:1.0"]
+            return marshal.Any(step, [defaults.value(descriptors.element(descriptors.target(step)))])
+        return value
+
+    def check(self, data):
+        _, operation, schema = self.operations[data[0] % len(self.operations) if data else 0]
+        octets = bytes(messages.HEADER + 12) + data[1:]
+        allowance.begin()
+        try:
+            value = calls._values(schema.operation.results[1], octets, messages.HEADER + 12)
+        except calls._GARBLED as e:
+            raise Refused(str(e))
+        try:
+            shown = [text.json_line(call_values.as_dict(operation, value)), call_values.as_text(operation, value)]
+        except errors.BadValue as e:  # nested too deep
+            raise Refused(str(e))
+        for line in shown:
+            if not text.safe(line or "").isprintable():
+                raise Crash("not printable: %r" % line)
+
+
+TARGETS = [Requests, Answers, Results]

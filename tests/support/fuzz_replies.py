@@ -28,6 +28,8 @@ COMMANDS = [["rtls", "-lR"], ["rtls", "-l", DIRECTORY], ["rtls", DIRECTORY], ["r
             ["rtconf", "-l", DIRECTORY + "/ConfigSample0.rtc", "list"], ["rtec", DIRECTORY + "/ConsoleIn0.rtc"],
             ["rtdis", "--dry-run", DIRECTORY + "/ConsoleIn0.rtc"], ["rtact", DIRECTORY + "/ConsoleIn0.rtc"],
             ["rtcryo", "."], ["rtdoctor", "."], ["rtdoc", DIRECTORY + "/ConfigSample0.rtc"],
+            ["rtcall", DIRECTORY + "/ConsoleIn0.rtc", "get_component_profile"],
+            ["rtcall", "--json", DIRECTORY + "/ConsoleIn0.rtc", "get_ports"],
             ["rtmgr", "--loaded", DIRECTORY + "/manager.mgr"], ["rtdel", "--dry-run", "-z", DIRECTORY]]
 TIMEOUT = 0.3  # seconds that a command waits for an answer
 LIMIT = 4.0  # seconds for a whole command: several questions may be asked one after the other, and machines are shared
