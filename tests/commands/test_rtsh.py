@@ -138,7 +138,7 @@ class AtThePrompt(unittest.TestCase):
         self.assertEqual(self.status(), 3)
 
     def test_completion(self):
-        for keys, wanted in [("rtc\t\t", r"rtcat .*rtcheck "), ("\x15l\t\t", "log +ls"), ("\x15cat ConsoleO\t", r"cat ConsoleOut0\.rtc$"),
+        for keys, wanted in [("rtc\t\t", r"rtcall .*rtcheck "), ("\x15l\t\t", "log +ls"), ("\x15cat ConsoleO\t", r"cat ConsoleOut0\.rtc$"),
                              (":\t", r":in "), ("\x15pwd; print ConsoleI\t", r"print ConsoleIn0\.rtc:$"), ("\x15ls --rec\t", "--recurse "),
                              ("\x15conf ConfigSample0.rtc g\t", "rtc get "), ("\x15rtact Conf\t", r"ConfigSample0\.rtc ")]:
             with self.subTest(keys):

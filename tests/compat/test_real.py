@@ -55,6 +55,9 @@ ONCE = [
     ("rtsh -c ls", ()), ("rtprint --stats -t 1 OUT", ()), ("rtinject --dry-run -c 1 IN", ()), ("rtdel -z", ()),
 ]
 
+SERVICE = "called.idl"  # in `top`
+LONGEST_ECHO = 12.0  # seconds: an echo of the examples takes 10
+
 robots = []
 top = None
 
@@ -280,6 +283,35 @@ class Real(unittest.TestCase):
         states = wait_for(_states(robot.nodes[part]))
         if states != wanted:
             raise AssertionError("%s %s: %s, not %s" % (robot.label, part, states, wanted))
+
+    def test_5_operations(self):
+        """Operations of a service port, interrupted at random: nothing is done twice, and no connector stays."""
+        def call(robot):
+            provider = robot.path("MyServiceProvider")
+            done(["rtact", "--wait", "5", provider])
+            statuses = collections.Counter()
+            for number in range(ROUNDS):
+                process = start(["rtcall", provider + ":MyService", "echo", "round %d" % number, "--idl", SERVICE])
+                while process.poll() is None and not asks(process):
+                    time.sleep(0.01)
+                time.sleep(random.uniform(0, 0.3))
+                process.send_signal(signal.SIGINT)
+                status, said = ended(process)
+                if status not in ENDED[signal.SIGINT]:
+                    raise AssertionError("rtcall: status %s\n%s" % (status, said))
+                statuses["it may have been done" in said] += 1
+                self.unharmed(robot, "rtcall, round %d" % number)
+            time.sleep(LONGEST_ECHO)
+            status, said = ended(start(["rtcall", "--json", provider + ":MyService", "get_echo_history", "--idl", SERVICE]))
+            effects = collections.Counter(re.findall(r"round \d+", said))
+            if status or not effects or max(effects.values()) > 1 or len(effects) > statuses[True]:
+                raise AssertionError("%s %s: %d were called\n%s" % (status, effects, statuses[True], said))
+            done(["rtdeact", "--wait", "5", provider])
+            return "%d of %d calls were under way, %d were done, none twice" % (statuses[True], ROUNDS, len(effects))
+        with open(os.path.join(top, SERVICE), "w") as file:
+            file.write("module SimpleService { typedef sequence<string> Echoes; interface MyService { string echo(in string msg); "
+                       "Echoes get_echo_history(); }; };")
+        self.each_robot(call)
 
     def test_6_bare_calls(self):
         """The same connections from one process, one after the other, while values go through."""
