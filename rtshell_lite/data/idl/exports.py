@@ -10,6 +10,7 @@ from rtshell_lite.data.idl.interfaces import Attribute, Operation, Parameter
 from rtshell_lite.text import printable
 
 DIRECTIONS = ("in", "out", "inout")
+VOID = 1  # the TCKind of what has no type
 
 
 def export(parser, interface, depth):
@@ -31,16 +32,17 @@ def export(parser, interface, depth):
 def _unreadable(parser, interface, is_attribute, fault):
     """Skip what could not be read; only its name is kept."""
     name = ""
-    after = ";" if is_attribute else "("
     for token in parser.skip():
-        if token.kind == "mark" and token.word == after:
+        if token.kind == "mark" and token.word in "(;":
             break
         if token.kind == "name":
             name = token.word.lstrip("_")
     if is_attribute:
-        known, made = interface.attributes, Attribute(name, 1)
+        known = interface.attributes
+        made = Attribute(name, VOID)
     else:
-        known, made = interface.operations, Operation(name)
+        known = interface.operations
+        made = Operation(name)
     made.fault = fault
     known[:] = [each for each in known if each.name != name] + [made]
 
@@ -90,10 +92,12 @@ def _attributes(parser, interface, depth):
     while parser.is_mark(","):
         parser.advance()
         names.append(parser.name("an attribute"))
+    set_raises = []
     if readonly:
-        raises, set_raises = _raised(parser, "raises"), []
+        raises = _raised(parser, "raises")
     else:
-        raises, set_raises = _raised(parser, "getraises"), _raised(parser, "setraises")
+        raises = _raised(parser, "getraises")
+        set_raises = _raised(parser, "setraises")
     for name in names:
         interface.attributes.append(Attribute(name, descriptor, readonly, raises, set_raises))
 

@@ -97,7 +97,7 @@ class Operation:
         if self.result is not None:
             words = spelled(self.result)
         if self.oneway:
-            words = "oneway " + words
+            words = f"oneway {words}"
         listed = [f"{each.direction} {spelled(each.type)} {each.name}" for each in self.parameters]
         line = f"{words} {self.name}({', '.join(listed)})" + _raising("raises", self.raises)
         if self.contexts:
