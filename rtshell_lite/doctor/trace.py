@@ -163,7 +163,7 @@ class Trace:
         except errors.Error as e:
             stage.error = e
             if isinstance(e, errors.Silent):
-                await self._find_cause(stage)
+                await self.find_cause(stage)
             return
         stage.error = None
         stage.state = component.merged(found.states)
@@ -171,11 +171,12 @@ class Trace:
         listed = ports.in_system(found.ports)
         outs = [port for port in listed if port.type == "DataOutPort"]
         ins = [port for port in listed if port.type == "DataInPort"]
-        if only is not None and only.type == "DataOutPort" and not self.against:
+        if only is not None and only.type == "DataOutPort":
             outs = [port for port in outs if port.name == only.name]
+        elif self.against:
+            outs = []  # those on the way are known where they lead to
         if only is not None and only.type == "DataInPort" and self.against:
             ins = [port for port in ins if port.name == only.name]
-            outs = []
         for port in outs:
             self._watch(stage, port)
         await self._show_services(stage, [port for port in listed if port.type == "CorbaPort"])
@@ -240,7 +241,7 @@ class Trace:
         watch = next(each for each in far.watches if each.port.name == far_port.name)
         self.links.append(Link(watch, stage, port, joined))
 
-    async def _find_cause(self, stage):
+    async def find_cause(self, stage):
         """Note what a Stage waits for, if it lives: asked for its ports, it asks their far ends."""
         session.current().silent.pop(stage.node.endpoint, None)  # its process may answer smaller questions
         others = [node for node in await _bound(stage.node) if node.endpoint != stage.node.endpoint]
@@ -391,7 +392,7 @@ def _fault_of(watch, feeding):
     fed = [each for each in feeding if each.count]
     if not watch.count:
         if not feeding:
-            return Fault(f"nothing is written to {watch.name}", CERTAIN)
+            return Fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", CERTAIN)
         if fed:
             return Fault(f"values come in ({fed[0].rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
         return None
@@ -405,6 +406,16 @@ def _fault_of(watch, feeding):
     if watch.count > 1 and watch.rate < THINNED * rate:
         return Fault(f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE)
     return None
+
+
+async def of_silent(where, error):
+    """The Trace from the component at a Path that does not answer, by an errors.Silent: what it waits for."""
+    node = await tree.component(where)
+    trace = Trace()
+    stage = trace.stages[orb.identity(node.ref)] = Stage(node, 0)
+    stage.error = error
+    await trace.find_cause(stage)
+    return trace
 
 
 async def between(start, to, against, seconds):
