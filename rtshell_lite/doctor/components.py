@@ -71,6 +71,16 @@ async def examined(nodes):
     return snapshots
 
 
+async def complete(snapshots):
+    """Ask the components that have answered for what else rtcat shows; what fails is missing."""
+    answering = [snapshot for snapshot in snapshots if snapshot.error is None]
+    await ask_all(
+        answering, configuration=FULL, organisations=FULL, composites=FULL, members=FULL, names=FULL
+    )
+    for snapshot in answering:
+        snapshot.error = None
+
+
 # ---- findings ----------------------------------------------------------------------------------------------
 
 

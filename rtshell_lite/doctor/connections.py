@@ -16,13 +16,12 @@ Link = collections.namedtuple("Link", "snapshot port connector")
 SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree on when they are connected
 
 
-async def findings(snapshots):
-    """Findings on all connections of the components, sorted by path. Ends elsewhere are asked, one call each.
+async def findings(snapshots, ends):
+    """Findings on all connections of the components, sorted by path.
 
-    A connection with trouble is looked at twice: it may just be changing.
+    `ends` are those of `all_ends`. A connection with trouble is looked at twice: it may just be changing.
     """
     links = _links(snapshots)
-    ends = await _ends(snapshots)
     found = []
     for link in links:
         troubles = await _troubles(link, ends)
@@ -141,8 +140,10 @@ def _refs(connector):
     return collections.OrderedDict((orb.identity(ref), ref) for ref in connector.ports if ref is not None)
 
 
-async def _ends(snapshots):
-    """{identity of a port: places.End} of all ports of the components, and of those connected with them."""
+async def all_ends(snapshots):
+    """{identity of a port: places.End} of all ports of the components, and of those connected with them, which
+    are asked, one call each.
+    """
     own = [port for snapshot in snapshots for port in snapshot.ports]
     silent = {
         snapshot.node.endpoint: snapshot.error

@@ -4,6 +4,7 @@ Here, the name servers, the references in them, the components, their connection
 step reports Findings and passes on to the next what still works. Everything of one step is asked in parallel.
 """
 
+import collections
 import time
 
 from rtshell_lite import errors, path
@@ -16,19 +17,24 @@ STEPS = (
     3  # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
 )
 
+# What was seen in an examination: servers.Visits, Snapshots of the components, {identity: places.End} of all
+# ports that they have or are connected with, what managers have (see managers.asked).
+Seen = collections.namedtuple("Seen", "visits snapshots ends managers")
 
-async def examine(tops=(), compare=None, seconds=0):
+
+async def examine(tops=(), compare=None, seconds=0, keep=None):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are
     examined.
 
     compare  (RtsProfile, its file as it is given to commands, the state of the components): what the system
              should be like
     seconds  how long to measure rates, by connecting to an out port of each active component; 0: do not
+    keep     a function that is given the Seen; the components are then asked for everything that rtcat shows
     """
     session.current().end = time.monotonic() + STEPS * session.current().timeout
     starved = limits.starved()
     try:
-        async for findings in _steps(tops, compare, seconds):
+        async for findings in _steps(tops, compare, seconds, keep):
             before = starved
             starved = limits.starved()
             if session.current().end is not None:  # what was late here is no silence of others
@@ -46,13 +52,15 @@ async def examine(tops=(), compare=None, seconds=0):
         session.current().end = None  # other commands may follow in this process
 
 
-async def _steps(tops, compare, seconds):
+async def _steps(tops, compare, seconds, keep):
     found = await local.findings()
     yield found
     if any(finding.check in ("ORB", "limit") and finding.level == "fail" for finding in found):
         return
     everything = not tops or path.ROOT in tops
-    async for findings in _robot(await _name_servers() if everything else tops, seconds, bool(compare)):
+    if everything:
+        tops = await _name_servers()
+    async for findings in _robot(tops, seconds, bool(compare), keep):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
@@ -66,7 +74,7 @@ async def _name_servers():
     return [path.parse("/" + address) for address in tree.servers() if not await local.fault(address)]
 
 
-async def _robot(tops, seconds, stated):
+async def _robot(tops, seconds, stated, keep):
     from rtshell_lite.doctor import buffers, components, composites, connections, managers
     from rtshell_lite.doctor import references, servers
 
@@ -75,8 +83,10 @@ async def _robot(tops, seconds, stated):
     yield [finding for visit in visits for finding in await references.findings(visit)]
     nodes = [node for visit in visits for node in visit.nodes]
     examined = await components.examined(nodes)
-    links = await connections.findings(examined)
-    managed = await managers.findings(nodes)
+    ends = await connections.all_ends(examined)
+    links = await connections.findings(examined, dict(ends))
+    answers = await managers.asked(nodes)
+    managed = await managers.findings(answers)
     members = await composites.findings(examined)
     hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
     if seconds:
@@ -87,6 +97,9 @@ async def _robot(tops, seconds, stated):
     yield members
     yield links + buffers.findings(examined)
     yield managed
+    if keep:
+        await components.complete(examined)
+        keep(Seen(visits, examined, ends, answers))
 
 
 async def _rates(examined, seconds):

@@ -8,11 +8,16 @@ from rtshell_lite.robot import component, tree
 from rtshell_lite.text import shell_word
 
 
-async def findings(nodes):
-    """Findings on the managers among the Nodes, sorted by path."""
+async def asked(nodes):
+    """[(Node, what it has, see `_ask`, or errors.Error)] of the managers among the Nodes, sorted by path."""
     managers = sorted((node for node in nodes if node.kind == "manager"), key=lambda node: str(node.path))
+    return list(zip(managers, await tree.on_nodes(managers, _ask)))
+
+
+async def findings(answers):
+    """Findings on managers, given what `asked` gives."""
     found = []
-    for node, answer in zip(managers, await tree.on_nodes(managers, _ask)):
+    for node, answer in answers:
         found += await _troubles(node, answer)
     return found
 

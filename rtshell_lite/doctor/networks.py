@@ -143,7 +143,12 @@ def together(one, other):
 
 def _networks():
     """The IPv4 networks of this host's interfaces."""
-    networks = []
+    return [interface.network for _, interface in interfaces()]
+
+
+def interfaces():
+    """[(name, ipaddress.IPv4Interface)] of this host."""
+    found = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         for _, name in socket.if_nameindex():
             request = struct.pack("256s", name.encode()[:15])
@@ -154,8 +159,8 @@ def _networks():
                 ]
             except OSError:  # it has no such address, or this is no Linux
                 continue
-            networks.append(ipaddress.ip_interface(f"{address}/{mask}").network)
-    return networks
+            found.append((name, ipaddress.ip_interface(f"{address}/{mask}")))
+    return found
 
 
 async def _numeric(offered):

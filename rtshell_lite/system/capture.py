@@ -136,10 +136,33 @@ async def capture(
         else:
             failures.append(answer)
             silent[node.endpoint] = answer
-    connectors = await _connectors(found, silent, notes)
+    outside = await places.far_ends([port for each in found for port in each.ports], silent)
+    connectors = _connectors(found, outside, silent, notes)
     unused = []
     if not all_components:
         found, unused = _in_use(found)
+    profile = _profile(found, connectors, holders, notes)
+    return System(profile, found, unused, failures, _once(notes))
+
+
+def of_snapshots(shown, ends):
+    """The System of components that have been asked for everything, by their snapshot.Snapshots.
+
+    `ends`: {identity of a port: places.End} of all that their ports are connected with.
+    """
+    notes = []
+    found = [found_in(each)._replace(snapshot=each) for each in shown]
+    profile = _profile(found, _connectors(found, ends, {}, notes), {}, notes)
+    return System(profile, found, [], [], _once(notes))
+
+
+def _once(notes):
+    """A hostile composite names one member a thousand times."""
+    return list(dict.fromkeys(notes))
+
+
+def _profile(found, connectors, holders, notes):
+    """The model.RtsProfile of Founds, which are sorted for it, and the connectors between them."""
     found.sort(key=lambda each: path_uri(each.node))
     profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
     for each, made in zip(found, profile.components):
@@ -153,8 +176,7 @@ async def capture(
             profile.data_port_connectors.append(connector)
         else:
             profile.service_port_connectors.append(connector)
-    notes = list(dict.fromkeys(notes))  # each once: a hostile composite names one member a thousand times
-    return System(profile, found, unused, failures, notes)
+    return profile
 
 
 async def _holders(managers, notes):
@@ -279,11 +301,12 @@ def _target(kind, each, **more):
 # ---- connections -------------------------------------------------------------------------------------------
 
 
-async def _connectors(found, silent, notes):
+def _connectors(found, outside, silent, notes):
     """The model's connectors, each once, with all its ends; what ends outside the system is reported in
     `notes`.
 
-    `silent` are the processes that did not answer before, {endpoint: errors.Error}: they are not asked again.
+    `outside` are places.Ends by identity;
+    `silent` are the processes that did not answer, {endpoint: errors.Error}.
     """
     ends = {}  # identity of a port: its Found and Port
     for each in found:
@@ -299,7 +322,6 @@ async def _connectors(found, silent, notes):
                 connectors.setdefault(
                     (one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs)
                 )
-    outside = await places.far_ends([port for each in found for port in each.ports], silent)
     made = []
     for port, one, refs in connectors.values():
         known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
@@ -388,11 +410,15 @@ def shown_path(each):
 
 
 def read(name, form=None):
-    """The profile in a file (`-`: stdin). Raises OSError, BadProfile."""
+    """The profile in a file (`-`: stdin), which may be a report of rtdoctor. Raises OSError, BadProfile."""
     from rtshell_lite import files, notes
+    from rtshell_lite.system import page_file
 
     notes.reading(name, "an RtsProfile")
-    return rtsprofile.load(files.read(name), name, form)
+    text = files.read(name)
+    if page_file.is_page(text):
+        return rtsprofile.load(page_file.profile(text, printable(name)), name, rtsprofile.YAML)
+    return rtsprofile.load(text, name, form)
 
 
 def locator(profile, strict=False):

@@ -21,20 +21,25 @@ async def of_robot(tops, everything, with_snapshots=False):
     `with_snapshots`: all that rtcat shows. `results` are capture.Found and errors.Error.
     """
     found = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
-    profile = found.profile
-    looks = [Look(capture.state(each), each.node.endpoint, each.snapshot) for each in found.found]
-    for failure in found.failures:
-        silent = _silent(failure)
+    return of_system(found, [failure.where for failure in found.failures])
+
+
+def of_system(system, lost):
+    """The Drawing of a capture.System; of the components whose paths, as text, are in `lost`, nothing is known."""
+    profile = system.profile
+    looks = [Look(capture.state(each), each.node.endpoint, each.snapshot) for each in system.found]
+    for where in lost:
+        silent = _silent(where)
         if silent is not None:
             profile.components.append(silent)
             looks.append(SILENT)
-    return graph.Drawing(_of(profile, looks), profile, found.found + found.failures, found.notes)
+    return graph.Drawing(_of(profile, looks), profile, system.found + system.failures, system.notes)
 
 
-def _silent(failure):
-    """A model.Component for the one that an error names; None if it names none."""
+def _silent(text):
+    """A model.Component for the one at a path; None if that is none."""
     try:
-        where = path.parse(failure.where)
+        where = path.parse(text)
     except errors.BadPath:
         return None
     if not where.names or where.names[-1].kind != "rtc":

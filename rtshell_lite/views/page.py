@@ -8,14 +8,13 @@ Content-Security-Policy lets a browser run this script and no other, and load no
 import base64
 import collections
 import hashlib
-import json
 import os
 import re
 import time
 
 import rtshell_lite
 from rtshell_lite import errors
-from rtshell_lite.system import capture
+from rtshell_lite.system import capture, page_file
 from rtshell_lite.text import printable, safe
 from rtshell_lite.views import page_details, part
 from rtshell_lite.views.page_details import Table, shown
@@ -29,13 +28,13 @@ from rtshell_lite.xmlprofile import model
 #   boxes             name path state missing composite groups (of each kind but none, a number in `names`, or
 #                     null) parts [heading, rows] ports [name, type, rows]
 #   connections       name id service rows ends [box, port]: the source first
-#   findings          level path message remedy box
-#   sections          [heading, text]
+#   findings          level check path message remedy box
+#   sections plots    [heading, text], [heading, SVG in Base64]
+#   profile           of a report: an RtsProfile in YAML
 
-
-# What is to be looked at, as rtdoctor's findings have it: level (fail, warn, note or ok); path of a component or
-# port, or what else it is about; message; remedy, perhaps a command.
-Remark = collections.namedtuple("Remark", "level path message remedy")
+# What is to be looked at, as rtdoctor's findings have it: level (fail, warn, note or ok); kind of check; path
+# of a component or port, or what else it is about; message; remedy, perhaps a command.
+Remark = collections.namedtuple("Remark", "level check path message remedy")
 
 
 def html(fields):
@@ -48,15 +47,9 @@ def html(fields):
         "script_hash": _hash(script),
         "style": style,
         "style_hash": _hash(style),
-        "system": as_json(fields),
+        "system": page_file.as_json(fields),
     }
     return re.sub(r"\$(\w+)", lambda found: contents[found.group(1)], _file("page.html"))
-
-
-def as_json(value):
-    """JSON in ASCII that can be in an HTML file, as it is: no text in it ends or begins anything there."""
-    text = json.dumps(value, separators=(",", ":"))
-    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 
 
 def _file(name):
@@ -73,12 +66,11 @@ def _hash(text):
 # ---- the data ----------------------------------------------------------------------------------------------
 
 
-def fields(picture, profile, title, what, findings=(), kind=None, opened=(), sections=()):
+def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
     """The data of a page that shows a graph.Graph of an RtsProfile, or of a part of it.
 
     findings  doctor.finding.Findings, or what has such attributes
     kind      of the groups that are folded (None: one that leaves few boxes); `opened` are names of those not folded
-    sections  (heading, text) each
     """
     names = Table()
     rows = Table()
@@ -93,7 +85,8 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=(), sec
         "boxes": boxes,
         "connections": _connections(picture, profile, rows),
         "findings": _findings(findings, boxes),
-        "sections": [(heading, shown(text)) for heading, text in sections],
+        "sections": [],
+        "plots": [],
         "names": names.values,
         "rows": rows.values,
     }
@@ -176,8 +169,8 @@ def remarks(drawing, picture):
     """Remarks on what of a graph.Drawing failed, or is left out."""
     failures = [each for each in drawing.results if isinstance(each, errors.Error)]
     paths = {str(box.path) for box in picture.boxes if box.path}
-    found = [Remark("fail", each.where, each.why, "") for each in failures]
-    return found + [Remark("warn", _subject(line, paths), line, "") for line in drawing.notes]
+    found = [Remark("fail", "", each.where, each.why, "") for each in failures]
+    return found + [Remark("warn", "", _subject(line, paths), line, "") for line in drawing.notes]
 
 
 def _subject(line, paths):
@@ -199,6 +192,7 @@ def _findings(findings, boxes):
         found.append(
             {
                 "level": each.level,
+                "check": each.check,
                 "path": safe(each.path),
                 "message": safe(each.message),
                 "remedy": safe(each.remedy),

@@ -83,7 +83,7 @@ def _of_snapshot(snapshot):
     ]
     found = [("Component", [(name, value) for name, value in rows if value])]
     for organisation in snapshot.organisations:
-        members = [("Member", path) for path in snapshot.members[organisation.id]]
+        members = [("Member", path) for path in snapshot.members.get(organisation.id, ())]
         found.append(("Composition", [("ID", organisation.id)] + members))
     for organisation_id, name, path in snapshot.composites:
         found.append((f"Parent composition {name}", [("ID", organisation_id), ("Path", path)]))

@@ -171,7 +171,10 @@ invocation: SERVER
 invocation: --json SERVER
 invocation: A
 invocation: --profile FILE SERVER
+invocation: --report OUT SERVER
 looking: -q A
 broken server: 1
 broken component: 1
 examples: asking
+example: rtdoctor --report incident.html --log run.mcap <- rtlog -q -f run.mcap -t 1 Source0.rtc:number
+example: rtdoctor -q --from incident.html <- rtdoctor -q --report incident.html >/dev/null

@@ -1,14 +1,19 @@
 """Pages of systems in a real browser, a headless Chromium: if one of these fails, a person sees or does something wrong there."""
+import base64
 import os
 import re
 import shlex
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
 import browser
 import large_robots
 from rtshell_lite import path
+from rtshell_lite.doctor import report
+from rtshell_lite.doctor.finding import Finding
+from rtshell_lite.system import page_file
 from rtshell_lite.views import graph, page, part
 
 PART = 3  # a short run takes one in PART of its tests
@@ -17,6 +22,9 @@ ONCE = "a browser is the same for every Python"
 LIST = "[...document.querySelectorAll('#list button')].map(each => each.textContent)"
 NAMES = "[...document.querySelectorAll('.box .name')].map(each => each.textContent)"
 DETAILS = "document.getElementById('details').textContent"
+# tries what a picture may not do
+SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20" onload="parent.owned=1"><script>parent.owned=1</script>'
+       b'<rect width="40" height="20"/></svg>')
 
 
 def setUpModule():
@@ -38,8 +46,8 @@ def tearDownModule():
 
 
 def write(name, profile, picture):
-    remarks = [page.Remark("fail", str(picture.boxes[3].path), "does not answer", "rtdoctor -q"),
-               page.Remark("note", "elsewhere", "something that is left out", "")]
+    remarks = [page.Remark("fail", "", str(picture.boxes[3].path), "does not answer", "rtdoctor -q"),
+               page.Remark("note", "", "elsewhere", "something that is left out", "")]
     with open(os.path.join(Pages.directory, name + ".html"), "w", encoding="utf-8") as file:
         file.write(page.html(page.fields(picture, profile, "A robot", "made by a test", remarks)))
 
@@ -54,7 +62,8 @@ class Pages(unittest.TestCase):
 
     def click(self, shown, words, within="#details"):
         """Click on the button with these words with the mouse."""
-        find = "[...document.querySelectorAll('%s button')].find(each => each.textContent.trim() === %s)" % (within, page.as_json(words))
+        find = "[...document.querySelectorAll('%s button')].find(each => each.textContent.trim() === %s)"
+        find %= within, page_file.as_json(words)
         self.point(shown, find)
 
     def point(self, shown, find):
@@ -66,7 +75,7 @@ class Pages(unittest.TestCase):
     def box(self, name):
         """An expression for the box of that name on the map."""
         return ("[...document.querySelectorAll('.box')].find(each => each.querySelector('.name').textContent === %s)"
-                % page.as_json(name))
+                % page_file.as_json(name))
 
     def choose(self, shown, name, value):
         shown.run("{const chosen = document.getElementById('%s'); chosen.value = '%s'; chosen.dispatchEvent(new Event('change'))}"
@@ -286,6 +295,25 @@ class Hostile(Pages):
         self.assertEqual(shown.run("[typeof window.owned, document.querySelectorAll('script').length, document.images.length]"),
                          ["undefined", 2, 0])
         self.assertEqual(shown.run("document.querySelectorAll('b').length"), 1)  # our own, in the header
+
+    def test_report(self):
+        """Of rtdoctor: with a plot, sections, and a hostile log's name."""
+        found = [Finding("fail", "reference", large_robots.MARKUP, large_robots.MARKUP, "rtdel " + large_robots.MARKUP),
+                 Finding("ok", "host name", "here", "all is well", "")]
+        log = os.path.join(self.directory, "a<b>.csv")
+        with mock.patch.object(report, "_plot", return_value=base64.b64encode(SVG).decode()):
+            html = report.html(None, found, large_robots.MARKUP, log)
+        with open(os.path.join(self.directory, "report.html"), "w", encoding="utf-8") as file:
+            file.write(html)
+        address = "file://" + os.path.join(self.directory, "report.html")
+        shown = self.browser.open(os.path.join(self.directory, "report.html"))
+        for words in ("It contains the findings", "Routes", "Max open files", "<script>window.owned=1"):
+            self.assertIn(words, shown.run(DETAILS))
+        self.assertNotIn("all is well", shown.run(DETAILS))
+        self.assertEqual(shown.run("document.images[0].decode().then(() => document.images[0].naturalWidth)"), 40)
+        self.assertEqual(shown.run("[typeof window.owned, document.querySelectorAll('script').length]"), ["undefined", 2])
+        self.assertEqual(shown.complaints(), [])
+        self.assertEqual([each for each in shown.requests() if not each.startswith("data:image/svg")], [address])
 
 
 if __name__ == "__main__":

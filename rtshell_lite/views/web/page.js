@@ -1,6 +1,5 @@
 // The page of a system: the list, the map, the details. What the system says is put into text nodes only.
 // `data` is what rtshell_lite/views/page.py wrote: its comment has the fields.
-
 const data = JSON.parse(document.getElementById("system").textContent);
 const DEFAULTS = {path: null, state: null, missing: false, composite: null, parts: [], ports: []};
 data.boxes = data.boxes.map((box) => Object.assign({}, DEFAULTS, box));
@@ -386,7 +385,8 @@ function clear() {
   view.selected = null;
   const size = `${plural(ALL.length, "component")}, ${plural(data.connections.length, "connection")}`;
   fill(element("details"), make("h2", {}, data.title), ...[data.what, size, counts(ALL).join(", ")].map((line) => make("p", {}, line)),
-       ...showFindings(data.findings), ...data.sections.map(([title, text]) => folded(title, make("pre", {}, text))));
+       ...data.plots.map(([title, svg]) => folded(title, make("img", {alt: title, src: `data:image/svg+xml;base64,${svg}`}), true)),
+       ...showFindings(data.findings.filter((found) => found.level !== "ok")), ...data.sections.map(([title, text]) => folded(title, make("pre", {}, text))));
   element("page").classList.remove("chosen");
   mark();
 }
@@ -409,10 +409,10 @@ function showComponent(number) {
               ...ports.map(([port, kind, rows]) => folded(`${kind} ${port}`, table(data.rows[rows]))));
 }
 
-function showFindings(found) {
+function showFindings(found) { // a remedy is a command line, or words
   return found.map(({level, path, message, remedy, box}) => make(
     "div", {class: `finding ${level}`}, make("p", {}, `${level}: `, box === null ? path : componentButton(box, path), ` ${message}`),
-    ...(remedy ? [copied(remedy)] : [])));
+    /^(rt|unset )/.test(remedy) ? copied(remedy) : make("p", {}, remedy && `try: ${remedy}`)));
 }
 
 const folded = (heading, content, isOpen) => make("details", {open: isOpen ? "" : null}, make("summary", {}, heading), content);

@@ -1,0 +1,168 @@
+"""This host in words, for a report: versions, clock, interfaces, routes, names, settings, limits, processes."""
+
+import os
+import re
+import socket
+import struct
+import sys
+import time
+
+import rtshell_lite
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.doctor import networks
+from rtshell_lite.text import quoted
+
+MOST = 1 << 16  # characters of a file that are taken
+OURS = re.compile("RT|ORB|OMNI|PYTHON|LANG|LC_|TZ$|HOSTNAME$")  # begins the names of variables that matter
+LISTENING = "0A"  # the state of a socket in /proc/net/tcp
+
+
+def versions():
+    """The text on versions and the clock."""
+    try:
+        ours = orb.version()
+    except errors.MissingOmniORB:
+        ours = "no ORB"
+    system = os.uname()
+    now = time.time()
+    return "\n".join(
+        [
+            f"rtshell_lite {rtshell_lite.__version__}, {ours}, Python %d.%d.%d" % sys.version_info[:3],
+            f"{system.sysname} {system.release} {system.machine}",
+            f"clock: {time.strftime('%Y-%m-%d %H:%M:%S', time.gmtime(now))} UTC, {now:.6f} s since the epoch; "
+            "with --measure, a finding says how far the clocks of components are off",
+            _first_line("/proc/uptime", "seconds up, seconds idle: "),
+        ]
+    )
+
+
+def surroundings(ports):
+    """[(heading, text)] on this host: its names, its network, our environment, and the processes that listen on
+    these ports.
+    """
+    return [
+        ("Interfaces of this host", f"{socket.gethostname()}\n" + "\n".join(_interfaces())),
+        ("Routes", "\n".join(_routes())),
+        ("/etc/hosts", _content("/etc/hosts")),
+        ("Environment", "\n".join(_environment())),
+        ("Limits", _content("/proc/self/limits")),
+        ("Processes of this host that listen on the ports concerned", "\n".join(_processes(ports))),
+    ]
+
+
+def _content(name):
+    """The beginning of a file, or why it cannot be read."""
+    try:
+        with open(name, encoding="utf-8", errors="surrogateescape") as file:
+            return file.read(MOST)
+    except OSError as e:
+        return f"cannot be read: {e.strerror}"
+
+
+def _first_line(name, words):
+    return words + _content(name).partition("\n")[0]
+
+
+# ---- the network -------------------------------------------------------------------------------------------
+
+
+def _interfaces():
+    for name, interface in networks.interfaces():
+        yield f"{name}  {interface}"
+    for line in _content("/proc/net/if_inet6").splitlines():
+        words = line.split()
+        if len(words) == 6:
+            address = socket.inet_ntop(socket.AF_INET6, bytes.fromhex(words[0]))
+            yield f"{words[5]}  {address}/{int(words[2], 16)}"
+
+
+def _routes():
+    """The IPv4 routes, from /proc/net/route."""
+    for line in _content("/proc/net/route").splitlines()[1:]:
+        words = line.split()
+        if len(words) < 8:
+            continue
+        name, to, gateway, *_ = words
+        yield f"{_ip(to)}/{_ip(words[7])}  via {_ip(gateway)}  on {name}  metric {words[6]}"
+
+
+def _ip(word):
+    """An IPv4 address from 8 hexadecimal digits, in this host's order of bytes."""
+    return socket.inet_ntoa(struct.pack("=I", int(word, 16)))
+
+
+def _environment():
+    for name, value in sorted(os.environ.items()):
+        if OURS.match(name):
+            yield f"{name}={quoted(value)}"
+
+
+# ---- processes ---------------------------------------------------------------------------------------------
+
+
+def _processes(ports):
+    """A line for each process and each of these ports that it listens on, as far as we may know."""
+    sockets = _listening(ports)
+    owners = _owners(set(sockets))
+    for inode, port in sorted(sockets.items(), key=lambda pair: (pair[1], pair[0])):
+        pid = owners.get(inode)
+        if pid is None:
+            yield f"port {port}: a process that we may not look at"
+        else:
+            yield f"port {port}: {_process(pid)}"
+    for port in sorted(ports - set(sockets.values())):
+        yield f"port {port}: nothing listens here"
+
+
+def _listening(ports):
+    """{inode of a socket: port} of those that listen on these ports, from /proc/net/tcp and tcp6."""
+    found = {}
+    for name in ("/proc/net/tcp", "/proc/net/tcp6"):
+        for line in _whole(name).splitlines()[1:]:
+            words = line.split()
+            port = int(words[1].rpartition(":")[2], 16)
+            if words[3] == LISTENING and port in ports:
+                found[words[9]] = port
+    return found
+
+
+def _whole(name):
+    try:
+        with open(name) as file:
+            return file.read()
+    except OSError:
+        return ""
+
+
+def _owners(inodes):
+    """{inode: number of the process that has this socket}."""
+    owners = {}
+    wanted = {f"socket:[{inode}]": inode for inode in inodes}
+    for pid in filter(str.isdigit, os.listdir("/proc")):
+        for link in _links(f"/proc/{pid}/fd"):
+            if link in wanted:
+                owners[wanted[link]] = pid
+    return owners
+
+
+def _links(folder):
+    try:
+        names = os.listdir(folder)
+    except OSError:  # it has ended, or is somebody else's
+        return
+    for name in names:
+        try:
+            yield os.readlink(f"{folder}/{name}")
+        except OSError:
+            continue
+
+
+def _process(pid):
+    """What /proc says of a process, in a line."""
+    words = _content(f"/proc/{pid}/cmdline").split("\0")
+    known = dict(
+        line.partition(":\t")[::2] for line in _content(f"/proc/{pid}/status").splitlines() if ":\t" in line
+    )
+    more = [f"{name} {known[name].strip()}" for name in ("State", "Threads", "VmRSS") if name in known]
+    return f"{pid}  {', '.join(more)}  {' '.join(map(quoted, filter(None, words)))}"

@@ -1,0 +1,172 @@
+"""An examination as one file: a page with the findings, the map of the system, and what is known of all of it."""
+
+import base64
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.doctor import host
+from rtshell_lite.doctor.finding import LEVELS, Finding, counted, sorted_by_level
+from rtshell_lite.system import capture, page_file
+from rtshell_lite.views import live_graph, page
+from rtshell_lite.xmlprofile import rtsprofile
+
+CONFIGURATION = ("conf.", "configuration.")  # begins the names of properties with what is configured
+WINDOW = 30  # seconds of a log that are shown, its last ones
+BOUND = ("component", "manager", "silent", "zombie", "other", "unsure")  # kinds of Nodes that are objects
+
+
+def html(seen, findings, title, log=None, values=True, environment=True):
+    """The text of the file.
+
+    seen         the examination.Seen; None if the examination ended early
+    findings     all Findings
+    log          the name of a log, whose last values are shown
+    values       whether values of configuration sets are in it
+    environment  whether this host's network, environment and processes are
+    """
+    if seen is not None and not values:
+        _leave_out_values(seen.snapshots)
+    system, lost = _system(seen)
+    profile = rtsprofile.dump(system.profile, rtsprofile.YAML)
+    drawing = live_graph.of_system(system, lost)
+    remarks = sorted_by_level(findings) + [page.Remark("note", "", "", line, "") for line in drawing.notes]
+    fields = page.fields(drawing.picture, drawing.profile, title, "", remarks)
+    fields["what"] = page.origin("rtdoctor --report") + ". " + _contents(log, values, environment)
+    fields["sections"] = [
+        (heading, page.shown(text)) for heading, text in _sections(seen, environment) if text
+    ]
+    if log:
+        fields["plots"] = [(f"The last {WINDOW} s of {page.shown(log)}", _plot(log))]
+    fields["profile"] = profile
+    return page.html(fields)
+
+
+def findings_in(text, name):
+    """The Findings in the text of a report. Raises errors.Failed."""
+    page_file.profile(text, name)  # other pages have none
+    try:
+        found = [
+            Finding(*[str(each[field]) for field in Finding._fields])
+            for each in page_file.read(text, name)["findings"]
+        ]
+    except (KeyError, TypeError):
+        raise errors.Failed(name, "not a report of rtdoctor")
+    return [each for each in found if each.level in LEVELS]
+
+
+def _contents(log, values, environment):
+    """What is in the file, for those who are to pass it on."""
+    words = ["the findings", "each component with its ports, connections, contexts, states and properties"]
+    if values:
+        words.append("the values of configuration sets")
+    words.append("what is bound in name servers, what managers have, versions")
+    if environment:
+        words.append(
+            "this host's interfaces, routes, /etc/hosts, RT, ORB and Python variables, and processes"
+        )
+    if log:
+        words.append("values of a log")
+    return "It contains " + "; ".join(words) + "."
+
+
+# ---- the map -----------------------------------------------------------------------------------------------
+
+
+def _system(seen):
+    """(the capture.System that was seen, paths of the components of which nothing is known)."""
+    if seen is None:
+        return capture.of_snapshots([], {}), []
+    whole = [snapshot for snapshot in seen.snapshots if _is_whole(snapshot)]
+    system = capture.of_snapshots(whole, seen.ends)
+    lost = [snapshot.where for snapshot in seen.snapshots if not _is_whole(snapshot)]
+    lost += [
+        str(node.path) for visit in seen.visits for node in visit.nodes if node.kind in ("silent", "zombie")
+    ]
+    return system, list(dict.fromkeys(lost))
+
+
+def _is_whole(snapshot):
+    """Whether a component has reported all of itself."""
+    return (
+        snapshot.error is None
+        and snapshot.profile is not None
+        and all(context.handle is not None for context in snapshot.owned)
+    )
+
+
+def _leave_out_values(snapshots):
+    """Without configuration sets; OpenRTM has their values among the properties of components, too."""
+    for snapshot in snapshots:
+        snapshot.configuration = None
+        if snapshot.profile is not None:
+            kept = [pair for pair in snapshot.profile.properties if not pair[0].startswith(CONFIGURATION)]
+            snapshot.profile = snapshot.profile._replace(properties=kept)
+
+
+# ---- sections ----------------------------------------------------------------------------------------------
+
+
+def _sections(seen, environment):
+    """[(heading, text)]"""
+    found = []
+    ports = set()
+    if seen is not None:
+        found.append(("Name servers, and what is bound", "\n".join(_bound(seen.visits))))
+        found.append(("Managers", "\n".join(_managers(seen.managers))))
+        ports = _ports(seen.visits)
+    found.append(("Versions and clock", host.versions()))
+    if environment:
+        found += host.surroundings(ports)
+    return found
+
+
+def _bound(visits):
+    for visit in visits:
+        yield f"{visit.path}  {', '.join(visit.addresses)}"
+        for node in visit.nodes:
+            if node.kind in BOUND:
+                yield f"  {node.kind}  {node.path}  {_addresses(node)}"
+
+
+def _addresses(node):
+    if node.ref is None:
+        return ""
+    return ", ".join("%s:%s" % address for address in orb.addresses(node.ref))
+
+
+def _managers(answers):
+    for node, answer in answers:
+        if isinstance(answer, errors.Error):
+            yield f"{node.path}: {answer.why}"
+            continue
+        slaves, components, _ = answer
+        yield f"{node.path}: {counted(len(slaves), 'slave')}, {counted(len(components), 'component')}"
+        for child in slaves + components:
+            yield f"  {child.kind}  {child.name}  {_addresses(child)}"
+
+
+def _ports(visits):
+    """The TCP ports that references and name servers have."""
+    found = set()
+    for visit in visits:
+        for node in visit.nodes:
+            if node.ref is not None:
+                found.update(port for _, port in orb.addresses(node.ref) if port)
+    return found
+
+
+# ---- a log -------------------------------------------------------------------------------------------------
+
+
+def _plot(name):
+    """The last values and events of a log, as SVG in Base64. Raises errors.Error, OSError."""
+    from rtshell_lite.data import datatypes
+    from rtshell_lite.datalog import decode, logfile, play
+    from rtshell_lite.views import plot_sources, plot_svg
+
+    with logfile.load(name) as log:
+        channels = decode.Channels(log, datatypes.Types().load())
+        start = (log.last or 0) / 1e9 - WINDOW
+        entries = play.Range(start, None, False).entries(log)
+        picture = plot_sources.of_log(channels, [], "", entries)
+    return base64.b64encode("\n".join(plot_svg.lines(picture)).encode()).decode()

@@ -1,0 +1,41 @@
+"""The data in a page for a browser: one block of JSON. rtdoctor's reports have an RtsProfile there, too."""
+
+import json
+import re
+
+from rtshell_lite import errors
+
+_BLOCK = re.compile(r'<script type="application/json" id="system">([^<]*)</script>')
+
+
+def as_json(value):
+    """JSON in ASCII that can be in an HTML file, as it is: no text in it ends or begins anything there."""
+    text = json.dumps(value, separators=(",", ":"))
+    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+
+
+def is_page(text):
+    """Whether a file may be a page."""
+    return text[:100].lstrip().lower().startswith("<!doctype html")
+
+
+def read(text, name):
+    """The data, a dict, in the text of a page; `name` is the file in messages. Raises errors.Failed."""
+    found = _BLOCK.search(text)
+    if found is None:
+        raise errors.Failed(name, "not a page of these commands")
+    try:
+        fields = json.loads(found.group(1))
+    except (ValueError, RecursionError):
+        raise errors.Failed(name, "its data are damaged")
+    if not isinstance(fields, dict):
+        raise errors.Failed(name, "not a page of these commands")
+    return fields
+
+
+def profile(text, name):
+    """The text of the RtsProfile in the text of a report. Raises errors.Failed."""
+    found = read(text, name).get("profile")
+    if not isinstance(found, str):
+        raise errors.Failed(name, "a page without a profile; rtdoctor --report writes one with a profile")
+    return found

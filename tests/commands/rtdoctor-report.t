@@ -1,0 +1,108 @@
+rtdoctor --report writes what it has seen into one page, from which --from and other commands read.
+
+world: robot --rate 10
+world: these ConfigSample
+world: hostile --context h.host_cxt/%n.rtc
+world: managers --context m.host_cxt/%n.rtc
+world: zombie 1 --context z.host_cxt/%n.rtc
+
+  $ has() { for word; do grep -q -e "$word" a.html || echo "no $word"; done; }
+  $ rtact --wait Sensor0.rtc Motor0.rtc
+
+The findings are printed as ever, and are in the file:
+
+  $ rtdoctor --report a.html > now; echo $?
+  1
+  $ rtdoctor --from a.html > again; echo $?; cmp now again
+  1
+  $ rtdoctor --from a.html -q --json | grep -c zombie
+  1
+  $ has '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' 'Configuration set mode1 (active)' 'manager of 2'
+  $ has 'RTCTREE_NAMESERVERS=' '/etc/hosts' 'mock_components' 'It contains the findings' 'Max open files'
+
+The profile in it is one for other commands. The dead one is on the map, and not in the profile:
+
+  $ rtcheck a.html 2>&1 | grep -e Mock0 -e Motor0 -e Controller0; rtstodot a.html | grep 'Motor0:'
+  Component /localhost:$PORT/test.host_cxt/Controller0.rtc is in incorrect state Inactive
+    Controller0:out -> Motor0:in;
+    Motor0:out -> Sensor0:in;
+  $ rtdis Motor0.rtc:out Sensor0.rtc:in; rtcheck a.html 2>&1 | grep Motor0
+  No connection between /localhost:$PORT/test.host_cxt/Motor0.rtc:out and /localhost:$PORT/test.host_cxt/Sensor0.rtc:in
+  $ rtresurrect -q a.html; rtcheck a.html 2>&1 | grep -c Motor0
+  0
+  [1]
+
+Each component is asked once:
+
+  $ ctl reset; rtdoctor -q --report a.html > now; ctl calls Motor0
+  1 _non_existent
+  1 get_active_configuration_set
+  1 get_component_profile
+  1 get_component_state
+  1 get_configuration
+  1 get_configuration_sets
+  1 get_context_handle
+  1 get_organizations
+  1 get_owned_contexts
+  1 get_owned_organizations
+  1 get_participating_contexts
+  2 get_port_profile
+  1 get_ports
+  1 get_profile
+  1 is_running
+
+What others are not to see:
+
+  $ rtdoctor -q --report a.html --no-values --no-environment > now
+  [1]
+  $ grep -c -e mode1 -e RTCTREE_NAMESERVERS= -e 'open files' -e 'Interfaces' a.html
+  0
+  [1]
+  $ has '"name":"ConfigSample0"' 'dead (zombie)'
+
+To stdout; nothing that a component says is markup:
+
+  $ rtdoctor --report - > a.html; grep -c '<script' a.html; has u003cscript
+  2
+
+The last values of a log, and what happened, as a plot:
+
+  $ rtlog -q -i -e 5 -f run.mcap Sensor0.rtc:out
+  $ rtdoctor -q --report a.html --log run.mcap > now; has '"plots":.."The last 30 s of run.mcap"'
+  $ rtdoctor -q --report a.html --log gone.mcap > now
+  rtdoctor: gone.mcap: No such file or directory
+  [1]
+
+Where nothing can be looked at, the file says so:
+
+  $ rtdoctor -q --report a.html localhost:1 > now; echo $?; has 'connection refused'
+  1
+
+Files that are no report, wrong usage:
+
+  $ rtstodot --html b.html a.html; rtdoctor --from b.html; rtcheck b.html
+  rtdoctor: b.html: a page without a profile; rtdoctor --report writes one with a profile
+  rtcheck: b.html: a page without a profile; rtdoctor --report writes one with a profile
+  [1]
+  $ echo hello > c.html; rtdoctor --from c.html
+  rtdoctor: c.html: not a page of these commands
+  [1]
+  $ rtdoctor --from gone.html
+  rtdoctor: gone.html: No such file or directory
+  [1]
+  $ block='<!DOCTYPE html><script type="application/json" id="system">'
+  $ echo "$block"'{"profile":"","findings":[{}]}</script>' > d.html; rtdoctor --from d.html; rtcheck d.html
+  rtdoctor: d.html: not a report of rtdoctor
+  rtcheck: d.html:1:1: the file is empty
+  [1]
+  $ echo "$block"'[[[</script>' > d.html; rtdoctor --from d.html
+  rtdoctor: d.html: its data are damaged
+  [1]
+  $ rtdoctor --from a.html --report b.html; rtdoctor --no-values; rtdoctor --report a.html --no-values --log run.mcap
+  rtdoctor: --from examines nothing: no PATH, --profile, --measure or --report goes with it (see --help)
+  rtdoctor: --log, --no-values and --no-environment are for --report (see --help)
+  rtdoctor: --log does not go with --no-values: a log has nothing but values (see --help)
+  [2]
+  $ rtdoctor --report nowhere/a.html > now
+  rtdoctor: nowhere/a.html: No such file or directory
+  [1]
