@@ -36,6 +36,7 @@ module M {
     void undeclared(in long a, in Nowhere x);
     void asked(in long a) context ("A", "b*");
     attribute Nothing gone;
+    readonly attribute sequence<Nothing, 3> lost, _in raises (Empty);
     fixed<4, 2> price(in Base::Few f);
   };
   interface Bottom : Left, Right { void own(); };
@@ -95,7 +96,7 @@ class Interfaces(unittest.TestCase):
         self.assertEqual([each.name for each in bottom.ancestry()], ["M::Bottom", "M::Left", "M::Right", "M::Base"])
         self.assertEqual(list(bottom.all_operations()), [
             "own", "take", "value", "cookie", "abstracted", "localised", "undeclared", "asked", "price", "get", "stop", "_get_gone",
-            "_set_gone", "_get_current", "_get_a", "_set_a", "_get_b", "_set_b", "_get_s", "_set_s", "_get_few"])
+            "_set_gone", "_get_lost", "_get_in", "_get_current", "_get_a", "_set_a", "_get_b", "_set_b", "_get_s", "_set_s", "_get_few"])
         operations = bottom.all_operations()
         self.assertEqual([descriptors.words(each) for each in operations["_set_s"].raises], ["Broken", "Empty"])
         self.assertEqual(operations["_get_few"].idl(), "M::Base::Few _get_few() raises (M::Broken);")

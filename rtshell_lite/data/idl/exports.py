@@ -10,6 +10,7 @@ from rtshell_lite.data.idl.interfaces import Attribute, Operation, Parameter
 from rtshell_lite.text import printable
 
 DIRECTIONS = ("in", "out", "inout")
+CLAUSES = ("raises", "getraises", "setraises")
 VOID = 1  # the TCKind of what has no type
 
 
@@ -30,21 +31,33 @@ def export(parser, interface, depth):
 
 
 def _unreadable(parser, interface, is_attribute, fault):
-    """Skip what could not be read; only its name is kept."""
+    """Skip what could not be read; only its name is kept, or its names."""
+    skipped = parser.skip()
+    for name in _names(skipped):
+        if is_attribute:
+            known = interface.attributes
+            made = Attribute(name, VOID, skipped[0].word == "readonly")
+        else:
+            known = interface.operations
+            made = Operation(name)
+        made.fault = fault
+        known[:] = [each for each in known if each.name != name] + [made]
+
+
+def _names(tokens):
+    """The names that an operation or a line of attributes declares: those before a comma or its end."""
+    found = []
     name = ""
-    for token in parser.skip():
-        if token.kind == "mark" and token.word in "(;":
-            break
+    depth = 0
+    for token in tokens:
+        if token.word in CLAUSES or token.kind == "mark" and token.word in "(;":
+            return found + [name]
         if token.kind == "name":
             name = token.word.lstrip("_")
-    if is_attribute:
-        known = interface.attributes
-        made = Attribute(name, VOID)
-    else:
-        known = interface.operations
-        made = Operation(name)
-    made.fault = fault
-    known[:] = [each for each in known if each.name != name] + [made]
+        elif token.word == "," and not depth:
+            found.append(name)
+        depth += (token.word == "<") - (token.word == ">")
+    return found
 
 
 def _operation(parser, depth):
