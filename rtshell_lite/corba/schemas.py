@@ -50,11 +50,17 @@ def invoke(orb, where, ref, schema, args):
         descriptor = schema.raised[e._NP_RepositoryId]
         raise errors.Raised(where, descriptor[3], _received(orb, descriptor, e))
     answers.check(where)
-    if not schema.returned:
-        return None
-    if len(schema.returned) == 1:
-        return _received(orb, schema.returned[0], result)
-    return tuple(_received(orb, descriptor, value) for descriptor, value in zip(schema.returned, result))
+    if len(schema.returned or ()) < 2:
+        result = [result]
+    try:
+        values = [
+            _received(orb, descriptor, value) for descriptor, value in zip(schema.returned or (), result)
+        ]
+    except RecursionError:
+        raise errors.Garbled(where, "nested too deep")
+    if len(values) == 1:
+        return values[0]
+    return tuple(values) or None
 
 
 @functools.lru_cache(maxsize=MANY)

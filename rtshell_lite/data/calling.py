@@ -10,7 +10,6 @@ An operation is asked once, whatever happens: it may move a robot (docs/protocol
 """
 
 import collections
-import re
 
 from rtshell_lite import errors, notes, text
 from rtshell_lite.corba import orb
@@ -204,7 +203,9 @@ class Provider:
 
 def shown_name(operation):
     """The name of an Operation for people: of an attribute, its own."""
-    return re.sub(r"\A_[gs]et_", "", operation.name)
+    if operation.name.startswith(("_get_", "_set_")):
+        return operation.name[len("_get_") :]
+    return operation.name
 
 
 # ---- finding providers -------------------------------------------------------------------------------------

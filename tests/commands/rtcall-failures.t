@@ -76,6 +76,28 @@ Wrong arguments are one line each, before anything is sent:
   $ ctl calls Robot0 | grep -v 'connect\|get_port'
   [1]
 
+Its IDL is not that of the provider: what that means, as far as it can be known:
+
+  $ cat >wrong.idl <<END
+  > module Mock { interface Robot { void nix(); string say(in string words, in double more); void move_to(); long ending();
+  >   string model(); void rest(in double seconds, in string why); }; };
+  > END
+  $ rtcall Robot0.rtc:svc nix --idl wrong.idl
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm nix: it has no such operation: wrong.idl is probably not its IDL (IDL:Mock/Robot:1.0)
+  [6]
+  $ rtcall Robot0.rtc:svc say a 1 --idl wrong.idl
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm say: it cut the connection and lives: it probably takes other arguments, and did nothing; wrong.idl is probably not its IDL (IDL:Mock/Robot:1.0)
+  [6]
+  $ rtcall Robot0.rtc:svc move_to --idl wrong.idl
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm move_to: it takes other arguments: wrong.idl is probably not its IDL (IDL:Mock/Robot:1.0)
+  [6]
+  $ rtcall Robot0.rtc:svc.arm say 'a text that is long enough'; rtcall Robot0.rtc:svc.arm ending --idl wrong.idl
+  a text that is long enough
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm ending: done, but its answer is of another type: wrong.idl is probably not its IDL (IDL:Mock/Robot:1.0)
+  [4]
+  $ rtcall Robot0.rtc:svc.arm say 'still there'
+  still there
+
 Again and again, with statistics:
 
   $ rtcall Robot0.rtc:svc speed -r 0 -n 50
@@ -102,6 +124,8 @@ Again and again, with statistics:
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
   1 calls, 1 failed, in \d+\.\d{3} s (re)
   [4]
+  $ timeout --preserve-status -s INT 3 rtcall Robot0.rtc:svc speed -r 20 2>/dev/null | sed 's/^[0-9]* calls, 0 failed, in .*/ok/'
+  ok
 
 A call that does not end; an operation whose provider dies of it:
 

@@ -11,6 +11,7 @@ from rtshell_lite.corba.iiop import connections
 from rtshell_lite.giop import allowance, marshal, messages, operations
 from rtshell_lite.text import printable
 
+PADDING = 7  # octets that an ORB may leave at the end of a reply
 FORWARDS = 8  # at most, from one object to another
 LONGEST_NAME = 60  # characters of the name of a system exception; the longest of CORBA 3.0 has 23
 _GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
@@ -124,7 +125,7 @@ class Request:
             if len(data) > self.max_reply:
                 raise ValueError(f"more than {self.max_reply} octets")
             if status == messages.NO_EXCEPTION:
-                value = _values(self.operation.results[little], data, at)
+                value = _values(self.operation.results[little], data, at, self.is_once)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label, completed = _system_exception(data, at, little)
                 if (
@@ -223,11 +224,14 @@ def _system_exception(data, at, little):
     return name, label, completed
 
 
-def _values(readers, data, at):
+def _values(readers, data, at, is_all=False):
+    """What a reply holds: one value, a tuple, or None. With `is_all`, more octets than those are a fault."""
     values = []
     for read in readers:
         value, at = read(data, at)
         values.append(value)
+    if is_all and len(data) - at > PADDING:
+        raise ValueError(f"{len(data) - at} octets more than it should have")
     if len(values) == 1:
         return values[0]
     return tuple(values) or None
