@@ -107,6 +107,15 @@ class Found(unittest.TestCase):
             own = made.write("own.txt", SERVICE.replace("get(", "fetch("))
             self.assertEqual(datatypes.Types(idl=[own]).interface("IDL:M/Service:1.0").operations[0].name, "fetch")
 
+    def test_one_name_in_many_files(self):
+        texts = {"a%d" % number: "module M%d { interface Same { void in_%d(); }; };" % (number, number) for number in range(30)}
+        with tree(z="module other { module M { interface Same { void here(); }; }; };", **texts):
+            types = datatypes.Types()
+            self.assertEqual(types.interface("IDL:other/M/Same:1.0").operations[0].name, "here")
+            self.assertEqual(types.interface("IDL:M29/Same:1.0").operations[0].name, "in_29")
+            self.assertIsNone(types.interface("IDL:Same:1.0"))
+            self.assertIn("too many files may declare Same", notes.listener.of(notes.DETAIL)[-1])
+
     def test_includes(self):
         with tree(package__idl__service='#include "package/idl/part.idl"\n#include <BasicDataType.idl>\n'
                                         "module M { interface Service { Part get(in RTC::Time t); }; };",
@@ -157,11 +166,11 @@ class Hostile(unittest.TestCase):
             os.symlink(".", os.path.join(made.path, "loop"))
             os.symlink(made.path, os.path.join(made.path, "again"))
             os.mkdir(os.path.join(made.path, "e.idl"))
-            made.write("f.idl", "\0interface Service {" * 1000)
+            made.write("b0.idl", "\0module M { interface Service {" * 1000)
             self.assertTrue(datatypes.Types().interface("IDL:M/Service:1.0"))
             texts = library.Library(library.places()).texts()
-            self.assertEqual(sorted(os.path.basename(path) for path, text in texts.items() if text), ["f.idl", "service.idl"])
-            self.assertTrue([line for line in notes.listener.of(notes.DETAIL) if "f.idl:1:1" in line])
+            self.assertEqual(sorted(os.path.basename(path) for path, text in texts.items() if text), ["b0.idl", "service.idl"])
+            self.assertTrue([line for line in notes.listener.of(notes.DETAIL) if "b0.idl:1:1" in line])
 
     def test_one_that_is_broken(self):
         with tree(service=SERVICE.replace("long a", "lnog a")) as made:

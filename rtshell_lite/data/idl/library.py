@@ -83,19 +83,27 @@ class Library:
         return self._contents[path]
 
     def _candidates(self, name, type_id=""):
-        """The files that may declare a name, those first that surely declare something of that name."""
+        """The files that may declare a name, the likeliest first: those that surely declare something of that name,
+        and have all the words of the repository id.
+        """
         named = name.encode("utf-8", "replace")
         word = re.escape(named)
         declared = re.compile(rb"\b(?:interface|struct|union|enum)\s+_?%s\b\s*[^\s;]" % word)
         pragma = type_id.encode("utf-8", "replace")
-        sure = []
-        others = []
+        words = re.findall(rb"\w+", pragma)[1:-2]
+        ranked = []
         for path, text in self.texts().items():
             if pragma and pragma in text or named in text and declared.search(text):
-                sure.append(path)
+                rank = 0
             elif named in text and _is_typedef(text, named):
-                others.append(path)
-        return notes.first(CANDIDATES, sure + others, printable(name), "IDL files that may declare it")
+                rank = 1
+            else:
+                continue
+            ranked.append((rank, sum(part not in text for part in words), len(ranked), path))
+        ranked.sort()
+        for _, _, _, path in ranked[CANDIDATES:]:
+            notes.detail(f"{printable(path)} is not read: too many files may declare {printable(name)}")
+        return [path for _, _, _, path in ranked[:CANDIDATES]]
 
     def _beneath(self, name):
         """The file of the library that an #include may mean that is found nowhere else, by the end of its path."""
