@@ -103,7 +103,7 @@ class Stage:
         # the errors.Error why it could not be asked
         self.error = errors.Silent(self.where, "it has not answered in this time")
         self.state = None
-        self.contexts = []
+        self.contexts = []  # component.Contexts; None if unknown, as in a recording
         self.watches = []
         self.services = []  # (port, far end), both as text
         self.delay = None  # seconds that values take from its in ports to its out ports
@@ -111,7 +111,7 @@ class Stage:
     @property
     def rate(self):
         """What its running context claims, in Hz; 0 if none runs."""
-        return max([context.rate for context in self.contexts if context.running] or [0])
+        return max([context.rate for context in self.contexts or () if context.running] or [0])
 
 
 class Trace:
@@ -267,7 +267,11 @@ class Trace:
         """Keep what leads to a Port; `back` is the Trace from there against the data. Where no way leads there, what
         has been found from both ends is kept, and the gap is a fault.
         """
-        ends = [stage for stage in self.stages.values() if stage.where == str(to.node.path)]
+        self.limit_to(str(to.node.path), back)
+
+    def limit_to(self, where, back):
+        """`limit`, by the path of the component."""
+        ends = [stage for stage in self.stages.values() if stage.where == where]
         if not ends:
             self.gap = min(back.in_order(), key=lambda stage: -stage.depth).where
             return
@@ -332,6 +336,8 @@ class Trace:
 
     def _fault(self, stage):
         feeding = self.feeding(stage)
+        if stage.contexts is None:
+            return self._fault_of_values(stage, feeding)
         if not any(context.running for context in stage.contexts):
             return Fault("its execution context is stopped", CERTAIN)
         if stage.state != "Active":
@@ -341,9 +347,9 @@ class Trace:
             return Fault(
                 f"{ports.label(cut[0].port)} does not know its connection with {cut[0].watch.name}", CERTAIN
             )
-        slow = self._full_buffer(stage, feeding)
-        if slow is not None:
-            return slow
+        return self._full_buffer(stage, feeding) or self._fault_of_values(stage, feeding)
+
+    def _fault_of_values(self, stage, feeding):
         for watch in stage.watches:
             fault = _fault_of(watch, [link.watch for link in feeding])
             if fault is not None:
@@ -356,7 +362,8 @@ class Trace:
         """Seconds that a Stage may take with a value: on a busy host all of them take longer."""
         others = sorted(each.delay for each in self.stages.values() if each.delay is not None)
         usual = others[len(others) // 2]
-        return max(LATE + CYCLES / (stage.rate or 1), BUSY * usual if others[1:] else 0)
+        rate = stage.rate or max([watch.rate for watch in stage.watches] or [0]) or 1
+        return max(LATE + CYCLES / rate, BUSY * usual if others[1:] else 0)
 
     def _full_buffer(self, stage, feeding):
         """A Fault if values find the buffer of its in port full."""

@@ -34,6 +34,30 @@ A connection is made to each port on the way, and removed:
   $ ctl @chain connectors Link1:out | wc -l
   1
 
+On a recording, with the connections that it had:
+
+  $ trace_log() { rttrace --from chain.mcap "$@" | sed -n '/^-/s/.* yes  .*host_cxt//p; /^no stage/p'; }
+  $ rtlog -q --events -t 1 -f chain.mcap .
+  $ trace_log Link0.rtc:out
+  /Link0.rtc:out
+  /Link1.rtc:out
+  /Link2.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ trace_log -u Link2.rtc:in
+  /Link0.rtc:out
+  /Link1.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ trace_log Link0.rtc:out --to Link1.rtc:in -t 0.7
+  /Link0.rtc:out
+  /Link1.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ rttrace --from chain.mcap Apart0.rtc:in
+  rttrace: /localhost:$PORT/test.host_cxt/Apart0.rtc:in: no such component with connections in the profile of this log: /localhost:$PORT/test.host_cxt/Apart0.rtc
+  [3]
+  $ rtlog -q -t 0.3 -f ports.mcap Link0.rtc:out; rttrace --from ports.mcap Link0.rtc:out
+  rttrace: ports.mcap: no profile of the system is in this log: record it with rtlog --events PATH
+  [1]
+
 What stops it; rtdoctor has the last word:
 
   $ rtdeact --wait 2 Link2.rtc; trace Link0.rtc:out

@@ -1,0 +1,142 @@
+"""rttrace on a recording: the connections are those of the last profile in the log, the values those that were recorded."""
+
+from rtshell_lite import errors
+from rtshell_lite.data import reading
+from rtshell_lite.doctor import trace
+from rtshell_lite.robot import ports, tree
+from rtshell_lite.system import capture
+from rtshell_lite.xmlprofile import rtsprofile
+
+
+def recorded(log, start, to=None, against=False, seconds=None):
+    """The trace.Trace from a Path with a port on, `to` another one if given; of the last `seconds` of a log, None for all
+    of it. Raises errors.Failed, NoSuch.
+    """
+    made = trace.Trace(against)
+    profile = _profile(log)
+    channels = _channels(log)
+    links = _links(profile)
+    _follow(made, start, links, channels)
+    for stage in made.stages.values():
+        stage.error = None
+        stage.contexts = None
+    if to is not None:
+        back = trace.Trace(against=True)
+        _follow(back, to, links, {})
+        made.limit_to(str(to.object()), back)
+    _measure(made, log, channels, seconds)
+    made.note_delays()
+    return made
+
+
+def _profile(log):
+    """The last RtsProfile that is attached to a log."""
+    for attachment in reversed(log.attachments):
+        try:
+            return rtsprofile.load(log.attached(attachment), log.where)
+        except errors.BadProfile:
+            continue
+    raise errors.Failed(
+        log.where, "no profile of the system is in this log: record it with rtlog --events PATH"
+    )
+
+
+def _channels(log):
+    """{path of a port, as text: (number of its channel, id of its data type)}."""
+    return {
+        source: (number, channel.type_id)
+        for number, channel in enumerate(log.channels)
+        for source in channel.sources
+    }
+
+
+def _links(profile):
+    """[(Path of an out port, Path of an in port)] of the data connections of a profile."""
+    locate = capture.locator(profile)
+    links = []
+    for connector in profile.data_port_connectors:
+        places = [_place(locate, end) for end in connector.ends]
+        if len(places) > 1 and None not in places:
+            links += [(places[0], place) for place in places[1:]]
+    return links
+
+
+def _place(locate, end):
+    component = locate(end)
+    if component is None:
+        return None
+    try:
+        return capture.path_of(component).with_port(capture.port_of(end))
+    except errors.BadPath:
+        return None
+
+
+def _follow(made, start, links, channels):
+    """Find the Stages and Links from a port on."""
+    known = {end.object() for link in links for end in link}
+    if start.object() not in known:
+        raise errors.NoSuch(
+            str(start), "component with connections in the profile of this log", str(start.object())
+        )
+    waiting = [(start.object(), 0)]
+    while waiting:
+        where, depth = waiting.pop(0)
+        _stage(made, where, depth)
+        for out, into in links:
+            if made.against and into.object() == where and (depth or into.port == start.port):
+                far = out.object()
+            elif not made.against and out.object() == where and (depth or out.port == start.port):
+                far = into.object()
+            else:
+                continue
+            if str(far) not in made.stages:
+                waiting.append((far, depth + 1))
+            _join(made, out, into, depth + 1 if made.against else depth, channels)
+            _stage(made, far, depth + 1)
+    if not made.against and made.stages[str(start.object())].watches == []:
+        _watch(made, start, 0, channels)
+
+
+def _stage(made, where, depth):
+    """The trace.Stage of a component's Path."""
+    return made.stages.setdefault(str(where), trace.Stage(tree.Node(where, "component"), depth))
+
+
+def _join(made, out, into, depth, channels):
+    watch = _watch(made, out, depth, channels)
+    stage = _stage(made, into.object(), depth + (-1 if made.against else 1))
+    if not any(link.watch is watch and link.port == into for link in made.links):
+        made.links.append(trace.Link(watch, stage, into, True))
+
+
+def _watch(made, out, depth, channels):
+    """The trace.Watch of an out port's Path."""
+    stage = _stage(made, out.object(), depth)
+    for watch in stage.watches:
+        if watch.port.name == out.port:
+            return watch
+    channel = channels.get(str(out))
+    properties = {}
+    if channel is not None:
+        properties["dataport.data_type"] = channel[1]
+    watch = trace.Watch(ports.Port(stage.node, out.port, "DataOutPort", properties, [], [], None, None))
+    if channel is None:
+        watch.failure = errors.Failed(watch.name, "was not recorded")
+    stage.watches.append(watch)
+    return watch
+
+
+def _measure(made, log, channels, seconds):
+    """Give the values of a log to the Watches."""
+    watches = {watch.name: watch for stage in made.stages.values() for watch in stage.watches}
+    by_channel = {number: watches[name] for name, (number, _) in channels.items() if name in watches}
+    first = 0
+    if seconds is not None and log.last is not None:
+        first = log.since(log.last - int(seconds * 1e9)) or 0
+    spent = ((log.last or 0) - (log.first or 0)) / 1e9
+    for entry in log.entries(first):
+        watch = by_channel.get(entry.channel)
+        if watch is not None and entry.data is not None:
+            watch.take(reading.Message(entry.received, entry.data, entry.little))
+    for watch in watches.values():
+        watch.seconds = min(spent, seconds or spent)
