@@ -221,17 +221,18 @@ def _size(size):
 
 def line(channels, entry, limit=None):
     """An entry as a line for people, `[SEC.NSEC] DATA`, after its channel's name where there are several."""
-    name, shown = "", _shown(channels, entry, lambda value: values.text(value, limit))
+    name = ""
+    words = shown(channels, entry, lambda value: values.text(value, limit))
     if len(channels.log.channels) > 1:
         name = printable(channels.log.channels[entry.channel].name) + ": "
-    if shown is not None:
-        return name + shown
+    if words is not None:
+        return name + words
     if entry.data is None:
         return name + safe(repr(entry.value))
     return name + f"{len(entry.data)} bytes: {entry.data.hex()}"
 
 
-def _shown(channels, entry, form):
+def shown(channels, entry, form):
     """form(value of an entry); None when its type is not known,
     or the entry does not fit it or is nested too deep.
     """
@@ -248,7 +249,7 @@ def _shown(channels, entry, form):
 def record(channels, entry):
     """An entry as fields for JSON."""
     channel = channels.log.channels[entry.channel]
-    value = _shown(channels, entry, values.json)
+    value = shown(channels, entry, values.json)
     fields = {
         "number": entry.number,
         "received": entry.received / 1e9,
@@ -273,29 +274,14 @@ def _tame(value):
     return values.json(value)
 
 
-def cells(channels, entry):
-    """An entry as [(column, scalar)] for a table."""
-    channel = channels.log.channels[entry.channel]
-    shown = _shown(channels, entry, values.flat)
-    head = [
-        ("number", entry.number),
-        ("received", "%d.%09d" % divmod(entry.received, 10**9)),
-        ("port", channel.name),
-    ]
-    if shown is not None:
-        return head + shown
-    if entry.data is None:
-        return head + _flat(entry.value, "")
-    return head + [("hex", entry.data.hex())]
-
-
-def _flat(value, column):
+def flat(value, column):
+    """[(column, scalar)] of a value of an unknown type."""
     if isinstance(value, dict):
         return [
             cell
             for name, part in value.items()
-            for cell in _flat(part, column + "." + name if column else name)
+            for cell in flat(part, column + "." + name if column else name)
         ]
     if isinstance(value, list):
-        return [cell for number, part in enumerate(value) for cell in _flat(part, f"{column}[{number}]")]
+        return [cell for number, part in enumerate(value) for cell in flat(part, f"{column}[{number}]")]
     return [(column, value.hex() if isinstance(value, bytes) else value)]

@@ -1,12 +1,9 @@
 """A log as lines: for people, as JSON, as a table."""
 
-import csv
-import io
 import sys
 
 from rtshell_lite import text
-from rtshell_lite.datalog import decode
-from rtshell_lite.text import printable
+from rtshell_lite.datalog import decode, tables
 
 LONG = 8  # elements of a sequence that are shown on a terminal
 
@@ -29,30 +26,8 @@ def table(channels, before):
     """(first line of a table, a function that makes a row of an entry);
     `before`: all entries, to find the columns.
     """
-    columns = {}
+    made = tables.Table(channels)
     for entry in before:
-        for name, _ in _cells(channels, entry):
-            columns.setdefault(name, len(columns))
+        made.row(entry)
     channels.unreadable = 0
-    line = io.StringIO()
-    rows = csv.DictWriter(line, list(columns) or ["number", "received", "port"], lineterminator="")
-    rows.writeheader()
-
-    def row(entry):
-        rows.writerow(dict(_cells(channels, entry)))
-        return _taken(line)
-
-    return _taken(line), row
-
-
-def _cells(channels, entry):
-    """(column, scalar) of an entry; text is made printable, for tables are shown on terminals."""
-    for column, scalar in decode.cells(channels, entry):
-        yield printable(column), printable(scalar) if isinstance(scalar, str) else scalar
-
-
-def _taken(line):
-    row = line.getvalue()
-    line.seek(0)
-    line.truncate()
-    return row
+    return made.head(), lambda entry: made.padded(made.row(entry))

@@ -56,8 +56,8 @@ A log has the description of its types, if there was one:
   [0.000000000] doing=MOVING joints=[(name='shoulder', angle=3.0), (name='elbow', angle=1.5)]
   $ recorded custom -f idl.rtlog --idl idl/arm.idl Arm0.rtc:status.arm; rtlog --csv -f idl.rtlog
   rtlog: Recording 1 entries.
-  number,received,port,tm.sec,tm.nsec,doing,joints[0].name,joints[0].angle,joints[1].name,joints[1].angle
-  0,*,arm,0,0,MOVING,shoulder,3.0,elbow,1.5 (glob)
+  number,time,port,tm,doing,joints[0].name,joints[0].angle,joints[1].name,joints[1].angle
+  0,*,arm,0.000000000,MOVING,shoulder,3.0,elbow,1.5 (glob)
   $ recorded custom -f bytes.rtlog Arm0.rtc:status.arm; rtlog -p -f bytes.rtlog; rtlog -q -p --idl idl/arm.idl -f bytes.rtlog
   rtlog: /localhost:$PORT/test.host_cxt/Arm0.rtc:status: recorded as bytes: IDL:Arm/Status:1.0 is not known; name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR)
   rtlog: Recording 1 entries.

@@ -77,9 +77,9 @@ Two entries from number 1 on, and from a time to a time; with -q nothing is said
 Cut off in the middle, and with something else inside, what is whole is read:
 
   $ head -c 1000 old.rtlog > cut.rtlog; rtlog --csv -f cut.rtlog
-  number,received,port,tm.sec,tm.nsec,data
-  0,1795247464.750000000,numbers,1000,5,0
-  1,1795247464.760000000,numbers,1001,5,7
+  number,time,port,tm,data
+  0,1795247464.750000000,numbers,1000.000000005,0
+  1,1795247464.760000000,numbers,1001.000000005,7
   rtlog: cut.rtlog: the last 83 octets cannot be read and are left out: it does not end
   $ (cat old.rtlog; printf 'cos\nsystem\n(S"touch /tmp/x"\ntR.') > evil.rtlog; rtlog -d --json -f evil.rtlog
   {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
@@ -93,7 +93,7 @@ is imported:
   rtlog: own.rtlog: its header cannot be read: robot.mods2.Arm.TimedLong is not a class that a log holds; -m MODULE names a module of your own
   [1]
   $ rtlog --csv -m robot.mods2.Arm -f own.rtlog
-  number,received,port,tm.sec,tm.nsec,data
+  number,time,port,tm.sec,tm.nsec,data
   0,1795247464.750000000,numbers,1000,5,0
   1,1795247464.760000000,numbers,1001,5,7
   2,1795247464.770000000,numbers,1002,5,14
@@ -126,9 +126,20 @@ MCAP that somebody else wrote, with a type in the words of ROS, and with message
   {"number": 4, "port": "/numbers", "received": 1000000004.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 28, "tm": {"nsec": 5, "sec": 1004}}}
   {"number": 5, "port": "/numbers", "received": 1000000005.0, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 35, "tm": {"nsec": 5, "sec": 1005}}}
   {"number": 6, "port": "/state", "received": 1000000007.0, "type": "State", "value": {"legs": [1, 2], "mode": "walk"}}
+  $ rtlog --csv --ns other -f other.mcap; head -n 2 other/*
+  ==> other/numbers.csv <==
+  number,time,port,tm,data
+  0,1000000000000000000,/numbers,1000000000005,0
+
+  ==> other/state.csv <==
+  number,time,port,mode,legs[0],legs[1]
+  6,1000000007000000000,/state,walk,1,2
+  $ rtlog --csv a b -f other.mcap
+  rtlog: --json and --csv exclude each other, and ports (see --help)
+  [2]
   $ rtlog --csv -f other.mcap | head -n 2
-  number,received,port,tm.sec,tm.nsec,data,mode,legs[0],legs[1]
-  0,1000000000.000000000,/numbers,1000,5,0,,,
+  number,time,port,tm,data,mode,legs[0],legs[1]
+  0,1000000000.000000000,/numbers,1000.000000005,0,,,
   $ head -c 1000 other.mcap > torn.mcap; rtlog -d -f torn.mcap 2>&1 | grep 'INCOMPLETE\|torn'
   Name: torn.mcap
   State: INCOMPLETE, whole up to octet 952

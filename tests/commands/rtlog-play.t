@@ -7,7 +7,7 @@ once: it is the clock that counts here
 
   $ rtact ConsoleOut0.rtc ConsoleOut1.rtc
   $ rtlog -q -i -e 10 -f a.rtlog Source0.rtc:number.numbers; rtlog -q -i -e 10 --append -f a.rtlog Source0.rtc:block.blocks
-  $ rtlog --csv -f a.rtlog | grep numbers | cut -d, -f6 > numbers; last=$(tail -n 1 numbers)
+  $ rtlog --csv -f a.rtlog | grep numbers | cut -d, -f5 > numbers; last=$(tail -n 1 numbers)
 
 By NAME, or by place; as long as recording took; nothing is left behind:
 
@@ -75,7 +75,7 @@ What was recorded big-endian is played to a port that wants little-endian data:
 
   $ rtlog -q -i -e 3 -f big.rtlog --property dataport.serializer.cdr.endian=big Source0.rtc:number.n
   $ ctl @these received ConsoleOut0:in | cut -d' ' -f1 > before; rtlog -q -p -f big.rtlog ConsoleOut0.rtc:in
-  $ [ "$(ctl @these received ConsoleOut0:in $(($(cat before) + 3)))" = "$(($(cat before) + 3)) $(rtlog --csv -f big.rtlog | tail -n 1 | cut -d, -f6)" ]
+  $ [ "$(ctl @these received ConsoleOut0:in $(($(cat before) + 3)))" = "$(($(cat before) + 3)) $(rtlog --csv -f big.rtlog | tail -n 1 | cut -d, -f5)" ]
 
 To the terminal, at their pace; --json and --csv, too:
 

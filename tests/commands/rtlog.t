@@ -65,7 +65,7 @@ For some time, from several ports; without a NAME they are input0, input1 …, a
 
 All that was sent is there, in its order:
 
-  $ rtlog --csv -f b.rtlog | grep input0 | cut -d, -f6 > numbers; [ $(wc -l < numbers) -gt 50 ] && seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
+  $ rtlog --csv -f b.rtlog | grep input0 | cut -d, -f5 > numbers; [ $(wc -l < numbers) -gt 20 ] && seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
 
 Until a time; -1, or no end at all, is until Ctrl-C, and stdin does not matter:
 

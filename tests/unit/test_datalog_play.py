@@ -1,4 +1,5 @@
 """Recording and playing without any port: which entries, when, with which times, and what a slow disk costs."""
+import csv
 import errno
 import json
 import os
@@ -12,8 +13,8 @@ import simpkl_files
 import tools
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import errors
-from rtshell_lite.data import datatypes
-from rtshell_lite.datalog import decode, export, logfile, play, recorder, records, textlog, writer
+from rtshell_lite.data import datatypes, values
+from rtshell_lite.datalog import decode, export, logfile, play, recorder, records, tables, textlog, writer
 from rtshell_lite.net import loop
 try:
     import omniORB
@@ -155,8 +156,35 @@ class Exporting(Case):
             channels = decode.Channels(log, datatypes.Types())
             head, row_of = export.table(channels, log.entries())
             lines = [head] + list(map(row_of, log.entries()))
-        self.assertEqual(lines, ["number,received,port,tm.sec,tm.nsec,data,a\\u009b",
+        self.assertEqual(lines, ["number,time,port,tm.sec,tm.nsec,data,a\\u009b",
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
+
+    def test_columns(self):
+        """Those that come later are in all lines; a cell with a comma or a quote is quoted; the timestamp is one column."""
+        known = datatypes.Types()
+        chosen = [("TimedString", '"a,\\"b"'), ("TimedDoubleSeq", "[1.5]"), ("TimedDoubleSeq", "[2.5, 3.5]"), ("TimedPose2D", None)]
+        types = [known.named(name) for name in ("TimedString", "TimedDoubleSeq", "TimedPose2D")]
+        channels = [records.Channel(type.name, type.id, type.to_bytes(), ()) for type in types]
+        messages = []
+        for name, words in chosen:
+            (place,) = [place for place, type in enumerate(types) if type.name == "RTC." + name]
+            spelt = words or "RTC.TimedPose2D(tm=RTC.Time(sec=1, nsec=2), data=RTC.Pose2D(position=RTC.Point2D(x=1, y=2), heading=3))"
+            value = values.Expression(spelt, None, types[place]).value(1.5)
+            messages.append((place, START + len(messages), True, types[place].encode(value)))
+        self.write(messages, channels=channels)
+        with logfile.load(self.name) as log:
+            lines = list(tables.lines(decode.Channels(log, known), log.entries()))
+            self.assertEqual({len(row) for row in csv.reader(lines)}, {10})
+            self.assertEqual(lines[0], "number,time,port,tm,data,data[0],data[1],data.position.x,data.position.y,data.heading")
+            self.assertEqual(lines[1], '0,1700000000.000000000,RTC.TimedString,1.500000000,"a,""b",,,,,')
+            self.assertEqual(lines[3:], ["2,1700000000.000000002,RTC.TimedDoubleSeq,1.500000000,,2.5,3.5,,,",
+                                         "3,1700000000.000000003,RTC.TimedPose2D,1.000000002,,,,1.0,2.0,3.0"])
+            directory = os.path.join(self.directory.name, "tables")
+            names = tables.write(decode.Channels(log, known), log.entries(), directory, True)
+        self.assertEqual([os.path.basename(name) for name in names], [type.name + ".csv" for type in types])
+        with open(names[1]) as file:
+            self.assertEqual(file.read(), "number,time,port,tm,data[0],data[1]\n1,1700000000000000001,RTC.TimedDoubleSeq,1500000000,1.5,\n"
+                             "2,1700000000000000002,RTC.TimedDoubleSeq,1500000000,2.5,3.5\n")
 
 
 class Deep(Case):

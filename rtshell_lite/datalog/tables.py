@@ -1,0 +1,310 @@
+"""A log as tables of comma-separated values: a line an entry, a column a field, all decoded once.
+
+The columns are `number`, `time`, `port`, then the fields in the order of their appearance: `data.x`, `joints[0]`. Times are seconds,
+with nine digits, or whole nanoseconds; the timestamp of a value is one column, `tm`.
+"""
+
+import itertools
+import operator
+import os
+import re
+import tempfile
+
+from rtshell_lite import files
+from rtshell_lite.data import build_value, values
+from rtshell_lite.datalog import decode
+from rtshell_lite.giop import descriptors
+from rtshell_lite.giop.descriptors import (
+    ARRAY,
+    CHAR,
+    ENUM,
+    OCTET,
+    SEQUENCE,
+    STRING,
+    STRUCT,
+    WCHAR,
+    WSTRING,
+    kind,
+)
+from rtshell_lite.text import printable
+
+ROWS = 1000  # that are written at a time
+SPOOL = 4 << 20  # characters of lines that wait in memory for their columns; more are in a temporary file
+PLAIN, TEXT, TIME, NAME, OCTETS, NUMBERS, OTHER, SEVERAL = range(8)
+HEAD = ("number", "time", "port")
+_ODD = re.compile('[",\r\n]')
+
+
+class Table:
+    """Lines of a table: `columns` are those so far, {name: place}."""
+
+    def __init__(self, channels, is_ns=False):
+        """`channels`: decode.Channels."""
+        self.channels = channels
+        self.columns = {name: place for place, name in enumerate(HEAD)}
+        self._is_ns = is_ns
+        self._plans = (
+            {}
+        )  # by channel: its name as a cell, and [(column, function, sort)]; None where it has no such form
+        self._places = (
+            {}
+        )  # by channel and lengths of its sequences: the places of its cells, None: as they come
+
+    def head(self):
+        """The line with the names of the columns."""
+        return ",".join(map(cell, self.columns))
+
+    def row(self, entry):
+        """The cells of an entry, one for each column known so far, at most."""
+        if entry.channel not in self._plans:
+            self._plans[entry.channel] = self._plan(entry.channel)
+        port, plan = self._plans[entry.channel]
+        cells = [str(entry.number), self._time(divmod(entry.received, 10**9)), port]
+        shown = decode.shown(self.channels, entry, lambda value: self._cells(value, plan))
+        if shown is None:
+            names, found = self._plain(entry)
+            return self._placed(cells, names, found, None)
+        sizes, found, names = shown
+        return self._placed(cells, names, found, (entry.channel, sizes))
+
+    def _time(self, parts):
+        if self._is_ns:
+            return str(parts[0] * 10**9 + parts[1])
+        return "%d.%09d" % parts
+
+    def _plan(self, number):
+        channel = self.channels.log.channels[number]
+        type = self.channels.type(number)
+        plan = None
+        if type is not None and kind(descriptors.target(type.descriptor)) == STRUCT:
+            plan = _grouped(_parts(descriptors.target(type.descriptor), ""))
+        return cell(printable(channel.name)), plan
+
+    def _cells(self, value, plan):
+        """(lengths of sequences, cells, a function for the names of their columns) of a value."""
+        found = []
+        if plan is None:
+            pairs = self._flat(value, "")
+            return None, [scalar for _, scalar in pairs], lambda: [name for name, _ in pairs]
+        sizes = []
+        others = {}
+        for column, get, sort in plan:
+            part = get(value)
+            if sort == PLAIN:
+                found.append(str(part))
+            elif sort == SEVERAL:
+                found += map(str, part)
+            elif sort == NUMBERS:
+                found += map(str, part)
+                sizes.append(len(part))
+            elif sort == TIME:
+                found.append(self._time(divmod(part.sec * 10**9 + part.nsec, 10**9)))
+            elif sort == NAME:
+                found.append(part._n)
+            elif sort == TEXT:
+                found.append(cell(printable(part)))
+            elif sort == OCTETS:
+                found.append(part.hex())
+            else:
+                pairs = self._flat(part, column)
+                others[column] = [name for name, _ in pairs]
+                found += [scalar for _, scalar in pairs]
+        if others:
+            sizes = None
+        else:
+            sizes = tuple(sizes)
+        return sizes, found, lambda: _names(plan, others, value)
+
+    def _flat(self, value, column):
+        """[(column, cell)] of any value."""
+        found = []
+        for name, scalar in values.flat(value):
+            if column and name:
+                name = column + ("" if name.startswith("[") else ".") + name
+            found.append(
+                (name or column, cell(printable(scalar) if isinstance(scalar, str) else str(scalar)))
+            )
+        return found
+
+    def _plain(self, entry):
+        """(function for the names, cells) of an entry whose type is not known, or that does not fit it."""
+        if entry.data is not None:
+            return lambda: ["hex"], [entry.data.hex()]
+        pairs = decode.flat(entry.value, "")
+        return lambda: [name for name, _ in pairs], [cell(_words(scalar)) for _, scalar in pairs]
+
+    def _placed(self, head, names, found, key):
+        """The cells in their columns; `key` names a combination of columns that may come again, or is None."""
+        if key is None or key[1] is None or key not in self._places:
+            places = [self.columns.setdefault(printable(name), len(self.columns)) for name in names()]
+            if places == list(range(len(head), len(head) + len(places))):
+                places = None
+            if key is not None and key[1] is not None:
+                self._places[key] = places
+        else:
+            places = self._places[key]
+        if places is None:
+            return head + found
+        row = head + [""] * (max(places) + 1 - len(head))
+        for place, scalar in zip(places, found):
+            row[place] = scalar
+        return row
+
+    def padded(self, row):
+        """A row as a line that has all columns."""
+        return ",".join(row) + "," * (len(self.columns) - len(row))
+
+
+def _words(scalar):
+    if scalar is None:
+        return ""
+    if isinstance(scalar, str):
+        return printable(scalar)
+    return str(scalar)
+
+
+def cell(words):
+    """Text as a cell."""
+    if _ODD.search(words):
+        return '"' + words.replace('"', '""') + '"'
+    return words
+
+
+def _parts(descriptor, path):
+    """[(column, function that gets the part of a value, sort)] of a struct."""
+    found = []
+    for member, inner in descriptors.members(descriptor):
+        inner = descriptors.target(inner)
+        name = path + member
+        sort = _sort(inner)
+        if sort == OTHER and kind(inner) == STRUCT:
+            found += _parts(inner, name + ".")
+        else:
+            found.append((name, operator.attrgetter(name), sort))
+    return found
+
+
+def _grouped(parts):
+    """The same, with neighbours that are numbers in one: [([columns], function that gets them all, SEVERAL)]."""
+    found = []
+    for is_plain, neighbours in itertools.groupby(parts, lambda part: part[2] == PLAIN):
+        run = list(neighbours)
+        names = [name for name, _, _ in run]
+        if is_plain and len(run) > 1:
+            found.append((names, operator.attrgetter(*names), SEVERAL))
+        else:
+            found += run
+    return found
+
+
+def _sort(inner):
+    if kind(inner) == STRUCT and build_value.is_time(inner):
+        return TIME
+    if kind(inner) == ENUM:
+        return NAME
+    if kind(inner) in (STRING, WSTRING, CHAR, WCHAR):
+        return TEXT
+    if kind(inner) in (SEQUENCE, ARRAY):
+        element = descriptors.target(descriptors.element(inner))
+        if element == OCTET:
+            return OCTETS
+        if element in descriptors.VALUES and element not in (CHAR, WCHAR):
+            return NUMBERS
+        return OTHER
+    if inner in descriptors.VALUES:
+        return PLAIN
+    return OTHER
+
+
+def _names(plan, others, value):
+    """The columns of a value."""
+    found = []
+    for column, get, sort in plan:
+        if sort == NUMBERS:
+            found += [f"{column}[{number}]" for number in range(len(get(value)))]
+        elif sort == SEVERAL:
+            found += column
+        elif sort == OTHER:
+            found += others[column]
+        else:
+            found.append(column)
+    return found
+
+
+# ---- whole tables ------------------------------------------------------------------------------------------
+
+
+class _Spool:
+    """Rows of a Table that wait until all columns are known."""
+
+    def __init__(self, table):
+        self._table = table
+        self._rows = []
+        self._file = tempfile.SpooledTemporaryFile(SPOOL, "w+", encoding="utf-8", newline="\n")
+
+    def add(self, entry):
+        row = self._table.row(entry)
+        self._rows.append("%d %s\n" % (len(row), ",".join(row)))
+        if len(self._rows) >= ROWS:
+            self._flush()
+
+    def _flush(self):
+        self._file.write("".join(self._rows))
+        self._rows.clear()
+
+    def lines(self):
+        """The head, and all rows with all columns; it is closed then."""
+        total = len(self._table.columns)
+        self._flush()
+        with self._file:
+            yield self._table.head()
+            self._file.seek(0)
+            for line in self._file:
+                count, _, row = line[:-1].partition(" ")
+                yield row + "," * (total - int(count))
+
+
+def lines(channels, entries, is_ns=False):
+    """The lines of one table of all entries."""
+    spool = _Spool(Table(channels, is_ns))
+    for entry in entries:
+        spool.add(entry)
+    return spool.lines()
+
+
+def write(channels, entries, directory, is_ns=False):
+    """Write a table for each channel into a directory; returns their names. Raises OSError, errors.Failed."""
+    spools = {}
+    for entry in entries:
+        if entry.channel not in spools:
+            spools[entry.channel] = _Spool(Table(channels, is_ns))
+        spools[entry.channel].add(entry)
+    os.makedirs(directory, exist_ok=True)
+    names = []
+    for number, spool in sorted(spools.items()):
+        names.append(os.path.join(directory, _file_name(channels.log.channels[number].name, names)))
+        _replace(names[-1], spool)
+    return names
+
+
+def _file_name(channel, taken):
+    """The name of a file for a channel, which no other has."""
+    stem = re.sub(r"[^A-Za-z0-9._-]+", "-", channel).strip("-.")[-100:] or "channel"
+    name = stem + ".csv"
+    number = 1
+    while any(os.path.basename(other) == name for other in taken):
+        number += 1
+        name = f"{stem}-{number}.csv"
+    return name
+
+
+def _replace(name, spool):
+    temporary = files.Temporary(files.destination(name))
+    try:
+        with temporary.file as file:
+            for line in spool.lines():
+                file.write(line.encode("utf-8", "backslashreplace") + b"\n")
+            file.flush()
+            temporary.take_place()
+    finally:
+        temporary.remove()
