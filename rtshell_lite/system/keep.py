@@ -113,7 +113,7 @@ class Kept(presence.Followed):
         self.since = time.time()
         self.restarts = 0
         self.last = ""
-        self.is_busy = self.is_paused = self.has_failed = self.has_exited = False
+        self.is_busy = self.is_paused = self.has_failed = self.has_exited = self.has_been_there = False
         self.is_counted = False  # whether its present Error is among the failures of its trial
         self.waits_for = None  # why its activation was not tried
         # False for one whose state is nobody's business here
@@ -177,8 +177,9 @@ class Kept(presence.Followed):
     # ---- what is noticed ----
 
     def appeared(self):
-        if self.dead is not None:
+        if self.has_been_there:
             self.restarts += 1
+        self.has_been_there = True
         self.site.node = self.shown.node
         self.site.error = self.site.found = None
         for notes in (self.settled, self.hands, self.said):
