@@ -22,6 +22,7 @@ from rtshell_lite.text import shell_word
 PAUSE = 0.15  # seconds between a change and the look at it: who disconnects does it port by port
 TICK = 0.1  # seconds between looks whether all is done
 WAIT = 1.0  # seconds until what a neighbour holds up is asked again
+FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 
 # What is looked at again, by the part of a component that has changed; WHOLE is everything.
@@ -226,6 +227,8 @@ class Kept(presence.Followed):
             self.settled.discard(STATE)
         elif event.kind != "RTC_STATUS":
             self.begin_again()
+        if event.kind == "EC_EVENT":  # a composite does not report that it has lost a member
+            self.keeper.look_at_drivers(self)
         self.change(PART_OF.get(event.kind, WHOLE))
 
     def seen(self, part):
@@ -469,6 +472,12 @@ class Keeper(presence.Presence):
         targets += [target for context in of_file.execution_contexts for target in context.participants]
         return any(self._locate(target) is other.site.component for target in targets)
 
+    def look_at_drivers(self, kept):
+        """Look again at those that execute a component."""
+        for other in self.followed:
+            if other.is_there and self._drives(other, kept):
+                other.change("contexts")
+
     def stop_driving(self, kept):
         """A component is gone: those that take part in its contexts stop, and nobody has done that."""
         for other in self.followed:
@@ -551,6 +560,7 @@ class Keeper(presence.Presence):
         now = time.monotonic()
         due = [kept for kept in absent if sites.is_gone(kept.error) and kept.repairs.until <= now]
         due = [kept for kept in due if not kept.repairs.given_up and not kept.is_paused]
+        due = [kept for kept in due if time.time() - kept.since > FAREWELL]
         how = restore.Options(True, self.options.manager, self.options.strict_path)
         for kept in due:
             kept.site.error = kept.error

@@ -19,13 +19,16 @@ PATIENCE = 3.0  # seconds that either side waits for the other
 LONGEST = 1 << 20  # octets of a request
 
 
-def directory():
-    """The private directory of this user for locks and sockets. Raises OSError, Failed where it is not ours."""
+def _directory():
     runtime = os.environ.get("XDG_RUNTIME_DIR")
     if runtime and os.path.isdir(runtime):
-        made = os.path.join(runtime, "rtkeep")
-    else:
-        made = "/tmp/rtkeep-%d" % os.geteuid()
+        return os.path.join(runtime, "rtkeep")
+    return "/tmp/rtkeep-%d" % os.geteuid()
+
+
+def directory():
+    """The private directory of this user for locks and sockets. Raises OSError, Failed where it is not ours."""
+    made = _directory()
     try:
         os.mkdir(made, 0o700)
     except FileExistsError:
@@ -149,7 +152,9 @@ async def _send(connection, text):
 
 
 def running():
-    """The paths of the sockets of all rtkeeps of this user, sorted."""
+    """The paths of the sockets of all rtkeeps of this user, sorted. Raises as `directory` does; makes nothing."""
+    if not os.path.isdir(_directory()):
+        return []
     where = directory()
     return sorted(os.path.join(where, name) for name in os.listdir(where) if name.endswith(".socket"))
 
@@ -183,6 +188,32 @@ async def ask(door, request):
     if found[0]["error"]:
         raise errors.Error(printable(found[0]["error"]))
     return found[1:]
+
+
+async def marks():
+    """{path of a component: what its rtkeep says of it, in a word or two}, of all rtkeeps of this user."""
+    found = {}  # type: dict
+    try:
+        doors = running()
+    except (OSError, errors.Error):
+        return found
+    for door in doors:
+        try:
+            lines = await ask(door, {"command": "status", "names": []})
+        except errors.Error:
+            continue
+        found.update((line["object"], _mark(line)) for line in lines if line["kind"] == "component")
+    return found
+
+
+def _mark(line):
+    if line["wanted"] == "paused":
+        return "paused"
+    if line["given_up"]:
+        return "given up"
+    if line["by_hand"]:
+        return "left alone"
+    return "kept"
 
 
 # ---- the service manager of the system ---------------------------------------------------------------------

@@ -194,12 +194,14 @@ class Top:
         self._groups = set()
         self._doubtful = Slots(DOUBTFUL)
         self._news = []
+        self._marks = {}  # by path: what an rtkeep says of a component
         self._tasks = None
 
     async def __aenter__(self):
         orb.start()
         session.current().slots = Slots(IN_FLIGHT)
         self._tasks = loop.Group()
+        self._tasks.start(self._follow_keepers())
         for top in self._tops:
             self._tasks.start(self._follow(top))
         return self
@@ -208,6 +210,14 @@ class Top:
         session.current().slots = None
         self._tasks.cancel()
         await self._tasks.__aexit__(*exception)
+
+    async def _follow_keepers(self):
+        """Ask the rtkeeps of this user for their marks, again and again."""
+        from rtshell_lite.system import steering
+
+        while True:
+            self._marks = await steering.marks()
+            await loop.sleep(WALK)
 
     # ---- what is bound ----
 
@@ -302,6 +312,7 @@ class Top:
         entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
         unique = len({entry.node.name for _, entry in entries}) == len(entries)
         rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
+        rows = [_marked(row, self._marks.get(row.path)) for row in rows]
         rows += [
             Row(path, path, "unknown", "?", None, None, None, None, failure, None, "")
             for path, failure in failed.items()
@@ -360,6 +371,13 @@ class Top:
         news = self._news
         self._news = []
         return news
+
+
+def _marked(row, mark):
+    """A Row with what rtkeep says of its component before what was seen."""
+    if mark is None:
+        return row
+    return row._replace(event="; ".join(filter(None, ("rtkeep: " + mark, row.event))))
 
 
 async def _walk(top):

@@ -43,6 +43,7 @@ What is paused is not mended, until it is resumed; that takes back what a person
   $ rtkeep pause Motor0 ConsoleIn0 ConsoleOut0; ctl error Motor0; rtdis ConsoleIn0.rtc; sleep 1; ctl state Motor0; rtls -l | grep ConsoleIn0
   ERROR
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  $ tty 160 rttop -n 1 . | grep -o '[^ ]*.rtc .*rtkeep: .*' | sed 's/.rtc .*rtkeep/.rtc rtkeep/; s/;.*//' | sort
   $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0; soon 'rtcheck a.xml'
   $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'; rtkeep status --json | grep -o '"by_hand": .".*hand"'; rtkeep resume; soon 'rtcheck a.xml'
   "by_hand": ["was made Inactive by hand"

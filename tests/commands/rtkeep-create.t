@@ -1,0 +1,41 @@
+rtkeep lets managers create components that are gone, and gives composites back the members that they have lost.
+
+world: manager
+world: composite
+
+  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }
+  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT
+  $ rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
+  $ soon 'rtcheck a.xml'
+
+A component that is deleted is created, and all is as it was:
+
+  $ rtmgr -d ConsoleIn0 manager.mgr; soon 'grep ConsoleIn0.*created out'; soon 'rtcheck a.xml'
+  $ said out | grep ConsoleIn0 | tail -4
+  ConsoleIn0.rtc: has exited
+  ConsoleIn0.rtc: was not there: created
+  ConsoleIn0.rtc: restored connection one
+  ConsoleIn0.rtc: Active
+
+A member that a composite has lost:
+
+  $ rtcomp -r Motor0.rtc composite0.rtc; soon 'grep restored.members out'
+  $ rtkeep resume; soon 'rtcheck a.xml'; said out | grep -e members -e composite0.*set
+  composite0.rtc: configuration set default was changed by hand: left alone
+  composite0.rtc: restored members Controller0, Motor0, Sensor0
+  composite0.rtc: restored configuration set default
+  $ rtcat -l composite0.rtc | grep -A3 -i member
+    Member  /localhost:$PORT/test.host_cxt/Sensor0.rtc
+    Member  /localhost:$PORT/test.host_cxt/Controller0.rtc
+    Member  /localhost:$PORT/test.host_cxt/Motor0.rtc
+  -Execution Context 0
+    State  Running
+    Kind   Periodic
+  $ kill $keep; wait $keep
+
+Without a manager nothing is created.
+
+  $ rtmgr -d ConsoleIn0 manager.mgr; rtkeep --once --within 1 a.xml > nul
+  rtkeep: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such path; did you mean ConsoleOut0.rtc?
+  [3]
