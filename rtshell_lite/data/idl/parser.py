@@ -38,13 +38,12 @@ def read_file(path, include=(), find=None):
 
 class Contents:
     """What an IDL file and its includes define, each {repository id: …}: `types` are descriptors, typedefs as
-    aliases; `interfaces` are Interfaces; `exceptions` are descriptors.
+    aliases; `interfaces` are Interfaces.
     """
 
-    def __init__(self, types, interfaces, exceptions):
+    def __init__(self, types, interfaces):
         self.types = types
         self.interfaces = interfaces
-        self.exceptions = exceptions
 
 
 class Parser:
@@ -57,7 +56,6 @@ class Parser:
         self.made = {}  # identity of an Entry → (repository id, descriptor)
         self.announced = []  # Entries of structs and unions
         self.interfaces = {}  # identity of the Entry of each interface that is defined → that Entry
-        self.exceptions = []  # Entries
         self.prefixes = []  # prefixes of the files around this place
         self.weights = {}  # identity of a descriptor → (types in it, depth)
         self.kept = []  # the objects of these identities, which must live as long
@@ -75,7 +73,6 @@ class Parser:
         return Contents(
             {type_id: descriptor for type_id, descriptor in self.made.values()},
             {entry.type_id: entry.what.interface for entry in self.interfaces.values()},
-            {entry.type_id: entry.what for entry in self.exceptions},
         )
 
     # ---- tokens --------------------------------------------------------------------------------------------
@@ -454,7 +451,6 @@ class Parser:
         self.take("{")
         found = types.within(self, entry, lambda: types.members(self, depth + 1))
         entry.what = descriptors.exception(entry.type_id, name, found)
-        self.exceptions.append(entry)
         self.take("}")
 
     def _const(self, depth):
