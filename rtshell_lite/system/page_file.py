@@ -1,6 +1,5 @@
 """The data in a page for a browser: one block of JSON. rtdoctor's reports have an RtsProfile there, too."""
 
-import json
 import re
 
 from rtshell_lite import errors
@@ -10,6 +9,8 @@ _BLOCK = re.compile(r'<script type="application/json" id="system">([^<]*)</scrip
 
 def as_json(value):
     """JSON in ASCII that can be in an HTML file, as it is: no text in it ends or begins anything there."""
+    import json  # not needed to see that a file is no page
+
     text = json.dumps(value, separators=(",", ":"))
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 
@@ -21,6 +22,8 @@ def is_page(text):
 
 def read(text, name):
     """The data, a dict, in the text of a page; `name` is the file in messages. Raises errors.Failed."""
+    import json
+
     found = _BLOCK.search(text)
     if found is None:
         raise errors.Failed(name, "not a page of these commands")

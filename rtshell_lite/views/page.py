@@ -17,14 +17,14 @@ from rtshell_lite import errors
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.text import printable, safe
 from rtshell_lite.views import page_details, part
-from rtshell_lite.views.page_details import Table, shown
+from rtshell_lite.views.page_details import Rows, Table, shown
 from rtshell_lite.xmlprofile import model
 
 # The data of a page, in JSON:
 #   title what        the heading, and a line below it
 #   kinds kind most   kinds of groups; the one to begin with, null: one that leaves `most` boxes
 #   open names        names of groups that are not folded; names of all groups
-#   rows              lists of [name, value], by their numbers below
+#   rows pairs        lists of numbers of pairs, by their own numbers below; [name, value]
 #   boxes             name path state missing composite groups (of each kind but none, a number in `names`, or
 #                     null) parts [heading, rows] ports [name, type, rows]
 #   connections       name id service rows ends [box, port]: the source first
@@ -73,7 +73,7 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
     kind      of the groups that are folded (None: one that leaves few boxes); `opened` are names of those not folded
     """
     names = Table()
-    rows = Table()
+    rows = Rows()
     boxes = [_box(picture, number, names, rows) for number in range(len(picture.boxes))]
     return {
         "title": shown(title),
@@ -88,7 +88,8 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
         "sections": [],
         "plots": [],
         "names": names.values,
-        "rows": rows.values,
+        "rows": rows.lists.values,
+        "pairs": rows.pairs.values,
     }
 
 
@@ -106,9 +107,9 @@ def _box(picture, number, names, rows):
         "ports": [],
     }
     if isinstance(box.origin, model.Component):
-        made["parts"] = [(heading, rows.of_rows(pairs)) for heading, pairs in page_details.parts(box)]
+        made["parts"] = [(heading, rows.number(pairs)) for heading, pairs in page_details.parts(box)]
         made["ports"] = [
-            (shown(name), kind, rows.of_rows(pairs)) for name, kind, pairs in page_details.port_parts(box)
+            (shown(name), kind, rows.number(pairs)) for name, kind, pairs in page_details.port_parts(box)
         ]
     return _without_defaults(made)
 
@@ -135,7 +136,7 @@ def _connections(picture, profile, rows):
             "name": shown(connector.name),
             "id": shown(connector.connector_id),
             "service": isinstance(connector, model.ServicePortConnector),
-            "rows": rows.of_rows(page_details.connection_rows(connector)),
+            "rows": rows.number(page_details.connection_rows(connector)),
             "ends": ends,
         }
         found.append(_without_defaults(made))

@@ -22,9 +22,19 @@ class Table:
             self.values.append(value)
         return self._numbers[value]
 
-    def of_rows(self, pairs):
+
+class Rows:
+    """Lists of (name, value) by number: `lists` of numbers of `pairs`, each once."""
+
+    def __init__(self):
+        self.lists = Table()
+        self.pairs = Table()
+
+    def number(self, pairs):
         """The number of these (name, value)."""
-        return self.number(tuple((shown(name), shown(value or "")) for name, value in pairs))
+        return self.lists.number(
+            tuple(self.pairs.number((shown(name), shown(value or ""))) for name, value in pairs)
+        )
 
 
 def shown(text):

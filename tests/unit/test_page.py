@@ -28,7 +28,9 @@ def read(name):
 
 def data_of(html):
     """The JSON in a page."""
-    return json.loads(re.search(r'<script type="application/json" id="system">([^<]*)</script>', html).group(1))
+    data = json.loads(re.search(r'<script type="application/json" id="system">([^<]*)</script>', html).group(1))
+    data["rows"] = [[data["pairs"][pair] for pair in rows] for rows in data["rows"]]
+    return data
 
 
 def page_of(profile, picture=None):

@@ -3,6 +3,7 @@
 const data = JSON.parse(document.getElementById("system").textContent);
 const DEFAULTS = {path: null, state: null, missing: false, composite: null, parts: [], ports: []};
 data.boxes = data.boxes.map((box) => Object.assign({}, DEFAULTS, box));
+data.rows = data.rows.map((rows) => rows.map((pair) => data.pairs[pair]));
 const SVG = "http://www.w3.org/2000/svg";
 const SHAPES = new Set(["svg", "g", "rect", "text", "path", "defs", "marker", "circle", "title"]);
 const SYMBOLS = {Active: "\u25cf", Inactive: "\u25cb", Error: "\u2716", Created: "\u25cc", Unknown: "?"};
@@ -10,7 +11,6 @@ const [CELL, ROW] = [8.5, 20]; // pixels: a character, a line of text
 // characters of a name on the map, components in the list, sources that a group names (of more, the number)
 const [LONGEST, LISTED, MOST_SOURCES] = [44, 300, 12];
 const ALL = data.boxes.map((box, number) => number);
-
 const view = {around: null, hops: 1, way: "both", broken: false, kind: data.kind || "auto", scale: 1, selected: null,
               opened: new Set(data.open.map((name) => `/${data.kinds.indexOf(data.kind)}:${name}`))};
 let picture = null; // what fold() made, with the elements on the map
