@@ -363,7 +363,9 @@ def _made(item):
             return _asked_again(e, item)
     except CORBA.Exception as e:
         error = _error(str(where), e, item.seconds, ref)
-        if isinstance(operation, Schema) and not isinstance(e, (CORBA.COMM_FAILURE, CORBA.UserException)):
+        # those of omniORB itself look like those of the peer
+        own = (CORBA.COMM_FAILURE, CORBA.TRANSIENT, CORBA.TIMEOUT, CORBA.UserException)
+        if isinstance(operation, Schema) and not isinstance(e, own):
             error.exception = type(e).__name__, e.completed._v
         raise error
 

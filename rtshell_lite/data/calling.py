@@ -145,9 +145,9 @@ class Provider:
         """The errors.Error that says what a failure of a call means."""
         where = f"{self.where} {shown_name(operation)}"
         name, completed = e.exception or ("", None)
-        if isinstance(e, errors.Silent):
+        if isinstance(e, errors.Silent) and not name:
             return errors.MayBeDone(where, e.why)
-        if isinstance(e, errors.ConnectionLost):
+        if isinstance(e, errors.ConnectionLost) and not name:
             return await self._cut(where)
         if name == "OBJECT_NOT_EXIST":
             return await self._gone(where)
@@ -155,12 +155,14 @@ class Provider:
             return errors.Refused(where, f"it has no such operation: {self._wrong_idl()}", name=name)
         if name == "MARSHAL" and completed == NOT_COMPLETED:
             return errors.Refused(where, f"it takes other arguments: {self._wrong_idl()}", name=name)
-        if completed == COMPLETED:
+        if name == "MARSHAL" and completed == COMPLETED:
             return errors.Unreachable(where, f"done, but its answer is of another type: {self._wrong_idl()}")
         if name == "UNKNOWN":
             return errors.Refused(where, f"it raised what {self._file()} does not declare; {DONE}", name=name)
-        if completed not in (None, NOT_COMPLETED):
-            return errors.Refused(where, f"{e.why}; {DONE}", name=name)
+        if completed == NOT_COMPLETED:
+            return errors.Refused(where, f"it raised {text.printable(name)}; nothing was done", name=name)
+        if name:
+            return errors.Refused(where, f"it raised {text.printable(name)}; {DONE}", name=name)
         return e
 
     async def _cut(self, where):
