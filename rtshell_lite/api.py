@@ -552,13 +552,13 @@ def service(path, idl=(), limit=LIMIT):
 
 
 @_plain
-async def capture(*tops):
-    """The RtsProfile of all that runs below these paths (default: all name servers).
-    Raises the first failure.
+async def capture(*tops, unconnected=False):
+    """The RtsProfile of what runs below these paths (default: all name servers), as rtcryo saves it:
+    components without connections only if `unconnected`. Raises the first failure.
     """
     from rtshell_lite.system import capture as capturing
 
-    found = await capturing.capture([paths.parse(top) for top in tops], all_components=True)
+    found = await capturing.capture([paths.parse(top) for top in tops], all_components=unconnected)
     if found.failures:
         raise found.failures[0]
     return found.profile

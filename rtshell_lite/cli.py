@@ -72,7 +72,8 @@ def command(arguments, run, doc, argv):
         complain(e)
         return 1
     except ModuleNotFoundError as e:
-        return complain(errors.IncompletePython(e.name))
+        is_xml = (e.name or "").startswith(("xml", "pyexpat"))
+        return complain(errors.NoXml(e.name) if is_xml else errors.IncompletePython(e.name))
     except SystemExit as e:  # argparse after --help or --version
         return e.code or 0
     except Exception as e:

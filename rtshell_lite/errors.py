@@ -82,6 +82,13 @@ class IncompletePython(Error):
     )
 
 
+class NoXml(Error):
+    __doc__ = (
+        "this Python lacks its module {}, which XML needs; rtcryo --yaml writes YAML, which all commands read "
+        "(Debian: python3 is whole, python3-minimal is not)"
+    )
+
+
 class Usage(Error):
     """{} (see --help)"""
 
@@ -114,6 +121,10 @@ class NotFound(Error):
 
 class Misspelt(NotFound):
     """{}: no such path; did you mean {}?"""
+
+
+class NoPattern(NotFound):
+    """{}: no such path; to look for a pattern: {}"""
 
 
 class Ambiguous(Error):
@@ -214,6 +225,13 @@ class Raised(Error):
         super().__init__(where, name + shown)
         self.name = name
         self.value = value
+
+
+class Mismatch(Refused):
+    """{}: {}"""  # what is asked for does not go together; no peer was asked
+
+    __slots__ = ()
+    status = 2
 
 
 class LeftAlone(Error):

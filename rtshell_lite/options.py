@@ -23,6 +23,9 @@ EXIT_STATUSES = """exit status:
 class Parser(argparse.ArgumentParser):
     """argparse with options anywhere, negative numbers as arguments, no abbreviations, and our errors."""
 
+    # {a word of another tool: the option that is meant}
+    synonyms = {}  # type: dict
+
     def error(self, message):
         raise errors.Usage(message.replace(": -- ", ": "))
 
@@ -40,7 +43,8 @@ class Parser(argparse.ArgumentParser):
         positional = []
         rest = list(words)
         while rest:
-            word = rest.pop(0)
+            word = self.synonyms.get(rest[0], rest[0])
+            del rest[0]
             if word == "--":
                 return positional + rest, None, True
             if not self._is_option(word):
@@ -61,15 +65,26 @@ class Parser(argparse.ArgumentParser):
         words = []
         rest = list(argv)
         while rest:
-            word = rest.pop(0)
+            word = self.synonyms.get(rest[0], rest[0])
+            del rest[0]
             if word == "--":
                 words += rest
                 break
             if self._is_option(word):
+                self._check_last(word, rest, words)
                 options += self._option(word, rest)
             else:
                 words.append(word)
         return options, words
+
+    def _check_last(self, option, rest, words):
+        """Refuse `PATH --wait soon`: the last word is meant to be the option's value, and does not look like
+        a path.
+        """
+        action = self._option_string_actions.get(option)
+        is_optional = action is not None and action.nargs == "?" and action.type is seconds
+        if is_optional and words and len(rest) == 1 and re.match(r"[A-Za-z]+\Z", rest[0]):
+            self.error(f"{option}: not a number of seconds above 0: {rest[0]}")
 
     def _is_option(self, word):
         if re.match(r"-\.?[0-9]", word):  # -5 is a number, -0 and -0R are options where there is a -0

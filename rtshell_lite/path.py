@@ -282,8 +282,10 @@ def _split_port(element, text):
     name, *port = _cut(element, ":")
     if not port:
         return name, None
+    if port == [""] and name:
+        raise errors.BadPath(text, "no port after the colon")
     if len(port) > 1 or not port[0] or not name:
-        raise errors.BadPath(text, "bad path (one colon stands before a port; write \\: in a name)")
+        raise errors.BadPath(text, "a single colon separates a component from its port; write \\: in a name")
     return name, _unescaped(port[0], text)
 
 

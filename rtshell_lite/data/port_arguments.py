@@ -14,7 +14,7 @@ Found = collections.namedtuple("Found", "port name formatter label")
 
 
 def parse(words, formatters=False):
-    """A list of Target for what the user typed; nothing is contacted. Raises Usage, BadPath."""
+    """A list of Target for what the user typed; nothing is contacted. Raises BadPath."""
     targets = []
     for word in words:
         if formatters:
@@ -26,18 +26,21 @@ def parse(words, formatters=False):
         else:
             text = word
         path = paths.parse(text)
-        if path.port is None:
-            raise errors.Usage(f"{path!s}: no port specified")
         targets.append(Target(text, path, formatter and formatter.group(1), printable(text)))
     return targets
 
 
-async def find(targets):
-    """A Found, or an errors.Error, for each Target, in parallel.
+async def find(targets, kind):
+    """A Found, or an errors.Error, for each Target, in parallel. Raises Usage for a component without a port,
+    which lists those of the `kind` (DataInPort or DataOutPort).
 
     A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
     meant = await lookup.paths([target.word for target in targets])
+    for path in meant:
+        if path.port is None:
+            there = [ports.label(port) for port in await ports.offered(path) if port.type == kind]
+            raise errors.Usage(f"{path!s}: no port specified{ports.choices(there)}")
     targets = [target._replace(path=path) for target, path in zip(targets, meant)]
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
     return [

@@ -164,7 +164,7 @@ class Playing:
 
     async def find_sinks(self, wanted, properties):
         """Find the ports; `wanted` are port_arguments.Targets, `properties` those of the connections."""
-        for place, target in enumerate(await port_arguments.find(wanted)):
+        for place, target in enumerate(await port_arguments.find(wanted, "DataInPort")):
             try:
                 if isinstance(target, errors.Error):
                     raise target

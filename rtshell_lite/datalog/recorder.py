@@ -312,7 +312,7 @@ def taker(box, channels, number, triggers):
 async def find_readers(wanted, properties, pull, channels, box, tally, triggers=None):
     """Readers of the ports that Targets name, each for its channel; what fails is counted in a Tally."""
     readers = []
-    for number, target in enumerate(await port_arguments.find(wanted)):
+    for number, target in enumerate(await port_arguments.find(wanted, "DataOutPort")):
         try:
             if isinstance(target, errors.Error):
                 raise target

@@ -9,17 +9,17 @@ PROFILE = "RTC.ConnectorProfile"
 
 
 def refuse_duplicate(ends, name, connector_id):
-    """Raise Refused if the first port is connected with any of the others,
+    """Raise Failed if the first port is connected with any of the others,
     or any has a connection of this name or id.
     """
     for port, connector in [(port, connector) for port in ends for connector in port.connectors]:
         for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if wanted and wanted == value:
-                raise errors.Refused(
+                raise errors.Failed(
                     ports.label(port), f"has a connection with {what} {printable(value)} already"
                 )
     for connector in ports.joining(ends):
-        raise errors.Refused(ports.between(ends), f"already connected (id {printable(connector.id)})")
+        raise errors.Failed(ports.between(ends), f"already connected (id {printable(connector.id)})")
 
 
 def existing(ends, name="", connector_id="", given=None):
@@ -90,7 +90,7 @@ async def connect_alone(port, name, properties):
     Raises Refused, Unreachable.
     """
     for reason in ports.without_rate([port], properties):
-        raise errors.Refused(ports.label(port), reason)
+        raise errors.Mismatch(ports.label(port), reason)
     asked = orb.struct(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
     code, raw = await orb.call(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":

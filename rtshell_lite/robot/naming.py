@@ -50,6 +50,19 @@ async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, 
         yield await _unbind(node.path, dry_run)
 
 
+async def living(path):
+    """The Node of the component or manager at a Path if it answers, so that it would live on without its name;
+    else None.
+    """
+    try:
+        (node,) = await tree.check_alive([await tree.resolve(path)])
+    except errors.Error:
+        return None
+    if node.kind in ("component", "manager"):
+        return node
+    return None
+
+
 async def zombies(top):
     """What is or may be a zombie at and below the Node `top`, federated name servers aside:
     (Nodes, Nodes whose listing failed).
@@ -206,14 +219,14 @@ class _Deletion:
         name.
         """
         if len(node.path.names) > tree.DEPTH:
-            raise errors.Refused(str(node.path), f"more than {tree.DEPTH} directories deep")
+            raise errors.Failed(str(node.path), f"more than {tree.DEPTH} directories deep")
         if await self._is_alias(above, node) or await self._entered.path(node):
             yield await _unbind(node.path, self.dry_run)
             return
         below = await tree.children(node)
         if below and not self.recursive:
             names = f"{len(below)} name{'s' if len(below) > 1 else ''}"
-            raise errors.Refused(str(node.path), f"not empty ({names}); delete it with --recursive")
+            raise errors.Failed(str(node.path), f"not empty ({names}); delete it with --recursive")
         self._entered.enter(node)
         for child in below:
             if child.kind == "directory":

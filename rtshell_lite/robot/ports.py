@@ -55,6 +55,7 @@ PROPERTIES = [
 MOST_PORTS = 1000
 MOST_PARTS = 1000
 MOST_ENDS = 16
+MOST_CHOICES = 5  # in a message
 
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
@@ -194,6 +195,38 @@ def named(path, listed):
         return (exact or same_end)[0]
     there = ", ".join(printable(short_name(port.name, instance)) for port in listed) or "none"
     return errors.NoSuch(str(path.object()), "port", f"{printable(path.port)} (its ports: {there})")
+
+
+async def offered(path):
+    """The Ports of the component at a Path, or the one that it names, for what a message lists; [] where they
+    cannot be had.
+    """
+    try:
+        (listed,) = await tree.on_components([path.object()], ports)
+    except errors.Error:
+        return []
+    if isinstance(listed, errors.Error):
+        return []
+    if path.port is not None:
+        listed = [named(path, listed)]
+    return [port for port in listed if isinstance(port, Port)]
+
+
+def choices(labels):
+    """What a message says of ports that were meant, perhaps: '; there is …', '' for none."""
+    if not labels:
+        return ""
+    more = ", …" * (len(labels) > MOST_CHOICES)
+    return f"; there is {', '.join(labels[:MOST_CHOICES])}{more}"
+
+
+async def pairs(paths):
+    """The ports of the components at two Paths that can be connected: texts, `a.rtc:out b.rtc:in`."""
+    if len(paths) != 2:
+        return []
+    one, other = [await offered(path) for path in paths]
+    fitting = [(port, far) for port in one for far in other if not mismatches([port, far], {})]
+    return [" ".join((label(port), label(far))) for port, far in fitting]
 
 
 # ---- matching ----------------------------------------------------------------------------------------------
@@ -354,10 +387,10 @@ def joining(ends):
 
 
 def check(ends, given):
-    """Raise Refused with the reasons when the Ports `ends` do not match, with these properties (a dict)."""
+    """Raise Mismatch with the reasons when the Ports `ends` do not match, with these properties (a dict)."""
     reasons = mismatches(ends, given) or without_rate(ends, connection_properties(ends, given))
     if reasons:
-        raise errors.Refused(between(ends), "; ".join(reasons))
+        raise errors.Mismatch(between(ends), "; ".join(reasons))
 
 
 def without_rate(ends, properties):

@@ -40,9 +40,16 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
 
     orb.start()
     nodes = await tree.at_each(paths, tree.component)
-    return [node for node in nodes if isinstance(node, errors.WrongKind)] or await tree.on_nodes(
-        nodes, change_one
-    )
+    wrong = [node for node in nodes if isinstance(node, errors.WrongKind)]
+    return [_with_all(error) for error in wrong] or await tree.on_nodes(nodes, change_one)
+
+
+def _with_all(error):
+    """A WrongKind that names the option for what is below a directory."""
+    where, wanted, kind = error.args
+    if kind in ("directory", "name server"):
+        kind += "; --all takes the components in it"
+    return errors.WrongKind(where, wanted, kind)
 
 
 async def change_below(paths, transition, index=None, wait=None, dry_run=False):

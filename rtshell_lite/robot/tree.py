@@ -12,6 +12,7 @@ Resolution is lazy: only what a path names is asked. As a library:
 import collections
 import functools
 import os
+import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -32,7 +33,7 @@ from rtshell_lite.robot.node import (
     stream_nodes,
     unusable,
 )
-from rtshell_lite.text import closest, from_wire, printable
+from rtshell_lite.text import closest, from_wire, printable, shell_word
 
 AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
@@ -72,10 +73,12 @@ def _server(path):
 
 
 def name_server(address):
-    """The node of the name server at an address; contacts nobody. Raises BadPath.
+    """The node of the name server at an address of `servers`; contacts nobody. Raises BadPath.
 
     It may be a manager, too, that is reached without a name server: corbaloc:iiop:HOST:PORT/manager.
     """
+    if re.search(r"[,\s]", address):
+        raise errors.BadPath(printable(address), "several name servers are separated by semicolons")
     return _server(parse(address if address.startswith(REFERENCES) else "/" + address))
 
 
@@ -226,6 +229,9 @@ def _by_id(names):
 
 def _near_miss(path, names):
     close = closest(path.names[-1].id, names)  # the kinds, all .rtc, would make any two names alike
+    if close is None and re.search(r"[*?]", path.names[-1].id):
+        pattern = shell_word(str(path.names[-1]))
+        return errors.NoPattern(str(path), f"rtfind {shell_word(str(path.parent()))} -n {pattern}")
     if close is None:
         return errors.NotFound(str(path))
     return errors.Misspelt(str(path), str(names[close]))

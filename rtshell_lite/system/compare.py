@@ -33,7 +33,7 @@ MESSAGES = {
     "member": "Component {member} is not a member[ of {path}]",
     "wrong member": "Wrong member[ of {path}]: {name}",
     "participant": "Component {member} does not take part in an execution context[ of {path}]",
-    "state": "[Component {path} is in ]incorrect state {actual}",
+    "state": "[Component {path} is in ]incorrect state {actual}, not {expected}",
     "unplaced": "The file has no component for connection {name}[ between {path}]",
     "connection": "No connection[ between {path}]",
     "other connection": "Connection[ between {path}] is another one: {actual}, not {expected}",

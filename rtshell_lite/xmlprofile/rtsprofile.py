@@ -8,6 +8,7 @@ files.write(name, rtsprofile.dump(profile, "yaml"))
 import gc
 
 from rtshell_lite import errors
+from rtshell_lite.text import printable
 
 XML = "xml"
 YAML = "yaml"
@@ -25,6 +26,10 @@ def load(data, name, form=None):
             raise errors.BadProfile(name, data.count("\n", 0, e.start) + 1, 1, "not text")
     if not data.strip():
         raise errors.BadProfile(name, 1, 1, "the file is empty")
+    if data.startswith(b"#!"):
+        raise errors.BadProfile(
+            name, 1, 1, "a script, no RtsProfile: " + printable(data[:60].split(b"\n")[0].decode("latin-1"))
+        )
     collecting = gc.isenabled()
     gc.disable()  # nothing here is garbage, and collecting took half of the time of a big file
     try:

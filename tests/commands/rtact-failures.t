@@ -22,7 +22,7 @@ Wrong usage:
   rtact: a\q.rtc: bad escape \q
   [2]
   $ rtact ConsoleIn0.rtc:out:in
-  rtact: ConsoleIn0.rtc:out:in: bad path (one colon stands before a port; write \: in a name)
+  rtact: ConsoleIn0.rtc:out:in: a single colon separates a component from its port; write \: in a name
   [2]
   $ RTCSH_CWD=nowhere rtact ConsoleIn0.rtc
   rtact: nowhere: a working directory (RTCSH_CWD) starts with /
@@ -37,7 +37,7 @@ Wrong usage:
 Nothing is done when one path cannot be one:
 
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc:a:b
-  rtact: ConsoleOut0.rtc:a:b: bad path (one colon stands before a port; write \: in a name)
+  rtact: ConsoleOut0.rtc:a:b: a single colon separates a component from its port; write \: in a name
   [2]
   $ ctl state ConsoleIn0
   INACTIVE

@@ -129,7 +129,7 @@ What is connected is shown even if it does not say what it is, is bound nowhere,
 
   $ ctl @these3 fail get_port_profile 1 UNKNOWN; rtcat -l ../many.host_cxt/Mock1.rtc:out | grep Connected
    +Connected to  Unknown (127.0.0.1:*: CORBA.UNKNOWN) (glob)
-  $ rtdel $far/ConsoleOut0.rtc
+  $ rtdel -f $far/ConsoleOut0.rtc
   $ rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
    +Connected to  Unknown (ConsoleOut0.in)
    +Connected to  /localhost:$PORT/away.host_cxt/arm.cxt/ConsoleOut1.rtc:in

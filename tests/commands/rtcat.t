@@ -276,16 +276,16 @@ Wrong usage:
   rtcat: unrecognized arguments: -x (see --help)
   [2]
   $ rtcat ConsoleIn0.rtc:out:in
-  rtcat: ConsoleIn0.rtc:out:in: bad path (one colon stands before a port; write \: in a name)
+  rtcat: ConsoleIn0.rtc:out:in: a single colon separates a component from its port; write \: in a name
   [2]
   $ rtcat ConsoleIn0.rtc:out/
   rtcat: ConsoleIn0.rtc:out/: a port has no directory below it
   [2]
   $ rtcat ConsoleIn0.rtc:
-  rtcat: ConsoleIn0.rtc:: bad path (one colon stands before a port; write \: in a name)
+  rtcat: ConsoleIn0.rtc:: no port after the colon
   [2]
   $ rtcat :out
-  rtcat: :out: bad path (one colon stands before a port; write \: in a name)
+  rtcat: :out: a single colon separates a component from its port; write \: in a name
   [2]
   $ rtcat --timeout 1s ConsoleIn0.rtc
   rtcat: argument --timeout: not a number of seconds above 0: 1s (see --help)

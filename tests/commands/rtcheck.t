@@ -27,19 +27,19 @@ Without a file it reads standard input, and says so on a terminal, unless that i
 States are to be Active unless you say otherwise:
 
   $ rtcheck a.xml
-  Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/Motor0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc is in incorrect state Inactive
-  Component /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc is in incorrect state Inactive
+  Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Inactive, not Active
+  Component /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc is in incorrect state Inactive, not Active
+  Component /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc is in incorrect state Inactive, not Active
+  Component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc is in incorrect state Inactive, not Active
+  Component /localhost:$PORT/test.host_cxt/Motor0.rtc is in incorrect state Inactive, not Active
+  Component /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc is in incorrect state Inactive, not Active
+  Component /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc is in incorrect state Inactive, not Active
   rtcheck: all of them are Inactive: -s Inactive compares with that
   [1]
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc ConsoleOut1.rtc MyServiceConsumer0.rtc MyServiceProvider0.rtc Motor0.rtc Hokuyo_AIST0.rtc
   $ rtcheck a.xml
   $ rtcheck -s Error a.xml 2>&1 | head -1
-  Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Active
+  Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Active, not Error
   $ rtcheck -s bogus a.xml
   rtcheck: argument -s/--state: no such state: bogus (there are: active, inactive, error, created, unknown) (see --help)
   [2]

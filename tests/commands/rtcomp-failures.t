@@ -20,7 +20,7 @@ Wrong usage:
   rtcomp: argument -a/--add: expected one argument (see --help)
   [2]
   $ rtcomp -a a.rtc:b:c composite0.rtc
-  rtcomp: a.rtc:b:c: bad path (one colon stands before a port; write \: in a name)
+  rtcomp: a.rtc:b:c: a single colon separates a component from its port; write \: in a name
   [2]
   $ rtcomp ../m.host_cxt/manager.mgr:'a&b=c'
   rtcomp: a composite cannot be called a&b=c (see --help)

@@ -11,19 +11,19 @@ Ports that do not match are told apart before anything is asked of them. Compone
   $ ctl reset
   $ rtcon ConsoleIn0.rtc:out SequenceInComponent0.rtc:Double
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Double: data types differ (RTC/TimedLong, RTC/TimedDouble)
-  [6]
+  [2]
   $ rtcon SequenceInComponent0.rtc:Double ConsoleIn0.rtc:out
   rtcon: /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Double to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: data types differ (RTC/TimedDouble, RTC/TimedLong)
-  [6]
+  [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in SequenceInComponent0.rtc:Short
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Short: data types differ (RTC/TimedLong, RTC/TimedLong, RTC/TimedShort)
-  [6]
+  [2]
   $ rtcon ConsoleOut0.rtc:in ConsoleOut1.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: each is a DataInPort; a connection needs an in port and an out port
-  [6]
+  [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleIn1.rtc:out
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn1.rtc:out: each is a DataOutPort; a connection needs an in port and an out port
-  [6]
+  [2]
   $ rtcon ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a data port alone; name another port, or the transport that carries its data: -p dataport.interface_type=ros, ros2, fast-rtps, ssm … (see --help)
   [2]
@@ -32,46 +32,46 @@ Ports that do not match are told apart before anything is asked of them. Compone
   [2]
   $ rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: a data port and a service port do not go together
-  [6]
+  [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleIn0.rtc:out
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a port is named twice
-  [6]
+  [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a port is named twice
-  [6]
+  [2]
 
 Properties that a port does not offer, with what it does:
 
   $ rtcon -p dataport.dataflow_type=Push ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no port has dataflow_type Push (all have: push, pull, duplex)
-  [6]
+  [2]
   $ rtcon -p dataport.interface_type=CORBA_CDR ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no port has interface_type CORBA_CDR (all have: corba_cdr, csp_channel, data_service, direct, shared_memory)
-  [6]
+  [2]
   $ rtcon -p dataport.interface_type=corba_cdr,direct ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no port has interface_type corba_cdr,direct (all have: corba_cdr, csp_channel, data_service, direct, shared_memory)
-  [6]
+  [2]
   $ rtcon -p dataport.subscription_type=sometimes ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out has no subscription_type sometimes (it has: block, flush, new, nonblock, periodic)
-  [6]
+  [2]
   $ rtcon -p dataport.marshaling_types=json ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no port has marshaling_types json (all have: cdr)
-  [6]
+  [2]
   $ rtcon -p dataport.subscription_type=periodic ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
-  [6]
+  [2]
   $ rtcon -p dataport.subscription_type=periodic -p dataport.publisher.push_rate=often ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate in Hz above 0, not often
-  [6]
+  [2]
   $ rtcon -p dataport.subscription_type=periodic -p dataport.push_rate=0 ConsoleIn0.rtc:out ConsoleOut0.rtc:in --dry-run
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate in Hz above 0, not 0
-  [6]
+  [2]
   $ rtprint --property dataport.subscription_type=periodic ConsoleIn0.rtc:out
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
-  [6]
+  [2]
   $ rtlog -f log --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=-1 ConsoleIn0.rtc:out
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a periodic connection needs a rate in Hz above 0, not -1
-  [6]
+  [2]
   $ calls | grep -E ' (connect|notify_connect)$'
   [1]
 
@@ -149,10 +149,10 @@ Usage, and no such port:
   rtcon: the following arguments are required: PATH:PORT (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc ConsoleOut0.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified (see --help)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified (see --help)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in/
   rtcon: ConsoleOut0.rtc:in/: a port has no directory below it

@@ -18,7 +18,7 @@ Without a transport, or by one of CORBA, which joins two ports, nothing would be
   [2]
   $ rtcon -p dataport.interface_type=ros ConsoleIn0.rtc:out
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out has no interface_type ros (it has: corba_cdr, * (glob)
-  [6]
+  [2]
   $ rtcon --dry-run -p dataport.interface_type=ssm ConsoleIn0.rtc:out
   rtcon -p dataport.interface_type=ssm /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
 
@@ -38,8 +38,6 @@ They are shown, saved, drawn, compared, removed and restored like all others:
       dataport.subscription_type      new
       dataport.serializer.cdr.endian  little,big
   $ rtcryo -o robot.rtsys .; rtcryo -y -o robot.yaml . ; rtcheck -s Inactive robot.rtsys
-  rtcryo: 5 components without connections left out; --all saves them, too
-  rtcryo: 5 components without connections left out; --all saves them, too
   $ sed -n '/OnePort/,/<\/rtsExt:OnePort/p' robot.rtsys | grep -o 'connectorId="topic1"\|rts:sourceDataPort\|rts:targetDataPort' | sort | uniq -c
         1 connectorId="topic1"
         2 rts:sourceDataPort

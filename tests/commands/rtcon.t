@@ -80,7 +80,7 @@ The out port is the one that is asked, and the first of the connection: ports di
   $ rtdis ConsoleIn0.rtc
   $ rtcon --dry-run ConsoleIn0.rtc:out SequenceInComponent0.rtc:Double
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Double: data types differ (RTC/TimedLong, RTC/TimedDouble)
-  [6]
+  [2]
 
 Properties: a value may hold an equals sign, or be empty; of two the last one counts:
 
@@ -124,22 +124,22 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   [6]
   $ rtcon -d ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
-  [6]
+  [1]
   $ rtcon --no-duplicates ConsoleOut0.rtc:in ConsoleIn0.rtc:out
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: already connected (id id-1)
-  [6]
+  [1]
   $ rtcon -i id-1 ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused; id id-1 is in use, or the component takes no ids (RtORB)
   [6]
   $ rtcon -d -i id-1 ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: has a connection with id id-1 already
-  [6]
+  [1]
   $ rtcon -d -n first ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: has a connection with name first already
-  [6]
+  [1]
   $ rtcon -d -i id-1 ConsoleIn1.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: has a connection with id id-1 already
-  [6]
+  [1]
   $ rtcon -d -n outin ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   $ rtcon -i twice -p dataport.allow_dup_connection=YES ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ ctl connectors ConsoleIn0:out
@@ -148,7 +148,7 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   twice outin
   $ rtcon -d -p dataport.allow_dup_connection=YES ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
-  [6]
+  [1]
 
 --ensure leaves a connection that is as it is asked for, and refuses one that is otherwise:
 
@@ -174,4 +174,4 @@ invocation: B:in A:out
 invocation: --dry-run A:out B:in
 looking: --dry-run A:out B:in
 example: rtcon -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in <- rtdis ConsoleIn0.rtc
-example: rtcon -p dataport.interface_type=fast-rtps ConsoleIn0.rtc:out -> 6
+example: rtcon -p dataport.interface_type=fast-rtps ConsoleIn0.rtc:out -> 2

@@ -89,7 +89,7 @@ A composite is saved with its members, as soon as one of them is connected:
 
 A member that is gone from the name server is named:
 
-  $ rtdel /localhost:$PORT2/test.host_cxt/Controller0.rtc
+  $ rtdel -f /localhost:$PORT2/test.host_cxt/Controller0.rtc
   $ rtcryo localhost:$PORT2 | grep -c pathUri
   rtcryo: /localhost:$PORT2/test.host_cxt/composite0.rtc: its member Controller0 is not in the system, left out
   3

@@ -131,7 +131,7 @@ Wrong usage:
   rtcwd: argument --shell: not one of bash, csh, fish, sh, zsh: tcl (see --help)
   [2]
   $ rtcwd a:b:c
-  rtcwd: a:b:c: bad path (one colon stands before a port; write \: in a name)
+  rtcwd: a:b:c: a single colon separates a component from its port; write \: in a name
   [2]
   $ rtcwd /:1
   rtcwd: /:1: :1 is not a name server (host or host:tcpport)

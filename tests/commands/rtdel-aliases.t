@@ -30,7 +30,7 @@ The last name takes all with it:
 
   $ rtdel again.cxt
   rtdel: /localhost:$PORT/test.host_cxt/again.cxt: not empty (1 name); delete it with --recursive
-  [6]
+  [1]
   $ rtdel -v --recursive again.cxt
   rtdel: /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: deleted
   rtdel: /localhost:$PORT/test.host_cxt/again.cxt: deleted

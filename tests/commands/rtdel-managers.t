@@ -63,6 +63,7 @@ A manager whose process is gone is a zombie as others are; the slaves' component
 A name of a live manager:
 
   $ rtdel -v ../dead.host_cxt/manager.mgr
+  rtdel: /localhost:$PORT/dead.host_cxt/manager.mgr: alive, with its connections, but no longer found by this name; a restart binds it again, or, by itself, naming.update.enable: YES in its rtc.conf
   rtdel: /localhost:$PORT/dead.host_cxt/manager.mgr: deleted
   $ rtls ../dead.host_cxt
   ConsoleIn0.rtc

@@ -10,7 +10,9 @@ faulty: bottomless
 A name, whatever it stands for; the component does not notice:
 
   $ rtdel ConsoleIn0.rtc
+  rtdel: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: alive, with its connections, but no longer found by this name; a restart binds it again, or, by itself, naming.update.enable: YES in its rtc.conf
   $ calls
+  1 _non_existent
   $ rtls -R . | grep Console
   ConsoleOut0.rtc
   $ ctl state ConsoleIn0
@@ -23,6 +25,7 @@ A name, whatever it stands for; the component does not notice:
   $ rtls ConsoleOut0.rtc
   ConsoleOut0.rtc
   $ rtdel --dry-run ConsoleOut0.rtc | sh
+  rtdel: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: alive, with its connections, but no longer found by this name; a restart binds it again, or, by itself, naming.update.enable: YES in its rtc.conf
   $ rtls ConsoleOut0.rtc
   rtls: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no such path
   [3]
@@ -70,24 +73,24 @@ An object that is gone while its process lives is a zombie, too; -z stands for a
 Contexts: only empty ones, or with --recursive; the context itself is destroyed:
 
   $ odd=/localhost:$PORT/odd.host_cxt
-  $ rtdel -v $odd/empty.cxt
+  $ rtdel -f -v $odd/empty.cxt
   rtdel: /localhost:$PORT/odd.host_cxt/empty.cxt: deleted
   $ rtls $odd/empty.cxt
   rtls: /localhost:$PORT/odd.host_cxt/empty.cxt: no such path
   [3]
   $ rtdel $odd/a.cxt
   rtdel: /localhost:$PORT/odd.host_cxt/a.cxt: not empty (2 names); delete it with --recursive
-  [6]
+  [1]
   $ rtdel $odd/many.cxt
   rtdel: /localhost:$PORT/odd.host_cxt/many.cxt: not empty (300 names); delete it with --recursive
-  [6]
+  [1]
   $ rtdel --recursive --dry-run $odd/a.cxt
   rtdel /localhost:$PORT/odd.host_cxt/a.cxt/Same0.rtc
   rtdel /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt/c.cxt/Deep0.rtc
   rtdel /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt/c.cxt
   rtdel /localhost:$PORT/odd.host_cxt/a.cxt/b.cxt
   rtdel /localhost:$PORT/odd.host_cxt/a.cxt
-  $ rtdel --recursive --dry-run $odd/a.cxt | sh
+  $ rtdel --recursive --dry-run $odd/a.cxt | sed 's/rtdel/rtdel -f/' | sh
   $ rtls $odd/a.cxt
   rtls: /localhost:$PORT/odd.host_cxt/a.cxt: no such path
   [3]
@@ -117,7 +120,7 @@ A context that is bound inside itself loses that name only, also with --recursiv
 
 Names that are hard to type, and a nil reference:
 
-  $ rtdel -v $odd/Nil0.rtc $odd/'sl\/ash.rtc' $odd/'co\:lon.rtc' $odd/'do.t.rtc' $odd/'back\\slash.rtc' $odd/'sp ace.rtc' $odd/-l.rtc
+  $ rtdel -f -v $odd/Nil0.rtc $odd/'sl\/ash.rtc' $odd/'co\:lon.rtc' $odd/'do.t.rtc' $odd/'back\\slash.rtc' $odd/'sp ace.rtc' $odd/-l.rtc
   rtdel: /localhost:$PORT/odd.host_cxt/Nil0.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/sl\/ash.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/co\:lon.rtc: deleted
@@ -125,17 +128,17 @@ Names that are hard to type, and a nil reference:
   rtdel: /localhost:$PORT/odd.host_cxt/back\\slash.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/sp ace.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/-l.rtc: deleted
-  $ rtdel -v $odd/'tab\x09new\x0aline.rtc' $odd/'esc\x1b[31mred.rtc' $odd/'csi\x9b31m.rtc' $odd/'bell\x07del\x7f.rtc'
+  $ rtdel -f -v $odd/'tab\x09new\x0aline.rtc' $odd/'esc\x1b[31mred.rtc' $odd/'csi\x9b31m.rtc' $odd/'bell\x07del\x7f.rtc'
   rtdel: /localhost:$PORT/odd.host_cxt/tab\x09new\x0aline.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/esc\x1b[31mred.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/csi\x9b31m.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/bell\x07del\x7f.rtc: deleted
-  $ rtdel -v $odd/'$(id);'"'"'"*.rtc' $odd/日本語.rtc $odd/'bad\xff\xfe.rtc' $odd/'rtl\u202ecba.rtc'
+  $ rtdel -f -v $odd/'$(id);'"'"'"*.rtc' $odd/日本語.rtc $odd/'bad\xff\xfe.rtc' $odd/'rtl\u202ecba.rtc'
   rtdel: /localhost:$PORT/odd.host_cxt/$(id);'"*.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/日本語.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/bad\xff\xfe.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/rtl\u202ecba.rtc: deleted
-  $ rtdel -v $odd/nokind $odd/'\e' $odd/'kind\/slash.r\/tc' $odd/'kinddot.r\.tc' $odd/'.rtc' $odd/'..rtc' $odd/'...rtc'
+  $ rtdel -f -v $odd/nokind $odd/'\e' $odd/'kind\/slash.r\/tc' $odd/'kinddot.r\.tc' $odd/'.rtc' $odd/'..rtc' $odd/'...rtc'
   rtdel: /localhost:$PORT/odd.host_cxt/nokind: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/\e: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/kind\/slash.r\/tc: deleted
@@ -188,13 +191,13 @@ Not to be deleted:
   rtdel: no path given (see --help)
   [2]
   $ rtdel -f ConsoleIn0.rtc
-  rtdel: -f: only with -z (see --help)
-  [2]
+  rtdel: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such path
+  [3]
   $ rtdel --recursive
   rtdel: no path given (see --help)
   [2]
   $ rtdel -z :
-  rtdel: :: bad path (one colon stands before a port; write \: in a name)
+  rtdel: :: a single colon separates a component from its port; write \: in a name
   [2]
 
 A name server in which there is always one more directory below is given up:

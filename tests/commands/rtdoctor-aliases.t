@@ -17,7 +17,7 @@ world: zombie 1 --nameserver localhost:$PORT2
 
 What is only empty, or dead, behind several names is nobody's to delete:
 
-  $ rtdel again.cxt/Inner0.rtc
+  $ rtdel -f again.cxt/Inner0.rtc
   $ doctor -q
   [1]
   $ doctor -q again.cxt
@@ -43,7 +43,7 @@ With the last but one name gone it is what it was:
   [1]
   $ rtdel -q again.cxt; doctor -q
   warn  /localhost:$PORT/test.host_cxt/real.cxt: stale: empty; try: rtdel /localhost:$PORT/test.host_cxt/real.cxt
-  $ rtdel real.cxt; doctor
+  $ rtdel -f real.cxt; doctor
   ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
   ok    /localhost:$PORT/test.host_cxt/top.cxt: an alias: the same directory as /localhost:$PORT
   0 failed, 1 to be looked at, 5 ok

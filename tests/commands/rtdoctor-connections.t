@@ -88,7 +88,7 @@ It is found, wherever it is bound, or bound nowhere; an inactive component keeps
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: /localhost:$PORT/far.host_cxt/Far0.rtc:in does not know it; try: rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out; rtcon -n outin -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=new /localhost:$PORT/near.host_cxt/Near0.rtc:out /localhost:$PORT/far.host_cxt/Far0.rtc:in
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
   [1]
-  $ rtdel ../far.host_cxt/Far0.rtc; doctor -q ../near.host_cxt
+  $ rtdel -f ../far.host_cxt/Far0.rtc; doctor -q ../near.host_cxt
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 127.0.0.1:*, bound nowhere, does not know it; try: disconnect it (rtdis -i one /localhost:$PORT/near.host_cxt/Near0.rtc:out), then connect its ends again: rtcon (glob)
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/near.host_cxt/Near0.rtc
   [1]

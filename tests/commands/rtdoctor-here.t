@@ -125,7 +125,7 @@ What is worse comes first:
   $ resume these; kill-mock these; doctor -q /127.0.0.1:$PORT/gone.host_cxt | grep Gone0
   fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc (glob)
   warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
-  $ rtdel /localhost:$PORT/gone.host_cxt/Gone0.rtc /localhost:$PORT/gone.host_cxt
+  $ rtdel -f /localhost:$PORT/gone.host_cxt/Gone0.rtc /localhost:$PORT/gone.host_cxt
   $ export HOSTS="robot1=198.51.100.1 localhost=127.0.0.1"
 
 One that is no address costs its own line:

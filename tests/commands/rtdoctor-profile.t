@@ -16,13 +16,13 @@ to be made a second time:
   $ rtcon -p dataport.dataflow_type=pull ConsoleIn0.rtc:out Other0.rtc:in
   $ add dataport.corba_cdr.outport_ior $(ctl references ConsoleIn0:out) both.rtsys
   $ doctor both.rtsys .
-  $ rtdel ConsoleOut0.rtc; doctor in.rtsys .
+  $ rtdel -f ConsoleOut0.rtc; doctor in.rtsys .
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing, but it lives: its port answers at 127.0.0.1:*; try: look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that do not (glob)
   [1]
   $ doctor plain.rtsys .
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing; try: start it, or have its manager make it: rtresurrect --create plain.rtsys
   [1]
-  $ rtdel ConsoleIn0.rtc; doctor both.rtsys . | cut -d';' -f1
+  $ rtdel -f ConsoleIn0.rtc; doctor both.rtsys . | cut -d';' -f1
   fail  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Required component missing, but it lives: its port answers at 127.0.0.1:* (glob)
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing, but it lives: its port answers at 127.0.0.1:* (glob)
   warn  /localhost:$PORT: has none of its 2 components in the file, though /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc live: it was started again, perhaps, and they were not
@@ -34,7 +34,7 @@ Managers whose address the file has:
 
   $ rtcryo -q --all -o made.rtsys
   $ sed -i "s|\(\"MANAGER\" rtsExt:value=\)\"[^\"]*\"|\1\"corbaloc::localhost:$(ctl @manager11 port)/manager\"|" made.rtsys
-  $ rtdel ../made.host_cxt/ConsoleIn0.rtc; doctor made.rtsys ../made.host_cxt | cut -d';' -f1
+  $ rtdel -f ../made.host_cxt/ConsoleIn0.rtc; doctor made.rtsys ../made.host_cxt | cut -d';' -f1
   fail  /localhost:$PORT/made.host_cxt/ConsoleIn0.rtc: Required component missing, but it lives: the manager corbaloc::localhost:*/manager has it (glob)
 
 Unusable references, and processes that hang, do not make it slower than its limit:

@@ -124,7 +124,7 @@ With a profile, all that rtcheck finds:
   $ doctor -q --profile robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection; try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default is incorrect (value: 7); try: rtresurrect robot.rtsys
-  fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: incorrect state Inactive; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
+  fail  /localhost:$PORT/test.host_cxt/Clusterer0.rtc: incorrect state Inactive, not Active; try: rtact /localhost:$PORT/test.host_cxt/Clusterer0.rtc
   [1]
   $ sed 's/Motor0/Motor1/g; s/isRequired="true"/isRequired="false"/' robot.rtsys > optional.xml
   $ doctor -q --profile optional.xml | grep Motor1

@@ -105,7 +105,7 @@ Not a component, and wrong usage:
   rtexit: the following arguments are required: PATH (see --help)
   [2]
   $ rtexit ConsoleIn0.rtc:a:b ../more.host_cxt/ConsoleIn0.rtc
-  rtexit: ConsoleIn0.rtc:a:b: bad path (one colon stands before a port; write \: in a name)
+  rtexit: ConsoleIn0.rtc:a:b: a single colon separates a component from its port; write \: in a name
   [2]
   $ ctl @console components
   ConsoleIn0

@@ -224,7 +224,7 @@ What cannot be:
   rtfind: the following arguments are required: PATH (see --help)
   [2]
   $ rtfind a:b:c
-  rtfind: a:b:c: bad path (one colon stands before a port; write \: in a name)
+  rtfind: a:b:c: a single colon separates a component from its port; write \: in a name
   [2]
   $ rtfind / -t cx
   rtfind: -t: no such type: x (there are: c, d, m, n, z) (see --help)

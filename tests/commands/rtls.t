@@ -217,10 +217,10 @@ What is of another kind.
   rtls: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out/: a port has no directory below it
   [2]
   $ rtls ConsoleIn0.rtc:
-  rtls: ConsoleIn0.rtc:: bad path (one colon stands before a port; write \: in a name)
+  rtls: ConsoleIn0.rtc:: no port after the colon
   [2]
   $ rtls a:b:c
-  rtls: a:b:c: bad path (one colon stands before a port; write \: in a name)
+  rtls: a:b:c: a single colon separates a component from its port; write \: in a name
   [2]
 
 An empty path is the working directory. A name server needs no slash before it (see rtls-lookup.t):

@@ -67,7 +67,7 @@ As JSON:
 Components that are missing, or are others than they should be, are reported; the rest is restored. What was not tried is reported
 with -v:
 
-  $ rtteardown a.xml; rtdel MyServiceProvider0.rtc; rtec Motor0.rtc rate 500
+  $ rtteardown a.xml; rtdel -f MyServiceProvider0.rtc; rtec Motor0.rtc rate 500
   $ sed 's/example:ConsoleOut:1.0" rts:pathUri/example:ConsoleOut:2.0" rts:pathUri/' a.xml > other.xml
   $ rtresurrect --rollback other.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:2.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)

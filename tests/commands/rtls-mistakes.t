@@ -1,0 +1,56 @@
+One line that says what was meant, for mistakes that people make.
+
+world: two
+
+The words of find, patterns in paths, a directory for its components:
+
+  $ rtfind . -name 'Con*In*' -type c
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  $ rtls '*.rtc'
+  rtls: /localhost:$PORT/test.host_cxt/*.rtc: no such path; to look for a pattern: rtfind /localhost:$PORT/test.host_cxt -n '*.rtc'
+  [3]
+  $ rtact .
+  rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
+  [3]
+
+A component in the place of a port:
+
+  $ rtcon ConsoleIn0.rtc ConsoleOut0.rtc
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  [2]
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  [2]
+  $ rtprint ConsoleIn0.rtc
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  [2]
+  $ rtprint ConsoleOut0.rtc
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified (see --help)
+  [2]
+  $ rtcat ConsoleIn0.rtc:
+  rtcat: ConsoleIn0.rtc:: no port after the colon
+  [2]
+
+Options:
+
+  $ rtact ConsoleIn0.rtc --wait soon
+  rtact: --wait: not a number of seconds above 0: soon (see --help)
+  [2]
+  $ rtprint -n 0 ConsoleIn0.rtc:out
+  rtprint: -n 0: no values are printed; without -n there is no end
+  $ rtlog -f F -i
+  rtlog: nothing to record: no port specified; -d shows what is in a log, -p plays it (see --help)
+  [2]
+  $ RTCTREE_NAMESERVERS="localhost:$PORT,localhost:1" rtls /
+  rtls: localhost:$PORT,localhost:1: several name servers are separated by semicolons
+  [2]
+
+Files:
+
+  $ printf '#!/bin/sh\nrtact Motor0.rtc\n' > start.sh; : > empty
+  $ rtstart start.sh
+  rtstart: start.sh:1:1: a script, no RtsProfile: #!/bin/sh
+  [1]
+  $ rtcheck empty
+  rtcheck: empty:1:1: the file is empty
+  [1]
