@@ -63,10 +63,10 @@ Not a component:
   rtact: /: not a component (it is a root directory)
   [3]
   $ rtact .
-  rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
   [3]
   $ rtact /localhost:$PORT
-  rtact: /localhost:$PORT: not a component (it is a name server)
+  rtact: /localhost:$PORT: not a component (it is a name server; --all takes the components in it)
   [3]
   $ rtact ConsoleIn0.rtc/
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a directory (it is a component)
@@ -79,7 +79,7 @@ Not a component:
 
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc:in . ConsoleOut0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
-  rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
   [3]
   $ rtls -l ConsoleIn0.rtc ConsoleOut0.rtc | cut -c 1-8
   Inactive
@@ -101,7 +101,7 @@ What else has such a name:
   rtact: /localhost:$PORT/odd.host_cxt/Nil0.rtc: not a component (it is a nil reference)
   [3]
   $ rtact $odd/empty.cxt
-  rtact: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory)
+  rtact: /localhost:$PORT/odd.host_cxt/empty.cxt: not a component (it is a directory; --all takes the components in it)
   [3]
   $ rtact $odd/Gone0.rtc
   rtact: /localhost:$PORT/odd.host_cxt/Gone0.rtc: zombie (the name is bound, but its object is gone)

@@ -167,7 +167,7 @@ Fetched instead of pushed; with properties of the connection, as in rtcon:
 Wrong usage:
 
   $ rtlog
-  rtlog: nothing to record: no port specified (see --help)
+  rtlog: nothing to record: no port specified; -d shows what is in a log, -p plays it (see --help)
   [2]
   $ rtlog Source0.rtc:number -e -5 -i
   rtlog: end time/index out of bounds (see --help)

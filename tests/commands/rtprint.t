@@ -91,6 +91,7 @@ For programs:
   rtprint: ConsoleIn0.rtc:out: 0 of 2 values came within 0.2s
   [1]
   $ rtprint -n 0 ConsoleIn0.rtc:out
+  rtprint: -n 0: no values are printed; without -n there is no end
   $ within 0.2-5 rtprint -n -1 -t 0.2 ConsoleIn0.rtc:out
 
 Figures, each second and at the end. The sender is a Python process beside others, so its gaps vary:
@@ -131,7 +132,7 @@ Wrong usage:
   rtprint: the following arguments are required: PATH:PORT[.NAME][#FORMATTER] (see --help)
   [2]
   $ rtprint ConsoleIn0.rtc
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified (see --help)
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
   [2]
   $ rtprint -r 0 ConsoleIn0.rtc:out
   rtprint: argument -r/--rate: not a number of Hz above 0: 0 (see --help)
