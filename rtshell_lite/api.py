@@ -26,13 +26,18 @@ import time
 from _thread import allocate_lock
 
 from rtshell_lite import errors, notes, path as paths, text
+from rtshell_lite.corba import orb
 from rtshell_lite.corba.session import Session
 from rtshell_lite.errors import Error
 from rtshell_lite.net import loop
 
 __all__ = [
     "Component",
+    "Connection",
+    "Context",
     "Error",
+    "Event",
+    "Manager",
     "Port",
     "Service",
     "call",
@@ -42,21 +47,35 @@ __all__ = [
     "components",
     "connect",
     "connected",
+    "connections",
     "disconnect",
     "dump_profile",
+    "find",
     "keep",
     "load_profile",
+    "log",
+    "manager",
     "next_value",
     "restore",
     "send",
     "service",
     "set_timeout",
+    "start",
+    "stop",
     "values",
+    "watch",
+    "zombies",
 ]
 
 POLL = 0.2  # seconds between two looks
 LOOK = 2.0  # seconds between questions to a process whose components report nothing, see rtkeep
 
+# An execution context: its number, kind (Periodic …), rate in Hz, whether it is running, the state of the
+# component there, the instance names of its owner and of those that take part.
+Context = collections.namedtuple("Context", "number kind rate running state owner participants")
+# What has happened to a component: its path, seconds since 1970, and what rtwatch prints of it.
+Event = collections.namedtuple("Event", "path time kind subject event")
+PROFILE = ("instance_name", "type_name", "description", "version", "vendor", "category")
 # A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its
 # connections.
 Port = collections.namedtuple("Port", "path type properties connections")
@@ -114,6 +133,14 @@ def set_timeout(seconds):
     _session.timeout = float(seconds)
 
 
+async def _path(word):
+    """The Path that a text means, by the rule of all commands; see robot/lookup.py."""
+    from rtshell_lite.robot import lookup
+
+    (found,) = await lookup.paths([word])
+    return found
+
+
 # ---- components --------------------------------------------------------------------------------------------
 
 
@@ -121,7 +148,7 @@ class Component:
     """The component at a path. Each use looks it up, so that it may be restarted meanwhile."""
 
     def __init__(self, path):
-        self.path = str(paths.parse(path))
+        self.path = str(path if isinstance(path, paths.Path) else paths.parse(path))
 
     def __repr__(self):
         return f"Component({self.path!r})"
@@ -201,13 +228,93 @@ class Component:
             for port in await ports.ports(await self._node())
         ]
 
+    @_plain
+    async def profile(self):
+        """Its profile, a dict: instance_name, type_name, description, version, vendor and category, texts, and
+        properties, a dict of texts.
+        """
+        from rtshell_lite.robot import component, ports
+
+        node = await self._node()
+        await ports.refs(node)  # first, see `component.profile`
+        known = await component.profile(node)
+        fields = {name: getattr(known, name) for name in PROFILE}
+        fields["properties"] = dict(known.properties)
+        return fields
+
+    def connections(self):
+        """The Connections of its ports, a list."""
+        return connections(self.path)
+
+    @_plain
+    async def exit(self, wait=None):
+        """Make it exit, as rtexit does; `wait`: how many seconds its name may take to go."""
+        from rtshell_lite.robot import exiting
+
+        for result in await exiting.exit_all([paths.parse(self.path)], wait):
+            if isinstance(result, Error):
+                raise result
+
+    # ---- its execution contexts, counted from 0 over its own, then those of others ----
+
+    @_plain
+    async def contexts(self):
+        """Its Contexts, a list."""
+        from rtshell_lite.robot import contexts
+
+        return [_context(entry) for entry in await contexts.entries(await self._node())]
+
+    @_plain
+    async def set_rate(self, rate, context=0):
+        """Set the rate (Hz) of an execution context."""
+        from rtshell_lite.robot import contexts
+
+        await contexts.set_rate(await self._node(), context, rate)
+
+    @_plain
+    async def start(self, context=0):
+        """Start an execution context."""
+        from rtshell_lite.robot import contexts
+
+        await contexts.start(await self._node(), context)
+
+    @_plain
+    async def stop(self, context=0):
+        """Stop an execution context: its components keep their states, and none of them is executed."""
+        from rtshell_lite.robot import contexts
+
+        await contexts.stop(await self._node(), context)
+
+    @_plain
+    async def attach(self, other, context=0):
+        """Let the Component `other` take part in an execution context of this one."""
+        from rtshell_lite.robot import contexts
+
+        await contexts.attach(await self._node(), context, await other._node())
+
+    @_plain
+    async def detach(self, other, context=0):
+        """Let the Component `other` leave an execution context of this one."""
+        from rtshell_lite.robot import contexts
+
+        await contexts.detach(await self._node(), context, await other._node())
+
+
+def _context(entry):
+    known = entry.context
+    if known is None:  # of another component, which does not answer
+        return Context(entry.index, None, None, None, entry.state, "", [])
+    return Context(
+        entry.index, known.kind, known.rate, bool(known.running), entry.state, entry.owner, entry.participants
+    )
+
 
 @_plain
 async def component(path, wait=0.0):
     """The Component at a path, once it is there and alive, for which it has `wait` seconds."""
     from rtshell_lite.robot import tree
 
-    found = Component(path)
+    found = Component(await _path(path))
     end = time.monotonic() + wait
     while True:
         (node,) = await tree.at_each([paths.parse(found.path)], tree.component)
@@ -228,7 +335,7 @@ async def components(top="/"):
     """
     from rtshell_lite.robot import search
 
-    nodes, _, failures, _ = await search.components([paths.parse(top)])
+    nodes, _, failures, _ = await search.components([await _path(top)])
     if failures and not nodes:
         raise failures[0]
     return [Component(str(node.path)) for node in nodes]
@@ -240,7 +347,7 @@ async def components(top="/"):
 async def _found(*words):
     from rtshell_lite.robot import ports
 
-    wanted = [paths.parse(word) for word in words]
+    wanted = [await _path(word) for word in words]
     for path in wanted:
         if path.port is None:
             raise errors.BadPath(path, "no port specified")
@@ -314,6 +421,56 @@ async def _disconnect(port, connector):
     from rtshell_lite.robot import connectors
 
     await loop.finish(connectors.disconnect(port, connector))
+
+
+class Connection:
+    """A connection of two or more ports.
+
+    id, name    texts
+    ports       the paths of its ports; Unknown (…) for one that does not answer or has no name
+    properties  a dict of texts
+    """
+
+    def __init__(self, port, connector, ends):
+        self._port = str(port.node.path.with_port(port.name))
+        self.id = connector.id
+        self.name = connector.name
+        self.ports = ends
+        self.properties = dict(connector.properties)
+
+    def __repr__(self):
+        return f"Connection({self.id!r}, {self.ports!r})"
+
+    @_plain
+    async def remove(self):
+        """Remove it. Raises errors.NoSuch if it is not there."""
+        from rtshell_lite.robot import connectors
+
+        (found,) = await _found(self._port)
+        for connector in found.connectors:
+            if connector.id == self.id:
+                return await connectors.disconnect(found, connector)
+        raise errors.NoSuch(self._port, "connection with id", text.printable(self.id))
+
+
+@_plain
+async def connections(path):
+    """The Connections of a port, or of all ports of a component: a list, each once."""
+    from rtshell_lite.robot import places, ports, tree
+
+    where = await _path(path)
+    if where.port is None:
+        near = await ports.ports(await tree.component(where))
+    else:
+        near = await _found(path)
+    name_of = await places.far_names(near)
+    own = {orb.identity(port.ref): ports.label(port) for port in near}
+    found = {}
+    for port in near:
+        for connector in port.connectors:
+            ends = [name_of(ref) or own[orb.identity(ref)] for ref in connector.ports]
+            found.setdefault(connector.id, Connection(port, connector, ends))
+    return list(found.values())
 
 
 # ---- data --------------------------------------------------------------------------------------------------
@@ -478,7 +635,7 @@ async def call(path, operation, *args, idl=(), limit=LIMIT):
 async def _provider(path, name, idl):
     from rtshell_lite.data import calling, datatypes
 
-    return await calling.find(paths.parse(path), datatypes.Types(idl=idl), name)
+    return await calling.find(await _path(path), datatypes.Types(idl=idl), name)
 
 
 async def _call(provider, name, args, named, limit):
@@ -500,7 +657,7 @@ class Service:
     """
 
     def __init__(self, path, idl, limit):
-        self._path = str(paths.parse(path))
+        self._path = path
         self._idl = idl
         self._limit = limit
         self._provider = None
@@ -520,7 +677,7 @@ class Service:
     async def _find(self):
         from rtshell_lite.data import calling, datatypes
 
-        return await calling.single(paths.parse(self._path), datatypes.Types(idl=self._idl))
+        return await calling.single(await _path(self._path), datatypes.Types(idl=self._idl))
 
     def _found(self):
         if self._provider is None:
@@ -558,7 +715,7 @@ async def capture(*tops, unconnected=False):
     """
     from rtshell_lite.system import capture as capturing
 
-    found = await capturing.capture([paths.parse(top) for top in tops], all_components=unconnected)
+    found = await capturing.capture([await _path(top) for top in tops], all_components=unconnected)
     if found.failures:
         raise found.failures[0]
     return found.profile
@@ -645,6 +802,214 @@ class _Happenings(_Feed):
     def _take(self, happening):
         self._batch.append(happening)
         self._tell()
+
+
+@_plain
+async def start(profile, wait=None):
+    """Activate the components of a profile by its plan, as rtstart does; raises the first failure of those that
+    the profile requires. `wait`: how many seconds a component may take (default: the timeout).
+    """
+    await _carry_out(profile, "activation", "ACTIVATE", wait)
+
+
+@_plain
+async def stop(profile, wait=None):
+    """Deactivate the components of a profile by its plan, as rtstop does; see `start`."""
+    await _carry_out(profile, "deactivation", "DEACTIVATE", wait)
+
+
+async def _carry_out(profile, kind, transition, wait):
+    from rtshell_lite.robot import transitions
+    from rtshell_lite.system import plan, run_plan
+
+    planned = plan.make(profile, kind, "the profile")
+    progress = _Progress()
+    carried = run_plan.Run(planned.actions, getattr(transitions, transition), progress, wait)
+    if await carried.check(profile):
+        carried.refuse()
+    else:
+        await carried.carry_out()
+    if progress.failure:
+        raise progress.failure
+
+
+class _Progress:
+    """What becomes of the actions of a plan: the first failure that matters."""
+
+    failure = None
+
+    def starting(self, action, line):
+        """An action begins."""
+
+    def ended(self, result):
+        """An action has ended, or will not be tried."""
+        if result.error is not None and result.action.component.is_required:
+            self.failure = self.failure or result.error
+
+    def skipped(self, result):
+        """An action will not be tried, for a reason that has been reported."""
+
+
+def watch(*components, timeout=None):
+    """Yield an Event for what happens to the components at these paths, as rtwatch prints it: states, ports,
+    connections, configuration, death and return. The end of the generator removes the observers.
+
+    With a `timeout`, yields None where nothing has happened for so many seconds. Raises the first failure.
+    """
+    feed = _Watching()
+    try:
+        feed.begin(components)
+        while True:
+            yield from feed.next(timeout)
+    finally:
+        feed.end()
+
+
+class _Watching(_Happenings):
+    """What happens to components, on a thread of its own."""
+
+    async def _receive(self, words):
+        from rtshell_lite.events import watch
+
+        here = loop.current()
+        here.make_bell()
+        self._task = here.running
+        self._loop = here
+        if self._is_ending:
+            return
+        async with watch.Watch(watch.Events(watch.KINDS)) as watching:
+            failures = errors.split(await watching.start([await _path(word) for word in words]))[1]
+            if failures:
+                raise failures[0]
+            self._tell()
+            async for batch in watching.follow(-1, math.inf):
+                for watched, event in batch:
+                    self._take(Event(watched.where, *event))
+
+
+# ---- the RTC Tree ------------------------------------------------------------------------------------------
+
+
+@_plain
+async def find(pattern, top="/"):
+    """The paths of what is called like a pattern (Motor*.rtc), at and below a path: a list, in the order of the
+    tree. What does not answer is left out; if that leaves none, the first failure is raised.
+    """
+    from rtshell_lite.robot import search
+
+    wanted = search.Wanted(search.patterns([pattern], []), set(), None, None)
+    nodes, failures, _ = await search.find([await _path(top)], wanted)
+    if failures and not nodes:
+        raise failures[0]
+    return [str(node.path) for node in nodes]
+
+
+@_plain
+async def zombies(top="/"):
+    """The names, as paths, at and below a path whose components are dead. Raises the first failure."""
+    from rtshell_lite.robot import naming, tree
+
+    nodes, failed = await naming.zombies(await tree.resolve(await _path(top)))
+    if failed:
+        raise failed[0].error
+    return [str(node.path) for node in nodes if node.kind == "zombie"]
+
+
+class Manager:
+    """The manager at a path, or at corbaloc:iiop:HOST[:PORT][/KEY]. Each use looks it up."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def __repr__(self):
+        return f"Manager({self.path!r})"
+
+    async def _node(self):
+        from rtshell_lite.robot import manager
+
+        return await manager.find(self.path)
+
+    @_plain
+    async def load(self, file, function):
+        """Load a module; `function` is its initialisation function."""
+        from rtshell_lite.robot import manager
+
+        await manager.load(await self._node(), file, function)
+
+    @_plain
+    async def unload(self, file):
+        """Unload a module."""
+        from rtshell_lite.robot import manager
+
+        await manager.unload(await self._node(), file)
+
+    @_plain
+    async def create(self, module, wait=5.0, **properties):
+        """Create a component and return it, once it is ready, for which it has `wait` seconds:
+        create("Motor", instance_name="left").
+        """
+        from rtshell_lite.robot import manager
+
+        pairs = "&".join(f"{key}={value}" for key, value in properties.items())
+        argument = module + "?" * bool(pairs) + pairs
+        manager.check_argument(argument)
+        node = await self._node()
+        name = await manager.create(node, argument, wait)
+        return Component(node.path.child(paths.Name(name, "rtc")))
+
+    @_plain
+    async def delete(self, instance_name):
+        """Delete the component with this instance name."""
+        from rtshell_lite.robot import manager
+
+        await manager.delete(await self._node(), instance_name)
+
+    @_plain
+    async def components(self):
+        """Its live Components, a list; those of its slaves, too."""
+        from rtshell_lite.robot import manager
+
+        return [Component(child.path) for _, child in await manager.components(await self._node())]
+
+    @_plain
+    async def modules(self):
+        """What it can create: a list of dicts of texts, implementation_id, type_name, category …"""
+        from rtshell_lite.robot import manager
+
+        return await manager.modules(await self._node(), "get_factory_profiles")
+
+    @_plain
+    async def shutdown(self, wait=None):
+        """End its process, those of its slaves first; `wait`: how many seconds each may take."""
+        from rtshell_lite.robot import manager
+
+        for result in await manager.shut_down(await self._node(), wait):
+            if isinstance(result, Error):
+                raise result
+
+
+def manager(path):
+    """The Manager at a path. Raises errors.Error if there is none."""
+    found = Manager(path)
+    _plain(found._node)()
+    return found
+
+
+# ---- files -------------------------------------------------------------------------------------------------
+
+
+def log(name, idl=()):
+    """Yield the entries of a log (MCAP, or of rtshell's rtlog), dicts as `rtlog --json` prints them: number,
+    received (seconds since 1970), port, type, value. Raises OSError, errors.Failed.
+    """
+    from rtshell_lite.data import datatypes
+    from rtshell_lite.datalog import decode, logfile
+
+    types = datatypes.Types(idl=idl).load()
+    with logfile.load(name, types.scopes()) as opened:
+        channels = decode.Channels(opened, types)
+        for entry in opened.entries():
+            yield decode.record(channels, entry)
 
 
 def load_profile(name):

@@ -21,7 +21,7 @@ If one argument is no component, none is changed:
 
   $ rtact ConsoleIn0.rtc; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc:in .
   rtdeact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
-  rtdeact: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtdeact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
   [3]
   $ ctl state ConsoleIn0
   ACTIVE

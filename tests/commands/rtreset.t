@@ -26,7 +26,7 @@ If one argument is no component, none is reset:
 
   $ ctl @error error Broken0; rtreset Broken0.rtc ConsoleOut0.rtc:in ..
   rtreset: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
-  rtreset: /localhost:$PORT: not a component (it is a name server)
+  rtreset: /localhost:$PORT: not a component (it is a name server; --all takes the components in it)
   [3]
   $ ctl @error state Broken0
   ERROR

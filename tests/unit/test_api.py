@@ -1,4 +1,5 @@
 """rtshell_lite.api, as programs use it: if one of these fails, somebody's launch script does."""
+import contextlib
 import math
 import os
 import signal
@@ -18,6 +19,7 @@ from rtshell_lite.robot import contexts, tree
 PART = 3  # a short run takes one in PART of its tests
 ROOT = processes.ROOT
 DOCS = os.path.join(ROOT, "docs")
+EXAMPLES = ["example_test.py", "example_launch.py", "example_log.py"]
 PUBLIC = ["rtshell_lite.api", "rtshell_lite.xmlprofile.model", "rtshell_lite.xmlprofile.fields"]
 
 # What a host finds after it has used the library: its signals, and its ORB with calls that may take as long as they like
@@ -346,20 +348,115 @@ class Services(unittest.TestCase):
             api.service(self.path + ":svc.arm")
 
 
+class Robot(unittest.TestCase):
+    """Managers, execution contexts, connections, events, plans."""
+
+    @classmethod
+    def setUpClass(cls):
+        worlds.start_name_server()
+        cls.worlds = [worlds.World("console"), worlds.World("manager", "Motor", "--context", "m.host_cxt/%n.rtc"),
+                      worlds.World("zombie", "--context", "dead.host_cxt/%n.rtc")]
+        cls.server = "/127.0.0.1:%d" % worlds.Server.port
+        cls.home = cls.server + "/test.host_cxt/"
+
+    @classmethod
+    def tearDownClass(cls):
+        for world in cls.worlds:
+            world.close()
+        worlds.Server.stop()
+
+    def test_a_manager_creates_and_deletes(self):
+        (path,) = api.find("manager.mgr", self.server)
+        manager = api.manager(path)
+        self.assertIn("Motor", [module["implementation_id"] for module in manager.modules()])
+        made = manager.create("Motor", instance_name="left")
+        self.assertEqual((made.state, made.profile()["instance_name"]), ("Inactive", "left"))
+        self.assertIn(made.path, [component.path for component in manager.components()])
+        manager.delete("left")
+        self.assertNotIn(made.path, [component.path for component in manager.components()])
+        with self.assertRaises(errors.NoSuch):
+            manager.delete("left")
+        with self.assertRaises(errors.NotFound):
+            api.manager(self.home + "nosuch.mgr")
+
+    def test_connections_are_objects(self):
+        one, other = self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"
+        made = api.connect(one, other, subscription_type="flush")
+        (connection,) = api.component(self.home + "ConsoleIn0.rtc").connections()
+        self.assertEqual((connection.id, sorted(connection.ports)), (made, [one, other]))
+        self.assertEqual(connection.properties["dataport.subscription_type"], "flush")
+        self.assertEqual([each.id for each in api.connections(other)], [made])
+        connection.remove()
+        self.assertEqual(api.connections(one), [])
+        with self.assertRaises(errors.NoSuch):
+            connection.remove()
+
+    def test_execution_contexts(self):
+        source, sink = (api.component(self.home + name) for name in ("ConsoleIn0.rtc", "ConsoleOut0.rtc"))
+        source.set_rate(500)
+        (context,) = source.contexts()
+        self.assertEqual((context.number, context.kind, context.rate, context.running, context.state),
+                         (0, "Periodic", 500, True, "Inactive"))
+        source.stop()
+        self.assertFalse(source.contexts()[0].running)
+        source.start()
+        source.attach(sink)
+        self.assertEqual([context.owner for context in sink.contexts()], ["ConsoleOut0", "ConsoleIn0"])
+        source.detach(sink)
+        self.assertEqual(len(sink.contexts()), 1)
+
+    def test_events(self):
+        path = self.home + "SequenceInComponent0.rtc"
+        with contextlib.closing(api.watch(path, timeout=worlds.LIMIT)) as happening:
+            threading.Timer(0.3, api.component(path).activate).start()
+            event = next(happening)
+            while event is not None and event.event != "ACTIVE" and "ACTIVE" not in event.event:
+                event = next(happening)
+        self.assertEqual(event.path, path)
+        api.component(path).deactivate(wait=10)
+        with self.assertRaises(errors.NotFound), contextlib.closing(api.watch(self.home + "nosuch.rtc")) as happening:
+            next(happening)
+
+    def test_a_system_is_started_and_stopped(self):
+        profile = api.capture(self.home, unconnected=True)
+        profile.components = [each for each in profile.components if each.instance_name.startswith("Console")]
+        api.start(profile, wait=10)
+        self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").state, "Active")
+        api.stop(profile, wait=10)
+        self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").state, "Inactive")
+        profile.components[0].path_uri += ".gone"
+        with self.assertRaises(errors.NotFound):
+            api.start(profile)
+
+    def test_names(self):
+        self.assertEqual(api.find("ConsoleI*.rtc", self.server), [self.home + "ConsoleIn0.rtc"])
+        self.assertEqual(len(api.zombies(self.server)), 1)
+        self.assertEqual(api.zombies(self.home), [])
+        self.assertEqual(api.component(self.server + "/**/ConsoleIn0.rtc").path, self.home + "ConsoleIn0.rtc")
+
+    def test_a_component_exits(self):
+        path = self.home + "ConsoleOut1.rtc"
+        api.component(path).exit(wait=10)
+        with self.assertRaises(errors.NotFound):
+            api.component(path)
+
+
 class Documents(unittest.TestCase):
-    def test_the_example(self):
+    def test_the_examples(self):
         worlds.start_name_server()
         worlds.Server.stop()
-        done = subprocess.run([sys.executable, os.path.join(DOCS, "example_test.py")], env=worlds.ENVIRONMENT,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        self.assertEqual(done.returncode, 0, done.stdout.decode())
+        for name in EXAMPLES:
+            with self.subTest(example=name):
+                done = subprocess.run([sys.executable, os.path.join(DOCS, name)], env=worlds.ENVIRONMENT,
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                self.assertEqual(done.returncode, 0, done.stdout.decode())
 
     def test_the_table_names_what_there_is(self):
         import re
         with open(os.path.join(DOCS, "library.md"), encoding="utf-8") as file:
             named = set(re.findall(r"\bapi\.(\w+)", file.read()))
         self.assertEqual(named - set(api.__all__), set())
-        self.assertEqual(set(api.__all__) - named - {"Component", "Port", "Service"}, set())
+        self.assertEqual(set(api.__all__) - named - {"Component", "Connection", "Context", "Event", "Manager", "Port", "Service"}, set())
 
 
 class Types(unittest.TestCase):
@@ -380,7 +477,8 @@ class Types(unittest.TestCase):
         self.mypy("mypy.stubtest", "--ignore-missing-stub", "--concise", *PUBLIC)
 
     def test_the_example_is_well_typed(self):
-        self.mypy("mypy", "--strict", "--follow-imports=silent", "--config-file", os.devnull, os.path.join(DOCS, "example_test.py"))
+        self.mypy("mypy", "--strict", "--follow-imports=silent", "--config-file", os.devnull,
+                  *[os.path.join(DOCS, name) for name in EXAMPLES])
 
 
 if __name__ == "__main__":

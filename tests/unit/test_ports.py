@@ -189,7 +189,7 @@ class Duplicates(Case):
         return port(name, kind, PY2, connectors=[ports.Connector(connector_id, connector_name, [name, far], [])])
 
     def refused(self, found, name="", connector_id=""):
-        with self.assertRaises(errors.Refused) as caught:
+        with self.assertRaises(errors.Failed) as caught:
             connectors.refuse_duplicate(found, name, connector_id)
         return str(caught.exception)
 
