@@ -73,6 +73,14 @@ The last values of a log, and what happened, as a plot:
   rtdoctor: gone.mcap: No such file or directory
   [1]
 
+As what a trigger of a recording starts, which adds the name of its file:
+
+  $ rtlog -q --ring 4 --after 0.5 --then 'rtdoctor -q --report b.html --log' -f c.mcap Sensor0.rtc:out > told 2>&1 & pid=$!
+  $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; until [ -e b.html ]; do :; done; kill $pid; wait $pid
+  [143]
+  $ grep -c '"plots":.."The last 30 s of c-[-0-9]*now.mcap"' b.html
+  1
+
 Where nothing can be looked at, the file says so:
 
   $ rtdoctor -q --report a.html localhost:1 > now; echo $?; has 'connection refused'

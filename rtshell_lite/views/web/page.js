@@ -327,8 +327,8 @@ function select(number) {
     view.opened.add(picture.boxes[picture.at.get(number)].group.key);
     draw();
   }
-  scrollToSelected();
   showComponent(number);
+  scrollToSelected();
 }
 
 // Keys on a box: Enter shows or opens it, arrows go to the next one.
