@@ -363,11 +363,22 @@ def _made(item):
             return _asked_again(e, item)
     except CORBA.Exception as e:
         error = _error(str(where), e, item.seconds, ref)
-        # those of omniORB itself look like those of the peer
-        own = (CORBA.COMM_FAILURE, CORBA.TRANSIENT, CORBA.TIMEOUT, CORBA.UserException)
-        if isinstance(operation, Schema) and not isinstance(e, own):
-            error.exception = type(e).__name__, e.completed._v
+        if isinstance(operation, Schema):
+            error.exception = _raised_by_peer(e)
         raise error
+
+
+def _raised_by_peer(e):
+    """(name, whether it was completed) of a system exception that a peer has raised, for errors.Error; None for one that
+    may be omniORB's own. Results that cannot be read are a MARSHAL.
+    """
+    from omniORB import CORBA
+
+    if isinstance(e, CORBA.COMM_FAILURE) and e.completed == CORBA.COMPLETED_YES:
+        return "MARSHAL", CORBA.COMPLETED_YES._v
+    if isinstance(e, (CORBA.COMM_FAILURE, CORBA.TRANSIENT, CORBA.TIMEOUT, CORBA.UserException)):
+        return None
+    return type(e).__name__, e.completed._v
 
 
 def _by_schema(item):
