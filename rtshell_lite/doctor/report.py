@@ -73,16 +73,15 @@ def _contents(log, values, environment):
 
 
 def _system(seen):
-    """(the capture.System that was seen, paths of the components of which nothing is known)."""
+    """(the capture.System that was seen; of other components {path: (host, port) of the process})."""
     if seen is None:
-        return capture.of_snapshots([], {}), []
+        return capture.of_snapshots([], {}), {}
     whole = [snapshot for snapshot in seen.snapshots if _is_whole(snapshot)]
     system = capture.of_snapshots(whole, seen.ends)
-    lost = [snapshot.where for snapshot in seen.snapshots if not _is_whole(snapshot)]
-    lost += [
-        str(node.path) for visit in seen.visits for node in visit.nodes if node.kind in ("silent", "zombie")
-    ]
-    return system, list(dict.fromkeys(lost))
+    lost = [snapshot.node for snapshot in seen.snapshots if not _is_whole(snapshot)]
+    for visit in seen.visits:
+        lost += [node for node in visit.nodes if node.kind in ("silent", "zombie")]
+    return system, {str(node.path): node.endpoint for node in lost}
 
 
 def _is_whole(snapshot):

@@ -21,18 +21,20 @@ async def of_robot(tops, everything, with_snapshots=False):
     `with_snapshots`: all that rtcat shows. `results` are capture.Found and errors.Error.
     """
     found = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
-    return of_system(found, [failure.where for failure in found.failures])
+    return of_system(found, {failure.where: None for failure in found.failures})
 
 
 def of_system(system, lost):
-    """The Drawing of a capture.System; of the components whose paths, as text, are in `lost`, nothing is known."""
+    """The Drawing of a capture.System, and of components of which nothing else is known, `lost`:
+    {path, as text: (host, port) of the process or None}.
+    """
     profile = system.profile
     looks = [Look(capture.state(each), each.node.endpoint, each.snapshot) for each in system.found]
-    for where in lost:
+    for where, process in lost.items():
         silent = _silent(where)
         if silent is not None:
             profile.components.append(silent)
-            looks.append(SILENT)
+            looks.append(SILENT._replace(process=process))
     return graph.Drawing(_of(profile, looks), profile, system.found + system.failures, system.notes)
 
 

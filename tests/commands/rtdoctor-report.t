@@ -18,12 +18,14 @@ The findings are printed as ever, and are in the file:
   $ rtdoctor --from a.html -q --json | grep -c zombie
   1
   $ has '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' 'Configuration set mode1 (active)' 'manager of 2'
+  $ grep -o '"name":"Mock0","path":"[^"]*","state":"[A-Za-z]*"' a.html
+  "name":"Mock0","path":"/localhost:$PORT/z.host_cxt/Mock0.rtc","state":"Unknown"
   $ has 'RTCTREE_NAMESERVERS=' '/etc/hosts' 'mock_components' 'It contains the findings' 'Max open files'
 
 The profile in it is one for other commands. The dead one is on the map, and not in the profile:
 
   $ rtcheck a.html 2>&1 | grep -e Mock0 -e Motor0 -e Controller0; rtstodot a.html | grep 'Motor0:'
-  Component /localhost:$PORT/test.host_cxt/Controller0.rtc is in incorrect state Inactive
+  Component /localhost:$PORT/test.host_cxt/Controller0.rtc is in incorrect state Inactive, not Active
     Controller0:out -> Motor0:in;
     Motor0:out -> Sensor0:in;
   $ rtdis Motor0.rtc:out Sensor0.rtc:in; rtcheck a.html 2>&1 | grep Motor0

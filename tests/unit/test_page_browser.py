@@ -178,7 +178,7 @@ class Search(Pages):
 
     def test_values_and_states(self):
         shown = self.open("middle")
-        for words, count in (("error", 3), ("group16", 7), ("gain perception", 30), ("nothing of this", 0)):
+        for words, count in (("error", 3), ("192.0.2.1:40001", 7), ("group16", 7), ("gain perception", 30), ("nothing of this", 0)):
             shown.run("document.getElementById('search').value = ''; document.getElementById('search').focus()")
             shown.type(words)
             self.assertEqual(len(shown.run(LIST)), count, words)

@@ -348,9 +348,9 @@ const texts = []; // what is searched of each component, as JSON in small letter
 
 function matches(number, wanted) {
   if (texts[number] === undefined) {
-    const {name, path, state, parts, ports} = data.boxes[number];
-    const rows = parts.map((part) => data.rows[part[1]]);
-    texts[number] = JSON.stringify([name, path, state, ports.map((port) => port[0]), rows]).toLowerCase();
+    const {name, path, state, groups, parts, ports} = data.boxes[number];
+    const more = [groups.map((group) => data.names[group]), ports.map((port) => port[0]), parts.map((part) => data.rows[part[1]])];
+    texts[number] = JSON.stringify([name, path, state, more]).toLowerCase();
   }
   return wanted.toLowerCase().split(/\s+/).every((word) => texts[number].includes(JSON.stringify(word).slice(1, -1)));
 }
