@@ -1,6 +1,6 @@
 """Writes the documents that are generated: `python3 -m rtshell_lite.shell.documentation`, in a checkout.
 
-They are the manual pages below man/, and in README.ja.md a row for each command that its table lacks, in
+They are the manual pages below man/, docs/command-line.txt, and in README.ja.md a row for each command that its table lacks, in
 English until somebody translates it. tests/unit/test_documentation.py fails when one of them is out of date.
 """
 
@@ -8,7 +8,7 @@ import os
 import re
 
 from rtshell_lite import files
-from rtshell_lite.shell import installation, manpages
+from rtshell_lite.shell import command_line, installation, manpages
 
 ROOT = os.path.dirname(installation.PACKAGE)
 ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
@@ -23,6 +23,7 @@ def documents():
         for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}).items()
     }
     found["README.ja.md"] = japanese
+    found["docs/command-line.txt"] = command_line.text()
     return found
 
 

@@ -1,0 +1,58 @@
+"""The whole command line as one text, docs/command-line.txt: every option of every command, its default and one
+sentence. A change of it is seen in review.
+"""
+
+import argparse
+
+from rtshell_lite import options
+from rtshell_lite.shell import installation
+
+HEAD = """Every option of every command, its default and one sentence.
+Written by python3 -m rtshell_lite.shell.documentation; the tests compare it with the commands.
+"""
+
+
+def text():
+    """The text of docs/command-line.txt."""
+    common = options.parser(lambda parser: None, "", "")
+    known = {(action.dest, action.help) for action in common._actions}
+    parts = [HEAD, _part("every command", common, common._actions)]
+    for name, path in sorted(installation.commands().items()):
+        module = installation.load(path, "rtshell_lite command")
+        parser = options.parser(module.arguments, module.__doc__, name)
+        own = [action for action in parser._actions if (action.dest, action.help) not in known]
+        parts.append(_part(name, parser, own))
+    return "\n".join(parts)
+
+
+def _part(title, parser, actions):
+    shown = [action for action in actions if action.help is not argparse.SUPPRESS]
+    shown.sort(key=lambda action: bool(action.option_strings))
+    lines = [title]
+    for action in shown:
+        sentence = " ".join(parser._get_formatter()._expand_help(action).split())
+        lines.append(f"  {_usage(action)}: {sentence}{_default(action, sentence)}")
+    return "\n".join(lines) + "\n"
+
+
+def _usage(action):
+    """-e, --exec-context N"""
+    value = action.metavar or action.dest.upper()
+    if not action.option_strings:
+        return {None: value, "?": f"[{value}]", "*": f"[{value} …]", "+": f"{value} …"}[action.nargs]
+    names = ", ".join(action.option_strings)
+    if action.nargs == 0:
+        return names
+    if action.nargs == "?":
+        return f"{names} [{value}]"
+    return f"{names} {value}"
+
+
+def _default(action, sentence):
+    """What is taken where the option is not given, unless its sentence says so, or that is nothing."""
+    is_nothing = (
+        action.default in (None, False, "", 0, argparse.SUPPRESS, options.FOREVER) or action.default == []
+    )
+    if not action.option_strings or is_nothing or "default" in sentence:
+        return ""
+    return f" (default: {action.default})"
