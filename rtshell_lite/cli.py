@@ -87,11 +87,13 @@ def command(arguments, run, doc, argv):
         _settle(*before)  # the settings of rtsh, if it runs this command
 
 
+SIGHUP = getattr(_signal, "SIGHUP", None)  # not every system has it
 SIGNALS = {  # type: dict
     _signal.SIGINT: KeyboardInterrupt,
     _signal.SIGTERM: lambda: Ended(128 + _signal.SIGTERM),
-    _signal.SIGHUP: lambda: Ended(128 + _signal.SIGHUP),
 }
+if SIGHUP is not None:
+    SIGNALS[SIGHUP] = lambda: Ended(128 + SIGHUP)
 
 
 def unwind_when_ended():
@@ -102,11 +104,11 @@ def unwind_when_ended():
     """
 
     def end(number, frame):
-        for other in (_signal.SIGTERM, _signal.SIGHUP):
+        for other in SIGNALS.keys() - {_signal.SIGINT}:
             _signal.signal(other, _signal.SIG_IGN)
         raise SIGNALS[number]()
 
-    for number in (_signal.SIGTERM, _signal.SIGHUP):
+    for number in SIGNALS.keys() - {_signal.SIGINT}:
         if _signal.getsignal(number) == _signal.SIG_DFL:  # nohup ignores SIGHUP
             _signal.signal(number, end)
 
@@ -212,7 +214,8 @@ async def reader_leaves():
     except OSError:  # there is none
         return
     await loop.ready(output, 0)
-    _signal.signal(_signal.SIGHUP, lambda *_: None)  # of a closed terminal; it would interrupt the clean-up
+    if SIGHUP is not None:
+        _signal.signal(SIGHUP, lambda *_: None)  # of a closed terminal; it would interrupt the clean-up
     raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
 

@@ -336,7 +336,7 @@ class Connections:
 
         A stopped process would stop the components that wait for its answers.
         """
-        if _signal.getsignal(_signal.SIGTSTP) == _signal.SIG_DFL:
+        if hasattr(_signal, "SIGTSTP") and _signal.getsignal(_signal.SIGTSTP) == _signal.SIG_DFL:
             loop.current().hear(_signal.SIGTSTP, self._stop.ring)
             self._hears_stop = True
 

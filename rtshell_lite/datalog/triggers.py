@@ -193,7 +193,9 @@ class Triggers:
     async def watch(self, work, channels):
         """Look whether something has happened, until it is cancelled. `work`: a recorder.Recorder."""
         number = channels.add_json("/triggers", schemas.of_events())
-        loop.current().hear(_signal.SIGUSR1, self._signalled)
+        number_of_signal = getattr(_signal, "SIGUSR1", None)  # not every system has it
+        if number_of_signal is not None:
+            loop.current().hear(number_of_signal, self._signalled)
         try:
             while True:
                 for words in self._happened():
@@ -210,7 +212,8 @@ class Triggers:
                     work.box.put(number, Message(int(time.time() * 1e9), data, True))
                 await loop.sleep(LOOK)
         finally:
-            loop.current().hear(_signal.SIGUSR1, None)
+            if number_of_signal is not None:
+                loop.current().hear(number_of_signal, None)
 
     def close(self):
         self._mailbox.close()

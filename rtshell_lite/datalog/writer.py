@@ -340,12 +340,12 @@ def _is_still(file, name):
 
 
 def lock(file, name):
-    """Lock a file against other recorders, if its file system has locks. Raises errors.Failed."""
-    import fcntl
-
+    """Lock a file against other recorders, if its file system, and this Python, has locks. Raises errors.Failed."""
     try:
+        import fcntl
+
         fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         raise errors.Failed(text.printable(name), "another rtlog is recording to it")
-    except OSError:
+    except (OSError, ImportError):
         pass

@@ -2,7 +2,6 @@
 
 import contextlib
 import errno
-import fcntl
 import ipaddress
 import os
 import select
@@ -161,6 +160,7 @@ def _asked(endpoint, size, patience):
 def _unacknowledged(connection):
     """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
     try:
+        import fcntl
         import termios  # which Debian's python3-minimal lacks
 
         return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]

@@ -3,7 +3,6 @@ to this host, and to the one where the references are bound.
 """
 
 import collections
-import fcntl
 import ipaddress
 import socket
 import struct
@@ -153,11 +152,13 @@ def interfaces():
         for _, name in socket.if_nameindex():
             request = struct.pack("256s", name.encode()[:15])
             try:
+                import fcntl
+
                 address, mask = [
                     socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
                     for number in (SIOCGIFADDR, SIOCGIFNETMASK)
                 ]
-            except OSError:  # it has no such address, or this is no Linux
+            except (OSError, ImportError):  # it has no such address, or this is no Linux
                 continue
             found.append((name, ipaddress.ip_interface(f"{address}/{mask}")))
     return found

@@ -4,7 +4,6 @@ Linux only.
 
 import array
 import errno
-import fcntl
 import os
 import re
 import socket
@@ -190,6 +189,8 @@ def _received(channel):
 
 def hold(directory):
     """Let `is_released` wait for the end of this process; to be called before it mounts at a directory."""
+    import fcntl  # which rtdoctor, that reads what is mounted, does without
+
     try:
         fd = os.open(directory, os.O_RDONLY)
         fcntl.flock(fd, fcntl.LOCK_SH)
@@ -201,6 +202,8 @@ async def is_released(directory, seconds):
     """Whether all processes that have mounted at a directory, where nothing is mounted now,
     end within that many seconds.
     """
+    import fcntl
+
     try:
         fd = os.open(directory, os.O_RDONLY)
     except OSError:

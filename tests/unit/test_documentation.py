@@ -74,10 +74,11 @@ def generated(function, *arguments):
 
 class Generated(unittest.TestCase):
     def test_up_to_date(self):
-        """The pages in man/ and the rows of README.ja.md agree with docstrings, parsers and READMEs."""
+        """The pages in man/, the whole command line in docs/ and the rows of README.ja.md agree with docstrings, parsers and READMEs."""
         made = generated("documents")
         there = {os.path.join("man", name): text for name, text in below("man").items()}
-        there["README.ja.md"] = read("README.ja.md")
+        for name in "README.ja.md", os.path.join("docs", "command-line.txt"):
+            there[name] = read(name)
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
         self.assertEqual(stale, [], "to bring them up to date, run: python3 -m rtshell_lite.shell.documentation")
 
