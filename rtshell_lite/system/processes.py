@@ -8,7 +8,7 @@ import select
 import signal
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
@@ -237,11 +237,15 @@ class Processes:
         if self._log is None:
             return
         target = os.path.join(self._log, name + ".log")
-        with open(target, "a", encoding="utf-8") as file:
-            file.write(time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n")
-            is_full = file.tell() > LOG
-        if is_full:
-            os.replace(target, target + ".1")
+        try:
+            with open(target, "a", encoding="utf-8") as file:
+                file.write(time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n")
+                is_full = file.tell() > LOG
+            if is_full:
+                os.replace(target, target + ".1")
+        except OSError as e:  # a full disk is no reason to leave a robot alone
+            self._log = None
+            notes.fail(f"nothing more goes to the logs: {e.strerror}")
 
     def _reap(self):
         """Take the status of processes that have ended, as PID 1 of those of others, too."""

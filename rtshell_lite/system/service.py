@@ -62,9 +62,13 @@ class Service:
         """Report a Happening."""
         self._show(happening)
         steering.notify(STATUS=happening.line())
-        if self._events is not None:
-            self._events.write(json_line(happening.as_dict()) + "\n")
-            self._events.flush()
+        try:
+            if self._events is not None:
+                self._events.write(json_line(happening.as_dict()) + "\n")
+                self._events.flush()
+        except OSError as e:  # a full disk is no reason to leave a robot alone
+            self._events = None
+            notes.fail(f"nothing more goes to the log of events: {e.strerror}")
 
     def process_happened(self, name, seen, done="", begun=None):
         """Report what happens to a process; `begun` by time.monotonic()."""

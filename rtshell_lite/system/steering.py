@@ -120,8 +120,8 @@ class Door:
             lines = [dict(error=None)] + self.answer(json.loads(await _line(connection)))
         except errors.Error as e:
             lines = [dict(error=str(e))]
-        except (ValueError, KeyError, TypeError) as e:
-            lines = [dict(error=f"not understood: {e}")]
+        except (ValueError, KeyError, TypeError):
+            lines = [dict(error="not understood")]
         except OSError:
             return
         await _send(connection, "".join(json_line(line) + "\n" for line in lines))

@@ -112,6 +112,9 @@ What is wrong with a Procfile is said before anything is started:
   rtkeep: p: a: stop: no such signal: NOW
   rtkeep: p: a: no command
   [1]
+  $ rtkeep --log nowhere --processes Procfile
+  rtkeep: nowhere: not a directory
+  [1]
   $ rtkeep --log x a.xml
   rtkeep: --log is for --processes (see --help)
   [2]

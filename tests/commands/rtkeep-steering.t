@@ -91,6 +91,27 @@ Every action is in the log; at SIGTERM all is deactivated, and with --teardown d
   $ soon 'rtcheck a.xml'; rtkeep stop; wait $keep; rtcheck a.xml; ls rtkeep | grep socket
   [1]
 
+It goes on when nobody reads what it prints, when its log cannot be written, and when a request is nonsense.
+
+  $ rtkeep --leave --events /dev/full a.xml 2> err | true & soon 'rtkeep status a.xml'; rtdis ConsoleIn0.rtc; soon 'rtcheck a.xml'; cat err
+  rtkeep: nothing more goes to the log of events: No space left on device
+  $ python3 - <<'EOF'
+  > import glob, socket
+  > for words in b"", b"x\n", b"[]\n", b'{"command": "dance"}\n', b'{"command": "pause"}\n', b'{"command": "stop", "names": 5}\n':
+  >     with socket.socket(socket.AF_UNIX) as door:
+  >         door.connect(glob.glob("rtkeep/a.xml*.socket")[0])
+  >         door.sendall(words)
+  >         door.shutdown(socket.SHUT_WR)
+  >         print(door.makefile().read(), end="")
+  > EOF
+  {"error": "not understood"}
+  {"error": "not understood"}
+  {"error": "not understood"}
+  {"error": "no such command: dance (see --help)"}
+  {"error": "not understood"}
+  {"error": "not understood"}
+  $ rtkeep stop; soon '! rtkeep status a.xml'
+
 A directory that is not ours alone is not used.
 
   $ chmod 777 rtkeep; rtkeep status
