@@ -5,7 +5,7 @@ import os
 import re
 import sys
 
-from rtshell_lite import __version__, errors, path, text
+from rtshell_lite import __version__, errors, text
 
 FOREVER = float("inf")  # s
 
@@ -262,11 +262,6 @@ state.words = [name.lower() for name in text.STATES]  # for completion
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
     """The positional arguments `paths`; completion.py reads from `metavar` what they are."""
     return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
-
-
-def parsed(words):
-    """The paths that the user typed; nothing is contacted. Raises BadPath."""
-    return [path.parse(word) for word in words]
 
 
 def command(args, known):

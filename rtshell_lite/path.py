@@ -254,8 +254,10 @@ def _server(element, text):
 
 def _why_no_server(address):
     host, _, port = address.partition(":")
-    if host and port and ":" not in port:
+    if host and port and ":" not in port and not address.startswith("["):
         return f"{port} is not a TCP port (1 to 65535)"
+    if re.match("[0-9a-fA-F:.]+$", address) and address.count(":") > 1:
+        return f"an IPv6 address is written in brackets: /[{address}]"
     return f"{address} is not a name server (host or host:tcpport)"
 
 

@@ -292,7 +292,7 @@ async def fault(address):
         return f"only HOST[:PORT], without {address.partition(':')[0]}:"
     try:
         parsed = path.parse("/" + address)
-        if _is_started():
+        if not is_manager and _is_started():
             await tree.resolve(parsed._replace(names=()))  # contacts nobody
     except errors.Error:
         return "not HOST[:PORT]"

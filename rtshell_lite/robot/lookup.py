@@ -156,7 +156,7 @@ async def _single(path):
     for node in await _walk(path):
         if _fits(node.path.names, wanted):
             found.setdefault(orb.identity(node.ref), node.path)
-        elif node.error and node.kind in ("server", "directory"):
+        elif node.error and (node.kind in ("server", "directory") or not node.path.names):
             failed.append(node.error)
     candidates = sorted(map(str, found.values()))
     if len(candidates) > 1:

@@ -37,6 +37,9 @@ Without the slash before it, a server is taken from the root, unless the working
   $ rtls localhost:abc/x.host_cxt
   rtls: /localhost:abc/x.host_cxt: abc is not a TCP port (1 to 65535)
   [2]
+  $ rtls /fe80::1
+  rtls: /fe80::1: an IPv6 address is written in brackets: /[fe80::1]
+  [2]
   $ rtls ConsoleIn0.rtc:99
   rtls: /localhost:*/test.host_cxt/ConsoleIn0.rtc:99: not a directory or component (it is a port; rtcat shows it) (glob)
   [3]
@@ -133,6 +136,9 @@ A manager and what it has are reached without a name server:
   $ rtls corbaloc::localhost:$PORT/NameService
   arm.host_cxt/
   test.host_cxt/
+  $ RTCTREE_NAMESERVERS=localhost:1 RTSHELL_FIND=1 rtls Nobody0
+  rtls: /localhost:1: connection refused; is the name server running?
+  [4]
   $ rtls IOR:00
   rtls: IOR:00: not a reference (its octets make no sense)
   [4]
