@@ -342,6 +342,13 @@ COLOURS = {
     "zombie": "02;37",
     "bold": "01",
     "active set": "01;32",
+    # of lines in plots
+    "series 0": "36",
+    "series 1": "33",
+    "series 2": "35",
+    "series 3": "32",
+    "series 4": "31",
+    "series 5": "34",
 }
 
 

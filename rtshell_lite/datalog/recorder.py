@@ -166,7 +166,10 @@ class Recorder:
             self.writer.add(channel)
             self._added += 1
         while self._attachments:
-            self.writer.attach(*self._attachments.pop(0))
+            attachment = self._attachments.pop(0)
+            self.writer.attach(*attachment)
+            if self.incidents is not None:
+                self.incidents.attached = attachment
         self.writer.write(
             [(channel, message.received, message.little, message.data) for channel, message in batch]
         )

@@ -2,12 +2,12 @@
 
 import itertools
 
-from rtshell_lite.text import cells, padded, printable
+from rtshell_lite.text import COLOURS, cells, padded, printable
 from rtshell_lite.views import plot
 
 DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))  # of a braille character, by column and row
 LETTERS = "*+xo#@%&"  # of ASCII, for one series each
-COLOURS = ("36", "33", "35", "32", "31", "34", "96", "93")
+SERIES = 6  # series with colours of their own
 ROWS = 10  # of a panel, at most
 FEWEST = 3
 
@@ -57,7 +57,7 @@ def painter(is_coloured):
     """A function that gives text the colour of a series."""
     if not is_coloured:
         return lambda words, number: words
-    return lambda words, number: f"\x1b[{COLOURS[number % len(COLOURS)]}m{words}\x1b[0m"
+    return lambda words, number: f"\x1b[{COLOURS['series %d' % (number % SERIES)]}m{words}\x1b[00m"
 
 
 def lines(picture, width, height, is_braille=True, is_coloured=False):
@@ -110,10 +110,11 @@ def _labels(panel, rows):
 
 
 def _panel(picture, panel, bounds, labels, margin, canvas, paint):
+    width = margin + canvas.width + 1
     if panel.title:
-        yield printable(panel.title)
+        yield _cut(printable(panel.title), width)
     for number, series in enumerate(panel.series.values()):
-        yield _caption(series, number, paint, canvas.across == 2)
+        yield _caption(series, number, paint, canvas.across == 2, width)
         _draw(canvas, picture, series, bounds, number)
     for row, line in enumerate(canvas.rows(paint)):
         yield (_right(labels.get(row, ""), margin) + "|" + line).rstrip()
@@ -123,17 +124,24 @@ def _right(words, margin):
     return " " * (margin - 1 - cells(words)) + words + " "
 
 
-def _caption(series, number, paint, is_braille):
+def _cut(words, width):
+    """Text of at most `width` columns; its end says most."""
+    while cells(words) > width:
+        words = "…" + words[max(2, cells(words) - width + 1) :]
+    return words
+
+
+def _caption(series, number, paint, is_braille, width):
     """`name  min 1  max 3  last 2`"""
-    if is_braille:
-        sample = "⠤⠤"
-    else:
+    sample = "⠤⠤"
+    if not is_braille:
         sample = LETTERS[number % len(LETTERS)]
-    name = printable(series.name) or "value"
-    if series.last is None:
-        return f"{paint(sample, number)} {name}  no values"
-    said = [series.said(value) for value in (series.least, series.greatest, series.last)]
-    return f"{paint(sample, number)} {name}  min %s  max %s  last %s" % tuple(said)
+    said = "  no values"
+    if series.last is not None:
+        words = [series.said(value) for value in (series.least, series.greatest, series.last)]
+        said = "  min %s  max %s  last %s" % tuple(words)
+    name = _cut(printable(series.name) or "value", max(width - cells(sample) - 1 - cells(said), 5))
+    return f"{paint(sample, number)} {name}{said}"
 
 
 def _draw(canvas, picture, series, bounds, number):

@@ -17,6 +17,8 @@ An error, with what came before it and after it; the ring is bounded, and goes o
   $ [ $(span a-2*) -ge 5 ] && [ $(span a-2*) -le 7 ]; rtlog --json -f a-2*error* | grep -c 'ERROR.*RTC_STATUS\|"mark": "trigger: error ConsoleIn0.rtc'
   2
   $ rtlog --csv -f a-2*error* | grep :number | cut -d, -f5 | grep . > numbers; [ $(wc -l < numbers) -gt 400 ]; seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
+  $ rtlog -d --json -f a-2*error* | grep -o 'attachments": ."system-'
+  attachments": ["system-
   $ rm a-2*; for i in 1 2; do rtlog --trigger-now a.mcap; done; kill -USR1 $pid; soon '[ $(ls a-2* | wc -l) = 1 ]'; soon '[ $(grep -c complete said) = 2 ]'
   $ [ $(ls a-0* | wc -l) -le 7 ]; kill $pid; wait $pid
   [143]

@@ -36,6 +36,16 @@ A directory with events. A component that dies and comes back goes on in its cha
   Source0.rtc: died
   $ soon '[ -z "$(ctl @senders2 connectors Source0:number)" ]'; ctl observers ConsoleIn0
 
+The profile of the system can be taken out:
+
+  $ rtlog --attachment system-1.rtsys -f a.mcap > system.rtsys; grep -q Source0 system.rtsys
+  $ rtlog --attachment other -f a.mcap
+  rtlog: a.mcap: no such attachment: other (there are: *) (glob)
+  [3]
+  $ rtlog --attachment x -d -f a.mcap
+  rtlog: --attachment takes only -f FILE (see --help)
+  [2]
+
 Some ports, and some of their values:
 
   $ rtlog -q -t 2 -f b.mcap --only '*number' --every 10 .; [ $(entries b.mcap :number) -lt 30 ]; rtlog -d -f b.mcap | grep -c Channel

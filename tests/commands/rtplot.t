@@ -135,7 +135,7 @@ Live; not on a terminal, the plot is printed at the end:
   * data  min N  max N  last N
   $ rtplot -t 1 --svg live.svg Source0.rtc:number.data Source0.rtc:block.data[0]; grep -c '<path class="series' live.svg
   4
-  $ rtplot -t 3 --rate --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
+  $ COLUMNS=100 rtplot -t 3 --rate --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
   /localhost:N/testNhost_cxt/SourceNrtc:number, values per second
   * rate  min N  max N  last N
   $ interrupt 1.5 rtplot --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
