@@ -1,6 +1,7 @@
 """This host in words, for a report: versions, clock, interfaces, routes, names, settings, limits, processes."""
 
 import os
+import platform
 import re
 import socket
 import struct
@@ -24,12 +25,11 @@ def versions():
         ours = orb.version()
     except errors.MissingOmniORB:
         ours = "no ORB"
-    system = os.uname()
     now = time.time()
     return "\n".join(
         [
             f"rtshell_lite {rtshell_lite.__version__}, {ours}, Python %d.%d.%d" % sys.version_info[:3],
-            f"{system.sysname} {system.release} {system.machine}",
+            f"{platform.system()} {platform.release()} {platform.machine()}",
             f"clock: {time.strftime('%Y-%m-%d %H:%M:%S', time.gmtime(now))} UTC, {now:.6f} s since the epoch; "
             "with --measure, a finding says how far the clocks of components are off",
             _first_line("/proc/uptime", "seconds up, seconds idle: "),
@@ -138,6 +138,8 @@ def _whole(name):
 def _owners(inodes):
     """{inode: number of the process that has this socket}."""
     owners = {}
+    if not inodes:
+        return owners
     wanted = {f"socket:[{inode}]": inode for inode in inodes}
     for pid in filter(str.isdigit, os.listdir("/proc")):
         for link in _links(f"/proc/{pid}/fd"):
