@@ -208,7 +208,7 @@ A name server in which there is always one more directory below is given up:
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: -z SERVER
-invocation: A
+invocation: -f A
 invocation: -z A
 invocation: --dry-run --recursive SERVER/x.host_cxt
 looking: --dry-run -z SERVER

@@ -105,6 +105,6 @@ Where it cannot begin or end:
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
-invocation: OUT -t 0.3
+invocation: A:out -t 0.3
 broken component: 4
 examples: asking

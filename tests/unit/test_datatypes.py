@@ -231,7 +231,7 @@ class Node:
     """Replaces the node of a port, for error messages."""
 
     class path:
-        names = [type("name", (), {"id": "x"})]
+        instance = "x"
 
         @staticmethod
         def with_port(name):
