@@ -6,9 +6,10 @@ system. A backslash makes the next character an ordinary one (`\/ \: \. \\`), \x
 character by its code, and \e is an empty name. Spelling a path (`str`) and parsing it again gives the same
 path.
 
-Without a name server: corbaloc:iiop:HOST:PORT/KEY/…/NAME:PORT and IOR:…, whose SERVER is that object. OpenRTM's
-own rtcname://HOST/CONTEXT.kind/NAME.PORT and rtcloc://HOST:PORT/CATEGORY/NAME are read, too (docs/protocol.md 1).
-In names and in the place of a server, * is any one and ** any number of them: robot/lookup.py finds what is meant.
+Without a name server: corbaloc:iiop:HOST:PORT/KEY/…/NAME:PORT and IOR:…, whose SERVER is that object.
+OpenRTM's own rtcname://HOST/CONTEXT.kind/NAME.PORT and rtcloc://HOST:PORT/CATEGORY/NAME are read, too
+(docs/protocol.md 4a). In names and in the place of a server, * is any one and ** any number of them:
+robot/lookup.py finds what is meant.
 """
 
 import collections
