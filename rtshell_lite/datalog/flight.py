@@ -13,7 +13,7 @@ from rtshell_lite.data.watcher import Watcher
 from rtshell_lite.datalog import recorder
 from rtshell_lite.giop import descriptors
 from rtshell_lite.net import loop
-from rtshell_lite.robot import composites, ports, search, tree
+from rtshell_lite.robot import component, composites, ports, search, tree
 
 SEEK = 1.0  # seconds between two looks for components
 AGAIN = 10.0  # seconds until one that did not answer is asked again
@@ -92,8 +92,9 @@ def _at_most(hertz, deliver):
 class Flight:
     """Follows the components below `tops` (Paths), and reads their ports.
 
-    take(port): an awaitable for the function that takes a Port's Messages; raises errors.Error. `readers` is the list of
-    reading.Readers, which grows and shrinks; `components` are the Paths of all that were seen.
+    take(port, about): an awaitable for the function that takes a Port's Messages; `about`: what else is known of it; raises
+    errors.Error. `readers` is the list of reading.Readers, which grows and shrinks; `components` are the Paths of all that
+    were seen.
     """
 
     def __init__(self, tops, choice, take, readers, properties, pull):
@@ -137,22 +138,25 @@ class Flight:
                 self._due[identity] = now + AGAIN
                 new.append(node)
         readers = []
-        for node, listed in zip(new, await tree.on_nodes(new, ports.ports)):
-            if not isinstance(listed, errors.Error):
+        for node, known in zip(new, await tree.on_nodes(new, _ports)):
+            if not isinstance(known, errors.Error):
                 self._due[orb.identity(node.ref)] = None
                 self.components[str(node.path)] = node.path
-                readers += [reader for reader in [await self._reader(port) for port in listed] if reader]
+                listed, about = known
+                readers += [
+                    reader for reader in [await self._reader(port, about) for port in listed] if reader
+                ]
         self.readers += readers
         return readers
 
-    async def _reader(self, port):
+    async def _reader(self, port, about):
         """The Reader for a Port; None where it is not wanted, or read already."""
         identity = orb.identity(port.ref)
         if identity in self._read or not self._choice.takes(port):
             return None
         try:
             reader = reading.Reader(port, None, self._dataflow, self._properties, "rtlog")
-            reader.deliver = self._choice.thinned(port, await self._take(port))
+            reader.deliver = self._choice.thinned(port, await self._take(port, about))
         except errors.Error as e:
             notes.fail(e)
             return None
@@ -203,8 +207,8 @@ async def record(plan, types, properties, pull, limits, file):
         plan.wanted, properties, pull, channels, work.box, tally, plan.triggers
     )
 
-    async def take(port):
-        number = await channel_of(channels, port)
+    async def take(port, about):
+        number = await channel_of(channels, port, about)
         return recorder.taker(work.box, channels, number, plan.triggers)
 
     flight = Flight(plan.tops, plan.choice, take, readers, properties, pull)
@@ -248,13 +252,27 @@ async def _triggers(plan, work, channels):
         await plan.triggers.watch(work, channels)
 
 
-async def channel_of(channels, port):
+async def channel_of(channels, port, about):
     """The number of the channel of a Port, which is called by its path; by its type, too, where that has changed."""
     label = ports.label(port)
     try:
-        return await channels.add(port, label)
+        return await channels.add(port, label, about)
     except errors.Failed:
-        return await channels.add(port, "%s (%s)" % (label, port.properties.get("dataport.data_type", "")))
+        type_id = port.properties.get("dataport.data_type", "")
+        return await channels.add(port, f"{label} ({type_id})", about)
+
+
+async def _ports(node):
+    """(Ports of a component, what its own execution context says of the rate of its values)"""
+    listed = await ports.ports(node)
+    if not any(port.type == "DataOutPort" for port in listed):
+        return listed, ()
+    try:
+        owned = await component.owned_context_refs(node)
+        context = await component.context(node, owned[0])
+    except (errors.Error, IndexError):
+        return listed, ()
+    return listed, (("context", context.kind), ("rate", f"{context.rate:g}"))
 
 
 async def _components(top):

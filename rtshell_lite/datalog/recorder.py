@@ -37,8 +37,10 @@ class Channels:
         self.types = []
         self.notes = []
 
-    async def add(self, port, name):
-        """The number of a Port's channel. Raises errors.Failed when a channel of that NAME has another type."""
+    async def add(self, port, name, about=()):
+        """The number of a Port's channel; `about`: what else is to be said of it, (name, text) pairs.
+        Raises errors.Failed when a channel of that NAME has another type.
+        """
         where = ports.label(port)
         type_id = port.properties.get("dataport.data_type", "")
         for number, channel in enumerate(self.found):
@@ -62,7 +64,7 @@ class Channels:
         except errors.BadType as e:
             type = None
             self.notes.append(f"{where}: recorded as bytes: {e}")
-        self._append(name, type, type_id, where)
+        self._append(name, type, type_id, where, about)
         return len(self.found) - 1
 
     def add_json(self, name, schema):
@@ -71,12 +73,12 @@ class Channels:
         self.found.append(Channel(name, schema[0], b"", [], "json", schema, ()))
         return len(self.found) - 1
 
-    def _append(self, name, type, type_id, where):
+    def _append(self, name, type, type_id, where, about):
         self.types.append(type)
         if type:
-            self.found.append(Channel(name, type.id, type.to_bytes(), [where], "cdr", None, ()))
+            self.found.append(Channel(name, type.id, type.to_bytes(), [where], "cdr", None, about))
         else:
-            self.found.append(Channel(name, type_id, b"", [where], "cdr", None, ()))
+            self.found.append(Channel(name, type_id, b"", [where], "cdr", None, about))
 
 
 class Recorder:

@@ -36,6 +36,11 @@ A directory with events. A component that dies and comes back goes on in its cha
   Source0.rtc: died
   $ soon '[ -z "$(ctl @senders2 connectors Source0:number)" ]'; ctl observers ConsoleIn0
 
+A channel says at which rate its component is executed, for others:
+
+  $ python3 -c 'import re; print(*sorted(set(re.findall(rb"rate.{4}([0-9]+)", open("a.mcap", "rb").read(4000)))))'
+  b'100' b'1000'
+
 The profile of the system can be taken out:
 
   $ rtlog --attachment system-1.rtsys -f a.mcap > system.rtsys; grep -q Source0 system.rtsys
