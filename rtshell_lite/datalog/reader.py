@@ -155,7 +155,10 @@ class Log:
     # ---- finding what is where -----------------------------------------------------------------------------
 
     def _octets(self, offset, length):
-        return os.pread(self._file.fileno(), length, offset)
+        if hasattr(os, "pread"):
+            return os.pread(self._file.fileno(), length, offset)
+        self._file.seek(offset)
+        return self._file.read(length)
 
     def _head(self, offset):
         """(opcode, offset after the record) of the record at `offset`; None when there is no whole one."""
