@@ -9,7 +9,7 @@ from rtshell_lite.text import printable
 
 COLUMNS = 2000  # places on the time axis that a long series is thinned to
 MOST = 64  # series of one plot
-GAP = 5  # times the usual distance of its values, after which a series has a gap
+GAP = 10  # times the usual distance of its values, after which a series has a gap
 USUAL = 0.1  # share of each distance in the usual one
 _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})(?::(\d{1,9}))?\]", re.ASCII)
 _TICKS = (1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 10800, 21600, 43200, 86400)  # s
