@@ -208,7 +208,7 @@ Without a port, the component, manager or name server itself is called; its IDL 
   [3]
 
 invocation: A
-invocation: A get_sdo_id
+invocation: A get_sdo_id --limit 2
 invocation: -l A
 looking: A
 prepared: echo 'module SimpleService { interface MyService { string echo(in string msg); void set_value(in float value); float get_value(); }; };' >MyService.idl; rtact --wait MyServiceProvider0.rtc

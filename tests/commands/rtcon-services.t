@@ -38,22 +38,22 @@ What does not match:
 
   $ rtcon MyServiceProvider0.rtc:MyService ../second.host_cxt/MyServiceProvider0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService to /localhost:$PORT/second.host_cxt/MyServiceProvider0.rtc:MyService: both have interface myservice0 provided
-  [6]
+  [2]
   $ rtcon MyServiceConsumer0.rtc:MyService ../second.host_cxt/MyServiceConsumer0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/second.host_cxt/MyServiceConsumer0.rtc:MyService: both have interface myservice0 required
-  [6]
+  [2]
   $ rtcon MyServiceProvider0.rtc:MyService ../cpp.host_cxt/MyServiceConsumer0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService to /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc:MyService: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc:MyService has no interface myservice0
-  [6]
+  [2]
   $ rtcon Hokuyo_AIST0.rtc:ranges MyServiceConsumer0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc:ranges to /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService: a data port and a service port do not go together
-  [6]
+  [2]
   $ rtcon MyServiceProvider0.rtc:MyService MyServiceProvider0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: a port is named twice
-  [6]
+  [2]
   $ rtcon --dry-run MyServiceProvider0.rtc:MyService ../cpp.host_cxt/MyServiceConsumer0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService to /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc:MyService: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc:MyService has no interface myservice0
-  [6]
+  [2]
 
 Interfaces of different names are joined by hand, with the property that consumers look for:
 
@@ -67,4 +67,4 @@ Data properties and duplicates mean nothing here, but -d does:
   $ rtcon MyServiceProvider0.rtc:MyService MyServiceConsumer0.rtc:MyService
   $ rtcon -d MyServiceProvider0.rtc:MyService MyServiceConsumer0.rtc:MyService
   rtcon: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService: already connected (id $UUID)
-  [6]
+  [1]

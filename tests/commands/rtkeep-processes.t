@@ -59,7 +59,7 @@ One that is killed comes back; the system is kept, too, where there is a file.
   ConsoleIn0.rtc
   $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck a.xml'; kill -9 $(rtkeep status --json | sed -n 's/.*"object": "out", "pid": \([0-9]*\),.*/\1/p')
-  $ soon 'grep out:.ended.by.SIGKILL out'; soon 'rtcheck a.xml'; said out | grep -e out: -e Out | sort | uniq -c | sed 's/^ *//'
+  $ soon 'grep out:.ended.by.SIGKILL out'; soon 'rtcheck a.xml'; soon 'test $(grep -c ConsoleOut0.rtc:.Active out) = 2'; said out | grep -e out: -e Out | sort | uniq -c | sed 's/^ *//'
   2 ConsoleOut0.rtc: Active
   1 ConsoleOut0.rtc: its process is gone
   2 out: ConsoleOut0.rtc answers: ready

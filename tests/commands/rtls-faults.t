@@ -134,8 +134,8 @@ A mistyped name costs one look into the directory, and hangs nowhere:
 Name servers: one where nothing listens, one that never answers, and something that is no name server.
 
   $ rtls localhost:1
-  rtls: /localhost:$PORT/test.host_cxt/localhost:1: no such path; did you mean /localhost:1?
-  [3]
+  rtls: /localhost:1: connection refused; is the name server running?
+  [4]
   $ RTCSH_CWD= rtls localhost:1 /localhost:1/a.cxt /localhost:1/a.cxt/b.rtc
   rtls: /localhost:1: connection refused; is the name server running?
   [4]

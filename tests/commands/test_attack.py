@@ -20,7 +20,7 @@ except ImportError:
 ONCE = "it is about the kernel's connections"
 CROWD, VALUES = 600, 6
 THREADS = 6
-PART = "/test.host_cxt/ConsoleIn0.rtc"
+TARGET = "/test.host_cxt/ConsoleIn0.rtc"
 QUESTION = giop_client.request(b"x", "_non_existent")
 
 
@@ -78,7 +78,7 @@ class Attack(unittest.TestCase):
     def printing(self):
         """Have rtprint wait for VALUES, the first of which comes before any attack."""
         self.world = self.around.world(self.server, "two")
-        self.start("rtprint", "-n", str(VALUES), "-t", "30", self.server + PART + ":out")
+        self.start("rtprint", "-n", str(VALUES), "-t", "30", self.server + TARGET + ":out")
         worlds.eventually(lambda: self.around.ctl(self.world, "connectors", "ConsoleIn0:out"), "connected")
         self.around.ctl(self.world, "write", "ConsoleIn0:out", "0")
 
@@ -116,7 +116,7 @@ class Attack(unittest.TestCase):
     def test_heartbeats_among_many_that_ask(self):
         """They come once a second; after 3 seconds without one rtwatch would report NO_HEARTBEAT."""
         self.around.world(self.server, "observed")
-        self.start("rtwatch", "-t", "8", "-f", "HEARTBEAT", "-f", "LIFE_EVENT", self.server + PART)
+        self.start("rtwatch", "-t", "8", "-f", "HEARTBEAT", "-f", "LIFE_EVENT", self.server + TARGET)
         self.assertIn(b"HEARTBEAT", self.command.stdout.readline())
         self.attack(lambda client: client.sendall(QUESTION), CROWD)
         out, err = self.command.communicate(timeout=worlds.LIMIT)

@@ -99,7 +99,7 @@ class OldServers(unittest.TestCase):
             with mock.patch.dict(os.environ, ORBmaxGIOPVersion=version):  # or it could not reach its name server
                 around.world(server, "linked")
             for words in (["rtls", "-lR", server], ["rtcat", "-l", server + "/test.host_cxt/ConsoleIn0.rtc"],
-                          ["rtact", server + "/test.host_cxt/ConsoleIn0.rtc"], ["rtdel", server + "/test.host_cxt/ConsoleIn0.rtc"]):
+                          ["rtact", server + "/test.host_cxt/ConsoleIn0.rtc"], ["rtdel", "-f", server + "/test.host_cxt/ConsoleIn0.rtc"]):
                 with self.subTest(version=version, words=words):
                     ran = running.run(words, around.top)
                     self.assertEqual((ran.status, ran.err), (0, b""), ran)

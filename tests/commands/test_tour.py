@@ -65,7 +65,7 @@ class Tour(unittest.TestCase):
         status, said = self.run_it()
         self.assertEqual(status, 0, said)
         self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
-            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "6"), ("rtact Broken0.rtc", "6"),
+            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "2"), ("rtact Broken0.rtc", "6"),
             ("rtcall Robot0.rtc:svc sey hello", "3"), ("rtcall Robot0.rtc:svc say hello", "6"),
             ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6")] + [
                 ("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()), said)

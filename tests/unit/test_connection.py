@@ -11,7 +11,7 @@ from rtshell_lite.corba import servants
 from rtshell_lite.corba.session import Session
 from rtshell_lite.data import port_arguments, rates, reading, sender, watcher, writing
 from rtshell_lite.data.connection import Connections
-from rtshell_lite.data.inbox import Inbox
+from rtshell_lite.data.inbox import EACH, Inbox
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 
@@ -122,7 +122,7 @@ class Struck(unittest.TestCase):
 class Bounded(unittest.TestCase):
     def test_values_being_written_count_as_memory(self):
         """rtlog at full flood held 144 MiB, though 64 may wait: what it was writing did not count."""
-        box = Inbox(most_bytes=1000)
+        box = Inbox(most_bytes=2 * (400 + EACH) + 200)
 
         def get():
             return loop.run(box.get(0))
