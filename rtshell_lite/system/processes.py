@@ -125,7 +125,7 @@ class Processes:
             try:
                 self._spawn(process)
             except OSError as e:
-                await self._ended(process, f"cannot be started: {e.strerror}", True)
+                await self._ended(process, f"cannot be started: {os.strerror(e.errno)}", True)
                 continue
             self.happened(process.name, "", f"started, pid {process.pid}", begun)
             await loop.race(self._until_ready(process, begun), process.until(lambda: process.pid is None))

@@ -19,7 +19,7 @@ An error, with what came before it and after it; the ring is bounded, and goes o
   $ rtlog --csv -f a-2*error* | grep :number | cut -d, -f5 | grep . > numbers; [ $(wc -l < numbers) -gt 400 ]; seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
   $ rtlog -d --json -f a-2*error* | grep -o 'attachments": ."system-'
   attachments": ["system-
-  $ rm a-2*; for i in 1 2; do rtlog --trigger-now a.mcap; done; kill -USR1 $pid; soon '[ $(ls a-2* | wc -l) = 1 ]'; soon '[ $(grep -c complete said) = 2 ]'
+  $ rm a-2*; for i in 1 2; do rtlog --trigger-now a.mcap; done; soon 'grep trigger:.now told'; kill -USR1 $pid; soon '[ $(ls a-2* | wc -l) = 1 ]'; soon '[ $(grep -c complete said) = 2 ]'
   $ [ $(ls a-0* | wc -l) -le 7 ]; kill $pid; wait $pid
   [143]
   $ sed 's/20[0-9]*-[0-9]*/DATE/' told | LC_ALL=C sort -u

@@ -49,6 +49,7 @@ def run(request):
     keep_alive()
     environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
     environment["MOCKS"] = os.path.join(processes.ROOT, "mock_components")  # which has IDL files
+    environment["MOCK_PYTHON"] = sys.executable  # which has omniORBpy
     substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (re.escape(environment["MOCKS"]), "$MOCKS"), (UUID, "$UUID")]
     try:
         environment["PORT"] = str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")
