@@ -757,7 +757,7 @@ def keep(profile, timeout=None, create=False, manager=None, strict=False):
     """Keep the running system as a profile says, as rtkeep does, and yield what happens: time, object, seen, done,
     seconds, error of each. Ends with the generator, and leaves the components as they are.
 
-    With a `timeout`, yields None where nothing has happened for so many seconds. `create`, `manager` as in
+    With a `timeout`, yields None where nothing has happened within `timeout` seconds. `create`, `manager` as in
     `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be meant.
     """
     feed = _Happenings()
@@ -854,7 +854,7 @@ def watch(*components, timeout=None):
     """Yield an Event for what happens to the components at these paths, as rtwatch prints it: states, ports,
     connections, configuration, death and return. The end of the generator removes the observers.
 
-    With a `timeout`, yields None where nothing has happened for so many seconds. Raises the first failure.
+    With a `timeout`, yields None where nothing has happened within `timeout` seconds. Raises the first failure.
     """
     feed = _Watching()
     try:

@@ -329,7 +329,7 @@ class Contents:
         self.records[METADATA_INDEX].append(record(METADATA_INDEX, _TIMES.pack(offset, length), string(name)))
 
     def add_chunk(self, first, last, counts):
-        """Count a chunk with so many messages of each channel."""
+        """Count a chunk with these numbers of messages by channel."""
         self.chunks += 1
         self.first = min(self.first, first)
         self.last = max(self.last, last)

@@ -19,7 +19,7 @@ from rtshell_lite.text import from_wire, to_wire
 
 SEEK = 0.3  # seconds between looks for the names of absent components; more where there are many
 BEAT = 20.0  # seconds between heartbeats of an observed component
-LATE = 1.5 * BEAT  # after so many seconds without one it is asked whether it lives
+LATE = 1.5 * BEAT  # seconds; after that long without one it is asked whether it lives
 AGAIN = 2.0  # seconds between questions to a dead object whose name is still bound
 TRIES = 5  # of a question whose connection is lost: to a process that ends, as a rule
 PAUSE = 0.15  # seconds between them

@@ -6,7 +6,7 @@ arm: ./Arm0Comp -f rtc.conf
 arm.after: nameserver                       names: it starts when these are ready
 arm.env: LANG=C                             more environment
 arm.cwd: /opt/arm                           where it runs
-arm.stop: INT 5                             the signal that ends it; after so many seconds SIGKILL does
+arm.stop: INT 5                             the signal that ends it; after 5 seconds SIGKILL does
 arm.restart: on-error                       these three as policy.parse takes them
 arm.burst: 5/60
 arm.delay: 0.5-30

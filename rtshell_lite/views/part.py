@@ -97,7 +97,7 @@ def fold(picture, kind, opened=()):
 
 
 def choose_kind(picture, most=MOST):
-    """The finest kind of groups that leaves at most so many boxes; the coarsest if there is none."""
+    """The finest kind of groups that leaves at most `most` boxes; the coarsest if there is none."""
     for kind in KINDS:
         if len(fold(picture, kind).boxes) <= most:
             return kind

@@ -12,6 +12,7 @@ world: composite
 A component that is deleted is created, and all is as it was:
 
   $ rtmgr -d ConsoleIn0 manager.mgr; soon 'grep ConsoleIn0.*created out'; soon 'rtcheck a.xml'
+  $ soon 'said out | grep ConsoleIn0 | tail -1 | grep Active'
   $ said out | grep ConsoleIn0 | tail -4
   ConsoleIn0.rtc: has exited
   ConsoleIn0.rtc: was not there: created

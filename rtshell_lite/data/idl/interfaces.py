@@ -17,7 +17,7 @@ class Interface:
     file           where it is declared
     bases          the Interfaces that it inherits
     operations     its own Operations, in the order of the file
-    attributes     its own Attributes, likewise
+    attributes     its own Attributes, in the same order
     """
 
     def __init__(self, name, repository_id, kind="", file=""):
