@@ -127,6 +127,10 @@ class NoPattern(NotFound):
     """{}: no such path; to look for a pattern: {}"""
 
 
+class NoEntry(NotFound):
+    """{}: no such path; did you mean the name server {}?"""
+
+
 class Ambiguous(Error):
     """{}: {}; which one?"""  # what was typed, what it may mean
 

@@ -69,7 +69,7 @@ async def _relative(word, may_be_server):
     above = parse(".")
     first, *rest = elements(word or ".")
     is_from_root = _is_address(first) or may_be_server is not None and may_be_server(first, rest)
-    is_to_find = _finds() and first not in ("", ".", "..")
+    is_to_find = is_found_by_name() and first not in ("", ".", "..")
     if above in (ROOT, EVERYWHERE):
         if is_to_find and not is_from_root and not (rest and above == ROOT):
             return parse("/**/" + word)
@@ -81,7 +81,7 @@ async def _relative(word, may_be_server):
     return parse(word)
 
 
-def _finds():
+def is_found_by_name():
     """Whether a lone name is to be found wherever it is."""
     return os.environ.get("RTSHELL_FIND", "") not in ("", "0") or parse(".") == EVERYWHERE
 
@@ -128,6 +128,16 @@ def _may_be_dotted(first, rest):
     return is_host and "\\" not in host and not _has_kind(host)
 
 
+def explained(word, error):
+    """The error of a path that was typed as `word`, with the name server that a lone word may mean."""
+    if type(error) is not errors.NotFound or is_absolute(word):
+        return error
+    first, *rest = elements(word)
+    if rest or not _may_be_dotted(first, rest):
+        return error
+    return errors.NoEntry(error.where, "/" + word)
+
+
 def is_path(word):
     """Whether a word that may be a file is a path in the RTC Tree by its looks."""
     names = elements(word)
@@ -136,10 +146,25 @@ def is_path(word):
 
 def _has_kind(name):
     """Whether a name has one of the kinds that OpenRTM gives to components, managers and naming contexts."""
-    return name.endswith((".rtc", ".mgr", "_cxt"))
+    return name.endswith((".rtc", ".mgr", "_cxt", ".cxt"))
 
 
 # ---- patterns ----------------------------------------------------------------------------------------------
+
+
+def has_pattern(word):
+    """Whether a path has * or ** in the place of a directory, were there another name after it."""
+    path = parse(word or ".")
+    return path.server in ANY or any(_is_any(name) for name in path.names)
+
+
+async def below(path):
+    """The Nodes in all directories that a Path with * or ** fits. Asks name servers only."""
+    wanted = path.names
+    if path.server == "**":
+        wanted = (Name("**", ""),) + wanted
+    nodes = await _walk(path.child(Name("", "")))
+    return [node for node in nodes if _fits(node.path.names, wanted + node.path.names[-1:])]
 
 
 def _is_any(name):

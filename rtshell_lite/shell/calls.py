@@ -3,14 +3,14 @@
 from rtshell_lite import errors
 from rtshell_lite.data import calling, datatypes
 from rtshell_lite.giop import descriptors
-from rtshell_lite.path import parse
+from rtshell_lite.robot import lookup
 
 
 async def offered(word, positional, idl):
     """(text, whether it is complete, help) of each that may be the next word after these, which begin with a path; `idl`
     are the IDL files that the line names.
     """
-    path = parse(positional[0])
+    (path,) = await lookup.paths(positional[:1])
     types = datatypes.Types(idl=idl)
     if path.port is None:
         providers = [await calling.itself(path, types)]

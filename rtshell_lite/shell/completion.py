@@ -15,7 +15,7 @@ from rtshell_lite import errors, options
 from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.path import ROOT, parse
-from rtshell_lite.robot import tree
+from rtshell_lite.robot import lookup, tree
 from rtshell_lite.shell import installation, setup
 from rtshell_lite.text import is_plain, printable
 
@@ -173,12 +173,12 @@ def _paths(wanted, port_types=(), port_needed=False):
     async def complete(word, _):
         above, last = _split(word)
         component, colon, _ = _cut_at_colon(last)
-        if colon and parse(above or ".") != ROOT:
+        if colon and (parse(above or ".") != ROOT or lookup.is_path(component)):
             if port_types:
                 return await _ports(above + component, port_types)
             return []
         found = []
-        for entry in await _entries(parse(above or ".")):
+        for entry in await _all_entries(above):
             descend = entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted
             if descend:
                 found.append(Candidate(_no_option(above + entry.name) + "/", False, ""))
@@ -212,6 +212,30 @@ def _cut_at_colon(name):
     return (name, "", "")
 
 
+async def _all_entries(above):
+    """The _Entries of the directory, or of the directories, that the beginning of a path may mean."""
+    if lookup.has_pattern(above):
+        return await _entries_below(parse(above))
+    (path,) = await lookup.paths([above or "."])
+    entries = await _entries(path)
+    if not above and lookup.is_found_by_name():
+        return entries + [
+            entry for entry in await _entries_below(lookup.EVERYWHERE) if entry.kind != "directory"
+        ]
+    return entries
+
+
+async def _entries_below(path):
+    """The _Entries of all directories that a Path with * or ** fits; no component is asked."""
+    return [
+        _Entry(
+            node.name,
+            "directory" if node.kind == "server" else _BY_NAME.get(node.path.names[-1].kind, node.kind),
+        )
+        for node in await lookup.below(path)
+    ]
+
+
 async def _entries(path):
     """The _Entries of a directory, by one call: bindings and kinds of names say well enough what they are."""
     node = await tree.resolve(path)
@@ -237,7 +261,8 @@ async def _ports(component, types):
     """Paths of the ports of a component."""
     from rtshell_lite.robot import ports
 
-    node = await tree.component(parse(component))
+    (path,) = await lookup.paths([component])
+    node = await tree.component(path)
     return [
         Candidate(
             component + ports.label(port)[len(str(node.path)) :],
@@ -255,7 +280,8 @@ async def _ports(component, types):
 async def _configuration(path):
     from rtshell_lite.robot import configuration
 
-    return await configuration.of(await tree.component(parse(path)))
+    (found,) = await lookup.paths([path])
+    return await configuration.of(await tree.component(found))
 
 
 async def _sets(_, positional):

@@ -87,7 +87,7 @@ def code(shell, commands):
 Line = collections.namedtuple("Line", "words quote open redirected")
 
 _BETWEEN_COMMANDS = ";|&()\n"
-_EXPANDED = "$`*?[{"
+_EXPANDED = "$`?[{"  # a * is one of our own patterns: nothing local is offered for it
 
 
 def split(line, fish=False):

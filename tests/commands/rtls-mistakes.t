@@ -9,6 +9,13 @@ The words of find, patterns in paths, a directory for its components:
   $ rtls '*.rtc'
   rtls: /localhost:$PORT/test.host_cxt/*.rtc: no such path; to look for a pattern: rtfind /localhost:$PORT/test.host_cxt -n '*.rtc'
   [3]
+  $ rtls nosuchhost; rtls Console
+  rtls: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; did you mean the name server /nosuchhost?
+  rtls: /localhost:$PORT/test.host_cxt/Console: no such path; did you mean ConsoleIn0.rtc?
+  [3]
+  $ rtcwd nosuchhost
+  rtcwd: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; did you mean the name server /nosuchhost?
+  [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
   [3]

@@ -1,6 +1,7 @@
 """What TAB offers before anything is asked of a robot; shells on terminals are tried in tests/commands."""
 import os
 import unittest
+from unittest import mock
 
 import processes
 import worlds
@@ -23,6 +24,47 @@ class Commands(unittest.TestCase):
 
     def test_options(self):
         self.assertEqual(self.offered("rtpwd --vers"), ["rtpwd --version "])
+
+
+class Patterns(unittest.TestCase):
+    """Paths with * and **, and names alone with RTSHELL_FIND."""
+
+    @classmethod
+    def setUpClass(cls):
+        worlds.start_name_server()
+        cls.worlds = [worlds.World("these", "Robot", "Source"),
+                      worlds.World("these", "Robot", "ConsoleIn", "--context", "other.host_cxt/%n.rtc"),
+                      worlds.World("hung", "1", "--context", "other.host_cxt/%n.rtc")]
+        cls.server = "127.0.0.1:%d" % worlds.Server.port
+
+    @classmethod
+    def tearDownClass(cls):
+        for world in cls.worlds:
+            world.close()
+        worlds.Server.stop()
+
+    def offered(self, line, **environment):
+        environment = dict({"RTCTREE_NAMESERVERS": self.server, "RTCSH_CWD": "/"}, **environment)
+        with mock.patch.dict(os.environ, environment), mock.patch.object(completion, "SECONDS", 30):
+            return [answer.strip() for answer in loop.run(completion.answers("bash", line, line.split()[-1]), session=Session(3))]
+
+    def test_directories_are_any(self):
+        for words, wanted in (("rtcat /**/So", ["/**/Source0.rtc"]), ("rtcat /**/Robot", ["/**/Robot0.rtc"]),
+                              ("rtcat **/So", ["**/Source0.rtc"]), ("rtcat '/**/So", ["'/**/Source0.rtc"]),
+                              ("rtcat /*/", ["/*/other.host_cxt/", "/*/test.host_cxt/"]),
+                              ("rtcat /%s/**/Con" % self.server, ["/%s/**/ConsoleIn0.rtc" % self.server]),
+                              ("rtprint /**/Source0.rtc:num", ["/**/Source0.rtc:number"]), ("rtls /*x/So", []), ("rtcheck *", [])):
+            with self.subTest(words):
+                self.assertEqual(self.offered(words), wanted)
+
+    def test_names_alone(self):
+        here = {"RTCSH_CWD": "/%s/test.host_cxt" % self.server}
+        for words, environment, wanted in (("rtcat Con", {"RTSHELL_FIND": "1"}, ["ConsoleIn0.rtc"]),
+                                           ("rtcat Con", {"RTCSH_CWD": "/**"}, ["ConsoleIn0.rtc"]), ("rtcat Con", {}, []),
+                                           ("rtcat Con", here, []), ("rtcat Con", dict(here, RTSHELL_FIND="1"), ["ConsoleIn0.rtc"]),
+                                           ("rtprint Source0.rtc:num", {"RTSHELL_FIND": "1"}, ["Source0.rtc:number"])):
+            with self.subTest(words, **environment):
+                self.assertEqual(self.offered(words, **environment), wanted)
 
 
 class Operations(unittest.TestCase):
