@@ -151,7 +151,7 @@ class Bench:
         for orb in ("ours", "builtin"):
             world.ctl("reset")
             ways[orb]()
-            calls[orb] = sum(int(line.split()[0]) for line in world.ctl("calls")[1].splitlines())
+            calls[orb] = sum(int(line.split()[0]) for line in world.ctl("calls").splitlines())
             if back:
                 self.ours(back)
         measured = {kind: [] for kind in ways}

@@ -82,7 +82,7 @@ def report(world, mounted, context, environment, reads, components):
     print("rtmount: returned after %.3f s, first ls after %.3f s, %.1f MiB" % (mounted.started, mounted.first, mounted.resident()))
     world.ctl("reset")
     shell, server, seconds = spent(["sh", "-c", LOOP % (reads, context + "/Mock7.rtc/state")], environment, mounted)
-    calls = sum(int(line.split()[0]) for line in world.ctl("calls")[1].splitlines())
+    calls = sum(int(line.split()[0]) for line in world.ctl("calls").splitlines())
     each = (shell + server) / reads
     print("%d reads of a state: %.2f ms of CPU each (shell %.2f, server %.2f), %.2f s, %.3f calls each" % (
         reads, each * 1000, shell / reads * 1000, server / reads * 1000, seconds, calls / reads))
@@ -93,7 +93,7 @@ def report(world, mounted, context, environment, reads, components):
     print("cat in rtsh: %.2f ms of CPU each; the mount's read: 1/%.1f" % (one / reads * 1000, one / reads / each))
     world.ctl("reset")
     shell, server, seconds = spent(["ls", "-lR", context], environment, mounted)
-    calls = sum(int(line.split()[0]) for line in world.ctl("calls")[1].splitlines())
+    calls = sum(int(line.split()[0]) for line in world.ctl("calls").splitlines())
     own, _, _ = spent(["rtls", "-lR", "."], environment)
     print("ls -lR of %d components: %.2f s of CPU (ls %.2f, server %.2f), %.2f s, %d calls; rtls -lR: %.2f s of CPU" % (
         components, shell + server, shell, server, seconds, calls, own))

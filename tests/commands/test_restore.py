@@ -6,7 +6,6 @@ import unittest
 import running
 import worlds
 from loops import wait_for
-from mock_components import asking
 from rtshell_lite import errors, path
 from rtshell_lite.robot import composites, configuration, connectors, contexts, ports, tree
 from rtshell_lite.system import apply, capture, restore
@@ -85,11 +84,6 @@ class Worlds(unittest.TestCase):
         world = worlds.World(*words)
         self.addCleanup(world.close)
         return world
-
-    def ctl(self, world, *words):
-        ok, text = asking.request(world.control, words)
-        self.assertTrue(ok, text)
-        return text
 
 
 # ---- what is saved comes back ---------------------------------------------------------------------------------
@@ -191,7 +185,7 @@ class Faults(Worlds):
     def wreck(self):
         """Change everything that can be restored."""
         for world in self.worlds:
-            self.ctl(world, "reset")
+            world.ctl("reset")
         torn_down(self.saved)
         found = ask(configuration.of(node("ConfigSample0")))
         ask(found.store(WRECKED, found.set("mode0")))
@@ -203,10 +197,10 @@ class Faults(Worlds):
             ask(composites.remove(composite, one, [composites.Member("Motor0", node("Motor0"), [])]))
         self.wrecked = {each.path_uri: each for each in captured().components}
         for world in self.worlds:
-            self.ctl(world, "reset")
+            world.ctl("reset")
 
     def calls(self, world):
-        lines = [line.split() for line in self.ctl(world, "calls").splitlines()]
+        lines = [line.split() for line in world.ctl("calls").splitlines()]
         return {name: int(count) for count, name in lines}
 
     def faults(self):
@@ -219,7 +213,7 @@ class Faults(Worlds):
     def truth(self, outcomes):
         """Compare a report with the system, asked in other ways. What is not done must be unchanged."""
         for world in self.worlds:
-            self.ctl(world, "reset")
+            world.ctl("reset")
         now = {each.path_uri: each for each in captured().components}
         then = {each.path_uri: each for each in self.saved.components}
         for each in outcomes:
@@ -237,7 +231,7 @@ class Faults(Worlds):
             there = []
             for site, port in step.ends:
                 world = self.world_of(site.instance)
-                there.append(step.connector.connector_id + " " in self.ctl(world, "connectors", "%s:%s" % (site.instance, port)))
+                there.append(step.connector.connector_id + " " in world.ctl("connectors", "%s:%s" % (site.instance, port)))
             self.assertEqual(len(set(there)), 1, "half connected: " + step.title)
             return there[0]
         uri = step.sites[0].where[1:]
@@ -255,7 +249,7 @@ class Faults(Worlds):
         return None
 
     def world_of(self, instance):
-        return next(world for world in self.worlds if instance in self.ctl(world, "components").split())
+        return next(world for world in self.worlds if instance in world.ctl("components").split())
 
     def check(self, all_or_nothing=False):
         """Restore under a fault, compare, restore again without it."""
@@ -278,7 +272,7 @@ class Faults(Worlds):
             kind = ("TRANSIENT", "UNKNOWN", "COMM_FAILURE")[number % 3]
             with self.subTest(world=place, operation=operation, number=number, kind=kind):
                 self.wreck()
-                self.ctl(self.worlds[place], "fail", operation, str(number), kind)
+                self.worlds[place].ctl("fail", operation, str(number), kind)
                 seen |= statuses(self.check())
         self.assertLessEqual({"done", "already so", "failed", "not tried"}, seen)
 
@@ -291,9 +285,9 @@ class Faults(Worlds):
             for number in sorted({1, count}):
                 with self.subTest(world=self.worlds.index(world), operation=operation, number=number):
                     self.wreck()
-                    self.ctl(world, "fail", operation, str(number), "UNKNOWN")
+                    world.ctl("fail", operation, str(number), "UNKNOWN")
                     outcomes = restored(self.saved, all_or_nothing=True)
-                    self.ctl(world, "reset")
+                    world.ctl("reset")
                     if statuses(outcomes) <= {"done", "already so"}:
                         self.assertEqual(without_dates(captured()), without_dates(self.saved), told(outcomes))
                     elif not statuses(outcomes) & {"not undone", "uncertain"}:
@@ -305,7 +299,7 @@ class Faults(Worlds):
             if operation in CHANGES:
                 with self.subTest(world=self.worlds.index(world), operation=operation):
                     self.wreck()
-                    self.ctl(world, "fail", operation, str(count), "HANG")
+                    world.ctl("fail", operation, str(count), "HANG")
                     begun = time.monotonic()
                     self.check()
                     self.assertLess(time.monotonic() - begun, 2 * SECONDS + 2)
@@ -316,7 +310,7 @@ class Faults(Worlds):
                 continue
             with self.subTest(world=place, operation=operation):
                 self.wreck()
-                self.ctl(self.worlds[place], "fail", operation, str(count), "DIE")
+                self.worlds[place].ctl("fail", operation, str(count), "DIE")
                 outcomes = restored(self.saved)
                 self.assertLessEqual(statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes))
                 self.assertIn("failed", statuses(outcomes))

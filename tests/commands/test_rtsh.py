@@ -162,17 +162,17 @@ class AtThePrompt(unittest.TestCase):
     def test_ctrl_c_leaves_nothing_behind(self):
         """No connection in a component, and no reader that takes the next line for a value."""
         self.press("print ConsoleIn0.rtc:out\r")
-        worlds.eventually(lambda: World.one.ctl("connectors", "ConsoleIn0:out")[1], "a connection")
+        worlds.eventually(lambda: World.one.ctl("connectors", "ConsoleIn0:out"), "a connection")
         self.press(CTRL_C)
         self.shows(r"\nrtsh .*> $")
-        self.assertEqual(World.one.ctl("connectors", "ConsoleIn0:out"), (0, ""))
+        self.assertEqual(World.one.ctl("connectors", "ConsoleIn0:out"), "")
         self.press("inject --anyway ConsoleOut0.rtc:in\r")
-        worlds.eventually(lambda: World.one.ctl("connectors", "ConsoleOut0:in")[1], "a connection")
+        worlds.eventually(lambda: World.one.ctl("connectors", "ConsoleOut0:in"), "a connection")
         self.press("42\r")
         worlds.eventually(lambda: World.one.count("put"), "a value")
         self.press(CTRL_C)
         self.shows(r"\nrtsh .*> $")
-        self.assertEqual(World.one.ctl("connectors", "ConsoleOut0:in"), (0, ""))
+        self.assertEqual(World.one.ctl("connectors", "ConsoleOut0:in"), "")
         for _ in range(2):
             self.press("pwd\r")
             self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")

@@ -109,7 +109,7 @@ class Terminal(unittest.TestCase):
         self.assertEqual(self.tmux("display-message", "-p", "#{alternate_on} #{cursor_flag} #{keypad_flag}"), "0 1 0\n")
 
     def connectors(self, component="Sensor0:out"):
-        return World.robot.ctl("connectors", component)[1]
+        return World.robot.ctl("connectors", component)
 
 
 class Page(Terminal):
@@ -259,7 +259,7 @@ class Page(Terminal):
         self.shows("Broken0")
         self.press("q")
         self.ended(0)
-        self.assertEqual(World.robot.ctl("state", "Motor0")[1].split()[-1:], ["INACTIVE"])
+        self.assertEqual(World.robot.ctl("state", "Motor0").split()[-1:], ["INACTIVE"])
 
     def test_ports_are_measured_until_the_end(self):
         self.start("-p Sensor0.rtc:out -p Sensor0.rtc:in -p nobody.rtc:out")

@@ -330,19 +330,12 @@ class Real(unittest.TestCase):
         def play(robot):
             reader = robot.path("ConsoleOut") + ":in"
             count = min(5000, 50 * ROUNDS)
-            source = subprocess.Popen(
-                [sys.executable, "-m", "mock_components", "--nameserver", "127.0.0.1:%d" % worlds.Server.port, "--context",
-                 robot.label + "-log.host_cxt/%n.rtc", "senders", "%d" % robot.rate, "10"], stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE, env=worlds.ENVIRONMENT)
+            source = worlds.World("senders", "%d" % robot.rate, "10", "--context", robot.label + "-log.host_cxt/%n.rtc")
             try:
-                source.stdout.readline()
                 done(["rtlog", "-q", "-i", "-e", str(count), "-f", robot.label + "-play.rtlog",
                       "/127.0.0.1:%d/%s-log.host_cxt/Source0.rtc:number" % (worlds.Server.port, robot.label)])
             finally:
-                source.kill()
-                source.wait()
-                source.stdin.close()
-                source.stdout.close()
+                source.close()
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
             before = robot.reads()
             status, words = ended(start(["rtlog", "-q", "-p", "-f", robot.label + "-play.rtlog", reader]))

@@ -18,7 +18,6 @@ import unittest
 import running
 import worlds
 from loops import wait_for
-from mock_components import asking, nameserver
 from rtshell_lite import errors, path
 from rtshell_lite.robot import connectors, ports
 from rtshell_lite.system import compare, relocate
@@ -90,9 +89,6 @@ class Robot:
                 if connector.id == connector_id:
                     await connectors.disconnect(port, connector)
         ask(disconnect())
-
-    def ctl(self, number, *words):
-        return asking.request(self.worlds[number].control, words)
 
     def kill(self, number):
         self.worlds[number].close()
@@ -248,7 +244,7 @@ class Storm(unittest.TestCase):
         where = name(kind, number)
         if (where, "state") in self.hands:
             return
-        self.robot.ctl(number, "error", "%s%d" % (kind, number))
+        self.robot.worlds[number].ctl("error", "%s%d" % (kind, number))
         self.note("error", where)
 
     def wait(self):
@@ -312,7 +308,7 @@ class Storm(unittest.TestCase):
         worlds.Server.process.wait()
         self.addCleanup(self.serve_names_again)
         number = self.random.randrange(PROCESSES)
-        self.robot.ctl(number, "error", "Set%d" % number)
+        self.robot.worlds[number].ctl("error", "Set%d" % number)
         worlds.eventually(lambda: any(event["object"] == name("Set", number) and event["done"] == "reset"
                                       for event in self.keeping.events()), "an Error without a name server: " + self.keeping.said())
         self.serve_names_again()
@@ -328,10 +324,7 @@ class Storm(unittest.TestCase):
     def serve_names_again():
         if worlds.Server.process.poll() is None:
             return
-        directory = tempfile.mkdtemp(dir=worlds.Server.directory)
-        worlds.Server.process = subprocess.Popen(nameserver.command(worlds.Server.port, directory), stdin=subprocess.DEVNULL,
-                                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        worlds.eventually(lambda: nameserver.answers(worlds.Server.port), "the name server")
+        worlds.Server.start_again()
 
 
 if __name__ == "__main__":

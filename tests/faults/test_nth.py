@@ -71,7 +71,7 @@ class Lane:
     def ctl(self, number, *words):
         try:
             return around.ctl(self.worlds[number], *words)
-        except AssertionError:
+        except running.processes.Failed:
             return None
 
     def connected(self):
@@ -180,7 +180,7 @@ def asked(lane, *words):
     for name in lane.worlds:
         try:
             around.ctl(name, "reset")
-        except AssertionError:
+        except running.processes.Failed:
             pass
     return [json.loads(line) for line in lane.command(*words).out.decode().splitlines()]
 
@@ -238,7 +238,7 @@ class Case:
         self.failed = None
         try:
             self.run()
-        except AssertionError as e:
+        except (AssertionError, running.processes.Failed) as e:
             self.failed = e
         return self
 

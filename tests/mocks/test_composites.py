@@ -132,7 +132,7 @@ class Composites:
         self.reached(RTC.ACTIVE_STATE, "composite0", *MEMBERS)
         own = self.world.context("Motor0")
         self.assertEqual(own.get_component_state(self.world.component("Motor0")), RTC.INACTIVE_STATE)
-        self.assertEqual(self.world.ctl("state", "Motor0", "1000"), (0, "ACTIVE\n"))
+        self.assertEqual(self.world.ctl("state", "Motor0", "1000"), "ACTIVE\n")
         self.deactivate()
         self.reached(RTC.INACTIVE_STATE, "composite0", *MEMBERS)
 

@@ -1,6 +1,8 @@
 """Worlds of mock components: what they are for (time, faults, counting, odd names), and how they start and end."""
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -90,7 +92,7 @@ class Worlds(unittest.TestCase):
         for name in ("Sensor0", "Controller0", "Motor0", "Hokuyo_AIST0", "Clusterer0"):
             self.assertEqual(str(world.context(name).activate_component(world.component(name))), "RTC_OK")
         for port in ("Sensor0:in", "Controller0:in", "Motor0:in", "Clusterer0:ranges"):
-            self.assertEqual(world.ctl("received", port, "3")[0], 0)
+            world.ctl("received", port, "3")
         for name in ("Sensor0", "Hokuyo_AIST0"):
             self.assertEqual(str(world.context(name).deactivate_component(world.component(name))), "RTC_OK")
         self.assertTrue(self.world("all").ready.startswith("ready "))
@@ -145,12 +147,12 @@ class Worlds(unittest.TestCase):
         component._non_existent()
         component._is_a("IDL:x:1.0")
         component.get_component_profile()
-        calls = world.ctl("calls")[1].split()
+        calls = world.ctl("calls").split()
         self.assertEqual(calls, ["1", "_is_a", "1", "_non_existent", "1", "get_component_profile"])
-        self.assertEqual(world.ctl("calls", "ConsoleOut0"), (0, ""))
-        self.assertEqual(world.ctl("highwater"), (0, "1\n"))
+        self.assertEqual(world.ctl("calls", "ConsoleOut0"), "")
+        self.assertEqual(world.ctl("highwater"), "1\n")
         world.ctl("reset")
-        self.assertEqual(world.ctl("calls"), (0, ""))
+        self.assertEqual(world.ctl("calls"), "")
 
     def test_faults(self):
         world = self.world("two")
@@ -172,9 +174,9 @@ class Worlds(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertGreaterEqual(time.monotonic() - start, 0.3)
-        self.assertEqual(world.ctl("highwater"), (0, "3\n"))
-        self.assertEqual(world.ctl("nonsense")[0], 1)
-        self.assertEqual(world.ctl("fail", "get_ports", "1", "NOSUCH")[0], 1)
+        self.assertEqual(world.ctl("highwater"), "3\n")
+        self.assertRaises(processes.Failed, world.ctl, "nonsense")
+        self.assertRaises(processes.Failed, world.ctl, "fail", "get_ports", "1", "NOSUCH")
 
     def test_keys(self):
         """A component of 2.x answers under a key, but its contexts do not know that reference."""
@@ -220,14 +222,20 @@ class Worlds(unittest.TestCase):
 
     def test_end(self):
         """Names go with an orderly end, by end of input, by SIGTERM and by ctl."""
-        for end in (lambda w: w.process.stdin.close(), lambda w: w.process.send_signal(signal.SIGTERM),
-                    lambda w: w.ctl("exit")):
-            world = worlds.World("two")
+        for end in (lambda world: world.process.send_signal(signal.SIGTERM), lambda world: world.ctl("exit")):
+            world = self.world("two")
             world.component("ConsoleIn0")
             end(world)
             self.assertEqual(world.process.wait(worlds.LIMIT), 0)
-            world.close()
             self.assertEqual(raised(world.resolve, "ConsoleIn0.rtc"), "NotFound")
+
+    def test_end_of_input(self):
+        """A world ends with whoever has started it."""
+        words = ["two", "--nameserver", "127.0.0.1:%d" % worlds.Server.port]
+        done = subprocess.run([sys.executable, "-m", "mock_components"] + words, input=b"", env=worlds.ENVIRONMENT,
+                              stdout=subprocess.PIPE, timeout=worlds.LIMIT)
+        self.assertEqual(done.stdout, b"ready 2\n")
+        self.assertEqual(done.returncode, 0)
 
     def test_many_start_quickly(self):
         world = self.world("many", "200")

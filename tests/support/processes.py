@@ -1,4 +1,4 @@
-"""The processes that a session talks to: name servers, worlds of mock components, peers that misbehave.
+"""The processes that tests talk to: name servers, worlds of mock components, peers that misbehave. All are started here.
 
 They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they say) and NAME.control.
 """
@@ -13,14 +13,21 @@ from tools import Failed, control, session_file
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(ROOT)  # behind what is installed
-from mock_components import nameserver  # noqa: E402
+from mock_components import asking, nameserver  # noqa: E402
 START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
 
 
 # ---- starting ----
 
+def open_session(top):
+    """Have all that is started from now on keep its files in the directory `top`, and end when this process does."""
+    os.environ["SESSION"] = top
+    os.mkfifo(session_file("alive"))  # what every peer has as stdin
+    os.open(session_file("alive"), os.O_RDWR)  # never closed
+
+
 def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
-    """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`.
+    """Start an omniNames of its own data directory; returns its process and its port as text, one that sorts behind `above`.
 
     `published` is the port that its references tell, where that is another one; `options` are further words of omniNames.
     """
@@ -34,7 +41,7 @@ def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
         with open(session_file(name + ".command"), "w") as file:
             json.dump(nameserver.command(port, data) + more, file)
         if wait_until(lambda: nameserver.answers(port), server):
-            return str(port)
+            return server, str(port)
     raise Failed("omniNames does not start: " + said(name))
 
 
@@ -52,7 +59,7 @@ def start_faulty(words):
 
 
 def start(name, command):
-    """Start a process that ends when this session does; its words go to a file, its number to another."""
+    """Start a process that ends when this one does; its words go to a file, its number to another."""
     environment = dict(os.environ, PYTHONPATH=mocks_alone(), PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1")
     with open(session_file("alive")) as alive, open(session_file(name + ".out"), "wb") as out:
         process = subprocess.Popen(command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""), env=environment)
@@ -62,9 +69,9 @@ def start(name, command):
 
 
 def start_again(name):
-    """Start a name server that was killed, at its old port, with its old names."""
+    """Start a name server that was killed, at its old port, with its old names; returns its process."""
     with open(session_file(name + ".command")) as file:
-        start(name, json.load(file))
+        return start(name, json.load(file))
 
 
 def wait_until(condition, process):
@@ -89,6 +96,14 @@ def ready(process, name):
     return found.group()
 
 
+def ctl(name, *words):
+    """Ask a world, by the commands of mock_components/asking.py; returns its answer. Raises Failed."""
+    done, text = asking.request(control(name), words)
+    if not done:
+        raise Failed("%s: %s: %s" % (name, " ".join(words), text.strip()))
+    return text
+
+
 def said(name):
     with open(session_file(name + ".out"), encoding="utf-8", errors="replace") as file:
         return file.read()
@@ -97,7 +112,7 @@ def said(name):
 def mocks_alone():
     """Where to import mock_components from, without importing rtshell_lite from there if it is installed."""
     apart = session_file("python")
-    return apart if os.path.isdir(apart) else ROOT
+    return apart if os.path.isdir(apart) else os.environ.get("PYTHONPATH") or ROOT
 
 
 def unused_name(name):

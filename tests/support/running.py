@@ -18,7 +18,6 @@ import zlib
 
 import mounts
 import processes
-import session
 import tools
 import worlds
 
@@ -145,14 +144,13 @@ class Surroundings:
 
     def __init__(self):
         self.top = tempfile.mkdtemp(prefix="rt-faults-")
-        os.environ["SESSION"] = self.top
-        session.keep_alive()
+        processes.open_session(self.top)
         self.processes, self.worlds = [], {}
         self.lock = threading.Lock()
 
     def name_server(self, name="names", published=None, options=()):
         """Start a name server; returns its address. `published`: the port in its references, if it is another one."""
-        return "/127.0.0.1:" + processes.start_name_server(name, published=published, options=options)
+        return "/127.0.0.1:" + processes.start_name_server(name, published=published, options=options)[1]
 
     def world(self, server, *words):
         """Start a world on a name server; its name, for `ctl`."""
@@ -165,10 +163,7 @@ class Surroundings:
 
     def ctl(self, name, *words):
         """Ask a world; its answer in lines."""
-        from mock_components import asking
-        done, text = asking.request(tools.control(name), words)
-        assert done, text
-        return text.splitlines()
+        return processes.ctl(name, *words).splitlines()
 
     def faulty(self, *modes):
         """Start faulty peers; their ports by name."""

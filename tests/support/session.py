@@ -45,14 +45,13 @@ def run(request):
         return {"skip": "omniORBpy is not installed in %s" % sys.prefix}
     if ("needs", "fuse") in asked and mounts.refused():
         return {"skip": "nothing can be mounted here: " + mounts.refused()}
-    os.environ["SESSION"] = top  # where the functions below keep their files
-    keep_alive()
+    processes.open_session(top)
     environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
     environment["MOCKS"] = os.path.join(processes.ROOT, "mock_components")  # which has IDL files
     environment["MOCK_PYTHON"] = sys.executable  # which has omniORBpy
     substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (re.escape(environment["MOCKS"]), "$MOCKS"), (UUID, "$UUID")]
     try:
-        environment["PORT"] = str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")
+        environment["PORT"] = str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")[1]
         start_peers(asked, environment)
     except tools.Failed as e:
         return {"results": [], "substitutions": substitutions, "problem": str(e)}
@@ -63,12 +62,6 @@ def run(request):
             substitutions.append((r"(?<![0-9])%s(?![0-9])" % environment[name], "$" + name))
     results, problem = play(request, environment, home)
     return {"results": results, "substitutions": substitutions, "problem": problem}
-
-
-def keep_alive():
-    """Make the pipe that every peer has as stdin: it ends when this process does."""
-    os.mkfifo(tools.session_file("alive"))
-    os.open(tools.session_file("alive"), os.O_RDWR)  # never closed
 
 
 def surroundings(top, home, commands, orb):
@@ -133,7 +126,7 @@ def start_peers(asked, environment):
         if kind == "server":
             name = unused(environment, "PORT")
             last = max(environment[each] for each in environment if re.match(r"PORT\d*$", each))
-            environment[name] = processes.start_name_server(name.replace("PORT", "names"), above=last)
+            environment[name] = processes.start_name_server(name.replace("PORT", "names"), above=last)[1]
         elif kind == "world":
             process, name = processes.start_world(words.split(), environment["PORT"])
             environment[unused(environment, "MOCK_CONTROL")] = tools.control(name)

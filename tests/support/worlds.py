@@ -1,13 +1,13 @@
 """Worlds of mock components for unittest modules, and short ways to call what is in them."""
+import glob
 import os
 import shutil
-import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
 import processes
+import tools
 
 try:
     import omniORB
@@ -35,12 +35,15 @@ def eventually(condition, what):
 
 class Server:
     """omniNames for the whole module, and this process's ORB."""
+    NAME = "names"
 
     @classmethod
     def start(cls):
         cls.directory = tempfile.mkdtemp()
+        processes.open_session(cls.directory)
         cls.orb = CORBA.ORB_init(["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
-        cls.process, cls.port = processes.nameserver.start(cls.directory)
+        cls.process, port = processes.start_name_server(cls.NAME)
+        cls.port = int(port)
         cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
         cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
 
@@ -49,6 +52,14 @@ class Server:
         cls.process.kill()
         cls.process.wait()
         shutil.rmtree(cls.directory, ignore_errors=True)
+
+    @classmethod
+    def start_again(cls):
+        """Start it again after it was killed, without the names that it had."""
+        for file in glob.glob(os.path.join(cls.directory, cls.NAME + "-*", "*")):
+            os.remove(file)
+        cls.process = processes.start_again(cls.NAME)
+        eventually(lambda: processes.nameserver.answers(cls.port), "the name server")
 
 
 def start_name_server():
@@ -62,21 +73,13 @@ class World:
     """A world in a process of its own, and the objects bound by it."""
 
     def __init__(self, *words):
-        self.control = os.path.join(Server.directory, "control%d" % processes.nameserver.free_port())
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "mock_components"] + list(words) +
-            ["--nameserver", "127.0.0.1:%d" % Server.port, "--control", self.control],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=ENVIRONMENT)
-        self.ready = self.process.stdout.readline().decode()
-        if not self.ready.startswith("ready"):
-            self.close()
-            raise AssertionError("the world did not start: " + " ".join(words))
+        self.process, self.name = processes.start_world(list(words), str(Server.port))
+        self.control = tools.control(self.name)
+        self.ready = processes.ready(self.process, self.name)
 
     def close(self):
         self.process.kill()
         self.process.wait()
-        self.process.stdin.close()
-        self.process.stdout.close()
 
     def resolve(self, *names):
         parts = [CosNaming.NameComponent("test", "host_cxt")]
@@ -97,12 +100,11 @@ class World:
         return self.component(component).get_owned_contexts()[0]
 
     def ctl(self, *words):
-        done = subprocess.run([sys.executable, "-m", "mock_components", "ctl", self.control] + list(words), env=ENVIRONMENT,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        return done.returncode, done.stdout.decode()
+        """Ask the world; returns its answer. Raises processes.Failed."""
+        return processes.ctl(self.name, *words)
 
     def count(self, operation):
-        lines = [line.split() for line in self.ctl("calls")[1].splitlines()]
+        lines = [line.split() for line in self.ctl("calls").splitlines()]
         return {name: int(count) for count, name in lines}.get(operation, 0)
 
 

@@ -93,7 +93,7 @@ class Operations(unittest.TestCase):
                               (":svc turn back=true j", ["joints="]), (":svc none ", []), (" get_sdo_i", ["get_sdo_id"])):
             with self.subTest(words):
                 self.assertEqual([answer.strip() for answer in self.offered(words)], wanted)
-        _, calls = self.world.ctl("calls", "Robot0")
+        calls = self.world.ctl("calls", "Robot0")
         self.assertEqual({line.split()[1] for line in calls.splitlines()}, {"connect", "disconnect", "get_ports", "get_port_profile"})
 
 

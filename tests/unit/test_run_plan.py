@@ -6,7 +6,6 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 
 import worlds  # noqa: E402
-from mock_components import asking  # noqa: E402
 from rtshell_lite import errors  # noqa: E402
 from rtshell_lite.corba import session  # noqa: E402
 from rtshell_lite.net import loop  # noqa: E402
@@ -59,9 +58,7 @@ class Sweep(unittest.TestCase):
         cls.world.close()
 
     def ctl(self, *words):
-        done, text = asking.request(self.world.control, words)
-        self.assertTrue(done, text)
-        return text.strip()
+        return self.world.ctl(*words).strip()
 
     def states(self):
         return {name: self.ctl("state", name) for name in NAMES}
