@@ -384,6 +384,48 @@ def limits(parser, what):
     )
 
 
+FLUENTD = 24224  # the TCP port of fluentd
+
+
+def listen(parser):
+    """--listen [PORT] and --from: args.listen is None or a TCP port, args.senders a list of addresses."""
+    parser.add_argument(
+        "--listen",
+        nargs="?",
+        type=port,
+        const=FLUENTD,
+        metavar="PORT",
+        help=f"receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: {FLUENTD}; 0: any)",
+    )
+    parser.add_argument(
+        "--from",
+        dest="senders",
+        action="append",
+        default=[],
+        type=_address,
+        metavar="ADDRESS",
+        help="with --listen: only from this IP address; may be repeated (default: from anybody)",
+    )
+
+
+def port(value):
+    """An option type: a TCP port, 0 for any."""
+    if not re.match(r"[0-9]{1,5}\Z", value) or int(value) > 65535:
+        raise argparse.ArgumentTypeError(f"not a TCP port: {text.printable(value)}")
+    return int(value)
+
+
+def _address(value):
+    import socket
+
+    for family in socket.AF_INET, socket.AF_INET6:
+        try:
+            return socket.inet_ntop(family, socket.inet_pton(family, value.strip("[]")))
+        except (OSError, ValueError):
+            pass
+    raise argparse.ArgumentTypeError(f"not an IP address: {text.printable(value)}")
+
+
 def count(value):
     """An option type: a whole number above 0."""
     if not re.match(r"[0-9]{1,9}\Z", value) or not int(value):

@@ -32,6 +32,7 @@ Event = collections.namedtuple("Event", "time kind subject event")
 Record = collections.namedtuple("Record", "time logger level message")
 
 LEVELS = ("SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID")  # by number
+ALL_LEVELS = LEVELS[:1] + ("FATAL",) + LEVELS[1:]  # those that people may name, too
 # Kinds of events: their names in rtwatch, and the kinds of status in components.
 KINDS = collections.OrderedDict(
     [

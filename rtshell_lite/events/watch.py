@@ -63,6 +63,13 @@ class Records:
         self.level = level
         self.names = names
 
+    def wants(self, record):
+        """Whether a Record of a component that was not asked for these is one of them."""
+        if self.names and record.logger not in self.names:
+            return False
+        known = list(observer.ALL_LEVELS)
+        return record.level not in known or known.index(record.level) <= known.index(self.level)
+
     async def subscription(self, node, heard):
         """The logger to attach to a component. Raises Refused for one that takes none."""
         properties = await observer.properties(node)
@@ -245,6 +252,7 @@ class Watch:
         self.what = what
         self._note = note
         self.watched = []
+        self._doors = []
         self.subscriptions = []
         self.dropped = 0
         # what waits to be printed, and how many characters that has
@@ -284,6 +292,15 @@ class Watch:
             self._group.start(watched.follow(), watched.node.endpoint)
         return results
 
+    def listen(self, door):
+        """Take what comes at a forward.Door, too, until the end."""
+        self._doors.append(door)
+        self._group.start(door.serve(self._put_wanted))
+
+    def _put_wanted(self, source, record):
+        if self.what.wants(record):
+            self.put(source, record)
+
     def put(self, watched, item):
         """Add an Event or a Record: what nobody reads is dropped and counted."""
         if isinstance(item, Event) and item.kind not in self.what.kinds and not self._unknown(item):
@@ -320,7 +337,7 @@ class Watch:
         """
         end = time.monotonic() + seconds
         left = number
-        while left and self.watched and time.monotonic() < end:
+        while left and (self.watched or self._doors) and time.monotonic() < end:
             batch = self._take(min(left, BATCH) if left > 0 else BATCH)
             if batch:
                 left -= len(batch)
@@ -329,9 +346,9 @@ class Watch:
                 await self._bell.wait(end - time.monotonic())
         if self.dropped:
             self._note(f"{self.dropped} lines dropped: they came faster than they could be printed")
-        if left > 0 and self.watched:
+        if left > 0 and (self.watched or self._doors):
             raise errors.Failed(
-                ", ".join(watched.where for watched in self.watched),
+                ", ".join([watched.where for watched in self.watched] + ["--listen"] * len(self._doors)),
                 f"{number - left} of {number} within {seconds:g}s",
             )
 

@@ -32,10 +32,11 @@ _RECORDS = schemas.of_json(
 class Journal:
     """Events and logs of the components of a datalog.flight.Flight. `listener`, if any, is called with each event's fields."""
 
-    def __init__(self, tops, listener=None):
-        """`tops`: the Paths below which the system is that is described."""
+    def __init__(self, tops, listener=None, door=None):
+        """`tops`: the Paths below which the system is that is described. `door`: a forward.Door for more logs, or None."""
         self._tops = tops
         self._listener = listener
+        self._door = door
         self._changed = 0.0  # when something changed that the profile shows; 0: nothing
         self._looked = 0.0
         self._number = 0
@@ -52,6 +53,8 @@ class Journal:
         kinds = set(watch.KINDS) - {"HEARTBEAT"}
         async with watch.Watch(watch.Events(kinds, _FEW), self._note) as events:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
+                if self._door is not None:
+                    logs.listen(self._door)
                 while True:
                     new = [path for text, path in flight.components.items() if text not in known]
                     known |= {str(path) for path in new}

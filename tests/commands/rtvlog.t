@@ -84,7 +84,7 @@ One that ends is reported on stderr:
 Wrong usage:
 
   $ rtvlog
-  rtvlog: the following arguments are required: PATH (see --help)
+  rtvlog: nothing to show: no component specified; --listen receives what is sent (see --help)
   [2]
   $ rtvlog -l LOUD Motor0.rtc
   rtvlog: argument -l/--level: not one of SILENT, FATAL, ERROR, WARN, INFO, NORMAL, DEBUG, TRACE, VERBOSE, PARANOID: LOUD (see --help)

@@ -47,6 +47,13 @@ def play_calls(words):
     return play_ctl(world + ["calls"] + words[len(world):])
 
 
+def play_fluent(words):
+    """fluent PORT MODE (LEVEL NAME MESSAGE)...: send records as OpenRTM 2 does through Fluent Bit."""
+    import fluent
+    records = [fluent.record(*words[at:at + 3]) for at in range(2, len(words), 3)]
+    fluent.send(int(words[0]), fluent.message(words[1], [[1795247382.25, each] for each in records]))
+
+
 def play_kill_mock(words):
     """kill-mock WORLD: kill -9, so that its names stay bound."""
     tell(words, signal.SIGKILL, "gone")

@@ -18,7 +18,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.giop import allowance, idl, messages, operations, references, requests
-from rtshell_lite.net import loop
+from rtshell_lite.net import listening, loop
 
 MOST = 500  # connections
 MOST_OF_ADDRESS = 200  # of them that have called no servant yet
@@ -180,7 +180,9 @@ class Server:
         self.callers = set()
         self.second = time.monotonic()  # since when new connections are counted
         self.new = 0  # how many
-        self.listening = _listening(host, port)
+        self.listening = listening.socket_at(host, port)
+        if self.listening is None:
+            raise errors.Usage(errors.BAD_ENDPOINT)
         self.port = self.listening.getsockname()[1]
         self._listen()
         of.call_later(SWEEP, self.sweep)
@@ -402,26 +404,3 @@ def _result(servant, interface, operation, arguments):
     if operation == "_non_existent":
         return False
     return getattr(servant, operation)(*arguments)
-
-
-def _listening(host, port):
-    """A socket that listens at an address, "" for all of this host, 0 for any port. Raises Usage."""
-    for family in (socket.AF_INET, socket.AF_INET6) if host else (socket.AF_INET6, socket.AF_INET):
-        try:
-            place = socket.getaddrinfo(host or None, 0, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][
-                4
-            ]
-            made = socket.socket(family, socket.SOCK_STREAM)
-        except (OSError, UnicodeError):
-            continue
-        try:
-            if family == socket.AF_INET6:
-                made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, bool(host))
-            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            made.bind(place[:1] + (port,) + place[2:])
-            made.listen(128)
-            made.setblocking(False)
-            return made
-        except (OSError, OverflowError):
-            made.close()
-    raise errors.Usage(errors.BAD_ENDPOINT)

@@ -1,0 +1,286 @@
+"""Receiving logs as fluentd does: OpenRTM-aist 2 sends its log through Fluent Bit, whose output `forward` connects to a TCP port.
+
+In rtc.conf, where its logger FluentBit is loaded (HOST is the host of this program):
+
+    logger.logstream.fluentd.output.plugin: forward
+    logger.logstream.fluentd.output.conf.host: HOST
+    logger.logstream.fluentd.output.conf.port: 24224
+
+A message is an array: [tag, time, record], [tag, [[time, record], …]], or [tag, octets] with such pairs one after the other,
+perhaps compressed by gzip; after these, perhaps, a map of options. `chunk` in it asks for an answer.
+"""
+
+import collections
+import select
+import socket
+import struct
+import time
+
+from rtshell_lite import errors, notes
+from rtshell_lite.events import msgpack
+from rtshell_lite.events.observer import Record
+from rtshell_lite.net import listening, loop
+
+MOST_SENDERS = 64  # connections; one more takes the place of the one that has been silent longest
+LARGEST = 8 << 20  # octets of a message
+MOST_OCTETS = 64 << 20  # of all messages that have not all come
+UNPACKED = 32 << 20  # octets of a message that was compressed
+UNFINISHED = 30.0  # seconds that a message may take to come
+PIECE = 1 << 16
+LONGEST = 4096  # characters of a name
+MOST_BOOKED = 1000  # records that are taken before other tasks go on
+
+# Who has written a record, as far as it says: `name` is shown in lines, `where` is its path.
+Source = collections.namedtuple("Source", "where name")
+
+
+# ---- messages ----------------------------------------------------------------------------------------------
+
+
+def pairs(data):
+    """The tag of a message, octets that begin with it, and (time, record) one after the other; the last item is the map of
+    options. Raises Malformed, struct.error, IndexError.
+    """
+    kind, count, at = msgpack.head(data, 0)
+    if kind != msgpack.ARRAY or not 2 <= count <= 4:
+        raise msgpack.Malformed("not an event")
+    tag, at = msgpack.value(data, at)
+    kind, number, inner = msgpack.head(data, at)
+    if kind == msgpack.ARRAY and count < 4:
+        options = _options(data, _skipped(data, at), count > 2)
+        return tag, _listed(data, inner, number), options
+    body, at = msgpack.value(data, at)
+    if isinstance(body, (bytes, str)):
+        options = _options(data, at, count > 2)
+        if isinstance(body, str):
+            body = body.encode("utf-8", "surrogateescape")
+        return tag, _packed(body, options), options
+    record, at = msgpack.value(data, at)
+    return tag, iter([(body, record)]), _options(data, at, count > 3)
+
+
+def _skipped(data, at):
+    """Where the value after the one at `at` begins."""
+    end = msgpack.Scan().end(memoryview(data)[at:])
+    if end is None:
+        raise IndexError(at)
+    return at + end
+
+
+def _options(data, at, has_any):
+    if not has_any:
+        return {}
+    options, _ = msgpack.value(data, at)
+    return options if isinstance(options, dict) else {}
+
+
+def _listed(data, at, number):
+    for _ in range(number):
+        pair, at = msgpack.value(data, at)
+        yield _checked(pair)
+
+
+def _packed(body, options):
+    if options.get("compressed") == "gzip":
+        body = _unpacked(body)
+    at = 0
+    while at < len(body):
+        pair, at = msgpack.value(body, at)
+        yield _checked(pair)
+
+
+def _unpacked(body):
+    import zlib
+
+    stream = zlib.decompressobj(31)
+    try:
+        found = stream.decompress(body, UNPACKED)
+    except zlib.error as e:
+        raise msgpack.Malformed(str(e))
+    if not stream.eof:
+        raise msgpack.Malformed("torn, or unpacks to more than %d MB" % (UNPACKED >> 20))
+    return found
+
+
+def _checked(pair):
+    if not isinstance(pair, list) or len(pair) != 2:
+        raise msgpack.Malformed("not [time, record]")
+    return pair
+
+
+def record_of(tag, when, fields, address):
+    """(Source, Record) of a pair. OpenRTM's fields are name, level, host, manager, pid, time and message; those of others are
+    shown as they are.
+    """
+    if isinstance(when, list) and when:  # [time, metadata]
+        when = when[0]
+    if not isinstance(when, (int, float)) or not abs(when) < 1e12:  # not a number is neither
+        when = time.time()
+    if not isinstance(fields, dict):
+        fields = {"message": fields}
+    known = {key: _text(each) for key, each in fields.items() if isinstance(key, str)}
+    host = known.get("host") or address
+    manager = known.get("manager")
+    where = f"{host}/{manager}" if manager else host
+    message = known.get("message", known.get("log"))
+    if message is None:
+        message = " ".join("%s=%s" % item for item in known.items())
+    level = known.get("level", "").strip().upper() or "NORMAL"
+    name = known.get("name") or _text(tag)
+    return Source(where, where), Record(when, name[:LONGEST], level[:LONGEST], message)
+
+
+def _text(found):
+    if isinstance(found, bytes):
+        found = found.decode("utf-8", "surrogateescape")
+    return str(found)
+
+
+# ---- connections -------------------------------------------------------------------------------------------
+
+
+class _Sender:
+    """One connection: what has come of its next message."""
+
+    def __init__(self, connection, address):
+        self.connection = connection
+        self.address = address
+        self.data = bytearray()
+        self.scan = msgpack.Scan()
+        self.heard = time.monotonic()
+        self.begun = None  # when the message that has not all come began
+        self.is_closed = False
+
+    def close(self):
+        """End the connection; the task that reads it ends, too."""
+        self.is_closed = True
+        try:
+            self.connection.shutdown(socket.SHUT_RDWR)
+        except OSError:
+            pass
+
+
+class Door:
+    """Receives logs at a TCP port: `await door.serve(take)`, where take(Source, Record) gets each record.
+
+    port      0: any; then `port` is the one taken
+    allowed   addresses of those who may send; empty: anybody
+    Raises Failed where it cannot listen. `close` it in the end.
+    """
+
+    def __init__(self, port, allowed=()):
+        self._allowed = set(allowed)
+        self._socket = listening.socket_at("", port)
+        if self._socket is None:
+            raise errors.Failed("--listen", f"TCP port {port} is in use, or needs a privilege")
+        self.port = self._socket.getsockname()[1]
+        notes.note("receiving logs at TCP port %d" % self.port)
+        self._senders = set()
+        self._refused = set()  # whose refusal has been reported
+
+    def close(self):
+        """Receive no more."""
+        self._socket.close()
+
+    async def serve(self, take):
+        """Receive until the task is cancelled."""
+        group = loop.Group()
+        group.start(self._sweep())
+        try:
+            async with group:
+                while True:
+                    await loop.ready(self._socket.fileno(), select.POLLIN)
+                    self._accept(group, take)
+        finally:
+            self.close()
+
+    def _accept(self, group, take):
+        try:
+            connection, (address, *_) = self._socket.accept()
+        except OSError:
+            return
+        address = address.replace("::ffff:", "", 1)
+        if self._allowed and address not in self._allowed:
+            connection.close()
+            self._report(address, "may not send (--from)")
+            return
+        if len(self._senders) >= MOST_SENDERS:
+            self._turn_away(self._senders)
+        connection.setblocking(False)
+        sender = _Sender(connection, address)
+        self._senders.add(sender)
+        group.start(self._receive(sender, take))
+
+    def _turn_away(self, senders):
+        longest = min(senders, key=lambda sender: sender.heard)
+        self._report(longest.address, "turned away: more connections or octets than there is room for")
+        self._senders.discard(longest)
+        longest.close()
+
+    def _report(self, address, why):
+        if (address, why) not in self._refused and len(self._refused) < MOST_SENDERS:
+            self._refused.add((address, why))
+            notes.note(f"{address}: {why}")
+
+    async def _receive(self, sender, take):
+        with sender.connection:
+            try:
+                await self._read(sender, take)
+            except (msgpack.Malformed, struct.error, IndexError, UnicodeError) as e:
+                self._report(sender.address, f"does not send logs as fluentd takes them ({e})")
+            except (OSError, EOFError):
+                pass
+        self._senders.discard(sender)
+
+    async def _read(self, sender, take):
+        while not sender.is_closed:
+            await loop.ready(sender.connection.fileno(), select.POLLIN)
+            try:
+                piece = sender.connection.recv(PIECE)
+            except BlockingIOError:
+                continue
+            if not piece:
+                return
+            sender.heard = time.monotonic()
+            if sender.begun is None:
+                sender.begun = sender.heard
+            sender.data += piece
+            await self._take_messages(sender, take)
+            if len(sender.data) > LARGEST:
+                raise msgpack.Malformed("a message of more than %d MB" % (LARGEST >> 20))
+            if sum(len(each.data) for each in self._senders) > MOST_OCTETS:
+                self._turn_away([each for each in self._senders if each.data])
+
+    async def _take_messages(self, sender, take):
+        """Take the messages that have all come."""
+        end = sender.scan.end(sender.data)
+        while end is not None:
+            message = bytes(sender.data[:end])
+            del sender.data[:end]
+            sender.scan = msgpack.Scan()
+            sender.begun = sender.heard if sender.data else None
+            tag, found, options = pairs(message)
+            for number, (when, fields) in enumerate(found, 1):
+                take(*record_of(tag, when, fields, sender.address))
+                if number % MOST_BOOKED == 0:
+                    await loop.sleep(0)
+            _answer(sender.connection, options.get("chunk"))
+            end = sender.scan.end(sender.data)
+
+    async def _sweep(self):
+        """Close the connections whose message does not come to its end."""
+        while True:
+            await loop.sleep(UNFINISHED / 10)
+            now = time.monotonic()
+            for sender in list(self._senders):
+                if sender.begun is not None and now - sender.begun > UNFINISHED:
+                    self._report(sender.address, "turned away: its message does not come to an end")
+                    sender.close()
+
+
+def _answer(connection, chunk):
+    """Tell a sender that asks for it that a message has come; one that does not read that is not waited for."""
+    if isinstance(chunk, str):
+        chunk = chunk.encode("utf-8", "surrogateescape")
+    if isinstance(chunk, bytes) and len(chunk) < 256:
+        connection.send(b"\x81" + msgpack.text(b"ack") + msgpack.text(chunk))

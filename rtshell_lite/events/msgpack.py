@@ -1,0 +1,151 @@
+"""What logs are sent in: the part of MessagePack that senders of logs use, read within limits.
+
+    end = Scan(limit).end(data)      where the first value in `data` ends; None while it has not all come
+    found, at = value(data, 0)       the value, and where the next one begins
+
+Texts are str, octets bytes, and a time of fluentd (extension 0) is a float; other extensions are None. Malformed is raised for
+what is none of this, and for values inside more than DEEPEST values.
+"""
+
+import struct
+
+DEEPEST = 16  # values inside one another
+MOST = 1000000  # values in a value
+
+# By the first octet: the form of the number after it. The number is the value, the length, or the count.
+_NUMBERS = {
+    0xCA: ">f",
+    0xCB: ">d",
+    0xCC: ">B",
+    0xCD: ">H",
+    0xCE: ">L",
+    0xCF: ">Q",
+    0xD0: ">b",
+    0xD1: ">h",
+    0xD2: ">l",
+    0xD3: ">q",
+}
+_OCTETS = {0xC4: ">B", 0xC5: ">H", 0xC6: ">L"}
+_TEXTS = {0xD9: ">B", 0xDA: ">H", 0xDB: ">L"}
+_EXTENSIONS = {0xC7: ">B", 0xC8: ">H", 0xC9: ">L"}
+_FIXED_EXTENSIONS = {0xD4: 1, 0xD5: 2, 0xD6: 4, 0xD7: 8, 0xD8: 16}
+_ARRAYS = {0xDC: ">H", 0xDD: ">L"}
+_MAPS = {0xDE: ">H", 0xDF: ">L"}
+_CONSTANTS = {0xC0: None, 0xC2: False, 0xC3: True}
+
+NUMBER, OCTETS, TEXT, EXTENSION, ARRAY, MAP, CONSTANT = range(7)
+
+
+class Malformed(Exception):
+    """Octets that are not MessagePack, or too much of it."""
+
+
+def _read(form, data, at):
+    (number,) = struct.unpack_from(form, data, at)
+    return number, at + struct.calcsize(form)
+
+
+def head(data, at):
+    """(kind, number, where what comes after begins) of the value at `at`: the number is the value itself, or how many octets
+    or values it has. Raises struct.error or IndexError where the head has not all come, Malformed.
+    """
+    first = data[at]
+    at += 1
+    if first < 0x80 or first >= 0xE0:
+        return NUMBER, first if first < 0x80 else first - 0x100, at
+    if first < 0x90:
+        return MAP, first & 0x0F, at
+    if first < 0xA0:
+        return ARRAY, first & 0x0F, at
+    if first < 0xC0:
+        return TEXT, first & 0x1F, at
+    if first in _CONSTANTS:
+        return CONSTANT, _CONSTANTS[first], at
+    if first in _FIXED_EXTENSIONS:
+        return EXTENSION, _FIXED_EXTENSIONS[first], at
+    for kind, forms in (
+        (NUMBER, _NUMBERS),
+        (TEXT, _TEXTS),
+        (OCTETS, _OCTETS),
+        (ARRAY, _ARRAYS),
+        (MAP, _MAPS),
+        (EXTENSION, _EXTENSIONS),
+    ):
+        if first in forms:
+            number, at = _read(forms[first], data, at)
+            return kind, number, at
+    raise Malformed("octet 0x%02x" % first)
+
+
+class Scan:
+    """Finds the end of the value with which `data` begins, without looking at any octet of it twice, however it comes."""
+
+    def __init__(self):
+        self._at = 0
+        self._wanted = 1  # values that are to come
+        self._seen = 0
+
+    def end(self, data):
+        """Where the value ends; None while it has not all come. Raises Malformed."""
+        while self._wanted:
+            try:
+                kind, number, at = head(data, self._at)
+            except (struct.error, IndexError):
+                return None
+            if kind in (TEXT, OCTETS):
+                at += number
+            elif kind == EXTENSION:
+                at += 1 + number
+            if at > len(data):
+                return None
+            self._at = at
+            self._wanted -= 1
+            self._seen += 1
+            if kind in (ARRAY, MAP):
+                self._wanted += number * (2 if kind == MAP else 1)
+            if self._seen + self._wanted > MOST:
+                raise Malformed("more than %d values" % MOST)
+        return self._at
+
+
+def value(data, at, depth=0):
+    """(the value at `at`, where the next one begins). Raises Malformed, and struct.error or IndexError where `data` ends in it."""
+    if depth > DEEPEST:
+        raise Malformed("more than %d values inside one another" % DEEPEST)
+    kind, number, at = head(data, at)
+    if kind in (NUMBER, CONSTANT):
+        return number, at
+    if kind == ARRAY:
+        values = []
+        for _ in range(number):
+            each, at = value(data, at, depth + 1)
+            values.append(each)
+        return values, at
+    if kind == MAP:
+        fields = {}
+        for _ in range(number):
+            key, at = value(data, at, depth + 1)
+            each, at = value(data, at, depth + 1)
+            if isinstance(key, (str, bytes, int, float)):
+                fields[key] = each
+        return fields, at
+    if kind == EXTENSION:
+        return _extension(data, at, number), at + 1 + number
+    octets = bytes(data[at : at + number])
+    if len(octets) < number:
+        raise IndexError(at)
+    if kind == TEXT:
+        return octets.decode("utf-8", "surrogateescape"), at + number
+    return octets, at + number
+
+
+def _extension(data, at, number):
+    if number != 8 or data[at] != 0:
+        return None
+    seconds, nanoseconds = struct.unpack_from(">LL", data, at + 1)
+    return seconds + nanoseconds / 1e9
+
+
+def text(octets):
+    """A short text as MessagePack; `octets` are at most 255."""
+    return b"\xd9" + struct.pack(">B", len(octets)) + octets
