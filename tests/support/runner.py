@@ -47,7 +47,7 @@ TURNS, SHARE = ["3.7", "3.13"], 5  # our own ORB on a Python that has omniORBpy:
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
-DIRECTORIES = ("unit", "mocks", "commands", "faults")  # with what is run always
+DIRECTORIES = ("unit", "mocks", "commands", "faults", "fuzz")  # with what is run always
 PACKAGING = "commands/test_packaging"
 
 

@@ -1,6 +1,6 @@
 """Corrupted answers of a robot: recorded GIOP replies with changes, served by a socket to commands in a child process.
 
-    python3 tests/support/fuzz_replies.py     records tests/data/replies.json anew, from omniNames and mock components
+    python3 tests/fuzz/fuzz_replies.py     records tests/data/replies.json anew, from omniNames and mock components
 
 A case is JSON: the words of a command, and which replies are changed to what: [[operation, how many of its replies come
 before, the message in hex], ...]. All objects live behind one port, whatever the references said when they were recorded.

@@ -1,10 +1,10 @@
 """Spoilt input of every kind: it is read, or refused with a declared error, soon and in little memory; and what is read comes
 back the same after it was written.
 
-    python3 tests/support/fuzz.py [--seconds N | --cases N] [--seed N] [TARGET ...]
+    python3 tests/fuzz/fuzz.py [--seconds N | --cases N] [--seed N] [TARGET ...]
 
 A case is a file of bytes, made from the seed and its number. One that fails is written to tests/data/fuzz/TARGET/, where
-tests/unit/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`,
+tests/fuzz/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`,
 whole commands with either ORB; fuzz_giop.py those of single messages, the others are in fuzz_targets.py.
 """
 import argparse
@@ -22,6 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TESTS = os.path.dirname(HERE)
 ROOT = os.path.dirname(TESTS)
 DATA = os.path.join(TESTS, "data")
+sys.path.append(os.path.join(TESTS, "support"))
 sys.path.append(ROOT)  # behind what is installed
 SECONDS = 5.0  # of processor time for one case
 MEMORY = 256 << 20  # bytes on top of what the process has
