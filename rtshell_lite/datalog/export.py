@@ -1,9 +1,9 @@
-"""A log as lines: for people, as JSON, as a table."""
+"""A log as lines: for people, as JSON. (tables.py: as a table.)"""
 
 import sys
 
 from rtshell_lite import text
-from rtshell_lite.datalog import decode, tables
+from rtshell_lite.datalog import decode
 
 LONG = 8  # elements of a sequence that are shown on a terminal
 
@@ -20,14 +20,3 @@ def people(channels):
 def json(channels):
     """A function that makes a line of JSON of an entry."""
     return lambda entry: text.json_line(decode.record(channels, entry))
-
-
-def table(channels, before):
-    """(first line of a table, a function that makes a row of an entry);
-    `before`: all entries, to find the columns.
-    """
-    made = tables.Table(channels)
-    for entry in before:
-        made.row(entry)
-    channels.unreadable = 0
-    return made.head(), lambda entry: made.padded(made.row(entry))

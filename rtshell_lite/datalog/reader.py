@@ -37,7 +37,7 @@ class Log:
         self.size = size
         self._file = file
         self._damaged = {}  # by offset: messages left out
-        self.unread = collections.Counter()  # by encoding: messages of CDR that is not plain
+        self._unread = {}  # by number: the encodings of messages whose CDR is not plain
         self.closed = False
         self._parses = True  # JSON
         self.started = None
@@ -118,7 +118,7 @@ class Log:
             yield "recording has not ended regularly, or goes on"
         if self.damaged:
             yield "%d damaged records are left out" % self.damaged
-        for encoding, count in sorted(self.unread.items()):
+        for encoding, count in sorted(collections.Counter(self._unread.values()).items()):
             yield f"{count} messages are left out: their encoding {encoding} is not read"
 
     def contents(self):
@@ -446,7 +446,7 @@ class Log:
             return Entry(number, moment, ours, True, data, None)
         prefix = data[:4]
         if prefix[:2] not in (b"\0\0", b"\0\1"):
-            self.unread[prefix[:2].hex() or "none"] += 1
+            self._unread[number] = prefix[:2].hex() or "none"
             return None
         return Entry(number, moment, ours, prefix[1] == 1, data[4:], None)
 

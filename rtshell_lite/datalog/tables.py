@@ -4,10 +4,10 @@ The columns are `number`, `time`, `port`, then the fields in the order of their 
 with nine digits, or whole nanoseconds; the timestamp of a value is one column, `tm`.
 """
 
-import itertools
 import operator
 import os
 import re
+import struct
 import tempfile
 
 from rtshell_lite import files
@@ -26,11 +26,12 @@ from rtshell_lite.giop.descriptors import (
     WSTRING,
     kind,
 )
+from rtshell_lite.giop.fixed_size import Forms, fixed
 from rtshell_lite.text import printable
 
 ROWS = 1000  # that are written at a time
 SPOOL = 4 << 20  # characters of lines that wait in memory for their columns; more are in a temporary file
-PLAIN, TEXT, TIME, NAME, OCTETS, NUMBERS, OTHER, SEVERAL = range(8)
+PLAIN, TEXT, TIME, NAME, OCTETS, NUMBERS, OTHER = range(7)
 HEAD = ("number", "time", "port")
 _ODD = re.compile('[",\r\n]')
 
@@ -43,12 +44,10 @@ class Table:
         self.channels = channels
         self.columns = {name: place for place, name in enumerate(HEAD)}
         self._is_ns = is_ns
-        self._plans = (
-            {}
-        )  # by channel: its name as a cell, and [(column, function, sort)]; None where it has no such form
-        self._places = (
-            {}
-        )  # by channel and lengths of its sequences: the places of its cells, None: as they come
+        # by channel: its name as a cell; _Numbers, or None; [(column, function, sort)], None where it has no such form
+        self._plans = {}
+        # by channel and lengths of its sequences: the places of its cells; None: as they come
+        self._places = {}
 
     def head(self):
         """The line with the names of the columns."""
@@ -58,8 +57,12 @@ class Table:
         """The cells of an entry, one for each column known so far, at most."""
         if entry.channel not in self._plans:
             self._plans[entry.channel] = self._plan(entry.channel)
-        port, plan = self._plans[entry.channel]
+        port, numbers, plan = self._plans[entry.channel]
         cells = [str(entry.number), self._time(divmod(entry.received, 10**9)), port]
+        if numbers is not None and entry.data is not None:
+            found = numbers.cells(entry, self._time)
+            if found is not None:
+                return self._placed(cells, numbers.names, found, (entry.channel, ()))
         shown = decode.shown(self.channels, entry, lambda value: self._cells(value, plan))
         if shown is None:
             names, found = self._plain(entry)
@@ -75,10 +78,12 @@ class Table:
     def _plan(self, number):
         channel = self.channels.log.channels[number]
         type = self.channels.type(number)
+        numbers = None
         plan = None
         if type is not None and kind(descriptors.target(type.descriptor)) == STRUCT:
-            plan = _grouped(_parts(descriptors.target(type.descriptor), ""))
-        return cell(printable(channel.name)), plan
+            plan = _parts(descriptors.target(type.descriptor), "")
+            numbers = _numbers(type.descriptor, plan)
+        return cell(printable(channel.name)), numbers, plan
 
     def _cells(self, value, plan):
         """(lengths of sequences, cells, a function for the names of their columns) of a value."""
@@ -92,8 +97,6 @@ class Table:
             part = get(value)
             if sort == PLAIN:
                 found.append(str(part))
-            elif sort == SEVERAL:
-                found += map(str, part)
             elif sort == NUMBERS:
                 found += map(str, part)
                 sizes.append(len(part))
@@ -184,17 +187,41 @@ def _parts(descriptor, path):
     return found
 
 
-def _grouped(parts):
-    """The same, with neighbours that are numbers in one: [([columns], function that gets them all, SEVERAL)]."""
-    found = []
-    for is_plain, neighbours in itertools.groupby(parts, lambda part: part[2] == PLAIN):
-        run = list(neighbours)
-        names = [name for name, _, _ in run]
-        if is_plain and len(run) > 1:
-            found.append((names, operator.attrgetter(*names), SEVERAL))
-        else:
-            found += run
-    return found
+class _Numbers:
+    """A struct of nothing but numbers and times: its cells are made of its octets, for no value is needed in between."""
+
+    def __init__(self, codes, parts):
+        self._layouts = {True: Forms("<", codes)[0], False: Forms(">", codes)[0]}
+        self._columns = [name for name, _, _ in parts]
+        self._times = []  # where there are times, from the right: two numbers become one cell
+        at = 0
+        for _, _, sort in parts:
+            if sort == TIME:
+                self._times.insert(0, at)
+                at += 1
+            at += 1
+
+    def names(self):
+        return self._columns
+
+    def cells(self, entry, spelt):
+        """The cells of an entry; None where it ends too early. spelt((seconds, nanoseconds)): a time in words."""
+        try:
+            numbers = self._layouts[entry.little].unpack_from(entry.data)
+        except struct.error:
+            return None
+        found = list(map(str, numbers))
+        for place in self._times:
+            found[place : place + 2] = [spelt(divmod(numbers[place] * 10**9 + numbers[place + 1], 10**9))]
+        return found
+
+
+def _numbers(descriptor, parts):
+    """The _Numbers of a type with these _parts, or None."""
+    form = fixed(descriptor)
+    if form is None or any(sort not in (PLAIN, TIME) for _, _, sort in parts):
+        return None
+    return _Numbers(form.codes, parts)
 
 
 def _sort(inner):
@@ -222,8 +249,6 @@ def _names(plan, others, value):
     for column, get, sort in plan:
         if sort == NUMBERS:
             found += [f"{column}[{number}]" for number in range(len(get(value)))]
-        elif sort == SEVERAL:
-            found += column
         elif sort == OTHER:
             found += others[column]
         else:

@@ -86,7 +86,7 @@ To the terminal, at their pace; --json and --csv, too:
   [N.N] N
   $ within 0.3-10 rtlog -p --json -f b.rtlog | wc -l
   5
-  $ within 0.3-10 rtlog -p --csv -f b.rtlog | wc -l
+  $ within 0.3-10 rtlog -p --csv --ns -f b.rtlog > paced; rtlog --csv --ns -f b.rtlog | cmp - paced; wc -l < paced
   6
   $ tty 100 rtlog -p -f a.rtlog -i -s 10 -e 10 | sed 's/\[[0-9.]*\] <.. ../[TIME] <NN NN/'
   blocks: [TIME] <NN NN 00 00 00 00 00 00 … 992 more>

@@ -14,7 +14,7 @@ from rtshell_lite import errors, path, text
 from rtshell_lite.giop import descriptors, marshal
 from rtshell_lite.data import call_values, datatypes, defaults, literals, type_json, values
 from rtshell_lite.data.idl import parser, tokens
-from rtshell_lite.datalog import decode, export, logfile, mcap, records, writer
+from rtshell_lite.datalog import decode, logfile, mcap, records, tables, writer
 from rtshell_lite.xmlprofile import rtsprofile
 
 IDL = os.path.join(os.path.dirname(tokens.OWN), "idl")
@@ -157,8 +157,7 @@ class Logs(Target):
                 for entry in entries:
                     told.append(decode.line(channels, entry, 20))
                     json.loads(text.json_line(decode.record(channels, entry)))
-                head, row_of = export.table(channels, entries)
-                told += [head] + list(map(row_of, entries))
+                told += tables.lines(channels, entries)
         except errors.Failed as e:
             raise Refused(str(e))
         for line in told:

@@ -153,9 +153,7 @@ class Exporting(Case):
                                   **{"data": "\x1b[2J\u202e\r\n\\x", "a\x9b": 1})
         self.put(simpkl_files.log([value], 2, specs=[simpkl_files.spec("n\x07", "IDL:Own/Type:1.0")]))
         with logfile.load(self.name) as log:
-            channels = decode.Channels(log, datatypes.Types())
-            head, row_of = export.table(channels, log.entries())
-            lines = [head] + list(map(row_of, log.entries()))
+            lines = list(tables.lines(decode.Channels(log, datatypes.Types()), log.entries()))
         self.assertEqual(lines, ["number,time,port,tm.sec,tm.nsec,data,a\\u009b",
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
 
@@ -186,6 +184,25 @@ class Exporting(Case):
             self.assertEqual(file.read(), "number,time,port,tm,data[0],data[1]\n1,1700000000000000001,RTC.TimedDoubleSeq,1500000000,1.5,\n"
                              "2,1700000000000000002,RTC.TimedDoubleSeq,1500000000,2.5,3.5\n")
 
+    def test_numbers(self):
+        """A struct of numbers and times is shown without its value being made: in either byte order, and not where it is cut."""
+        time = ["struct", "IDL:RTC/Time:1.0", "Time", [["sec", "unsigned long"], ["nsec", "unsigned long"]]]
+        members = [["tm", time], ["small", "short"], ["at", time], ["large", "double"], ["is_so", "boolean"], ["octet", "octet"]]
+        type = datatypes.from_bytes(json.dumps(["struct", "IDL:Own/Numbers:1.0", "Numbers", members]).encode())
+        words = "Own.Numbers(tm=RTC.Time(1, 2), small=-3, at=RTC.Time(4, 1999999999), large=1e300, is_so=True, octet=255)"
+        value = values.Expression(words, None, type).value(None)
+        messages = [(0, START, little, type.encode(value, little)) for little in (True, False)]
+        self.write(messages + [(0, START, True, messages[0][3][:-1])],
+                   channels=[records.Channel("n", type.id, type.to_bytes(), ())])
+        with logfile.load(self.name) as log:
+            channels = decode.Channels(log, datatypes.Types())
+            lines = list(tables.lines(channels, log.entries()))
+        self.assertEqual(lines[0], "number,time,port,tm,small,at,large,is_so,octet,hex")
+        self.assertEqual(lines[1], "0,1700000000.000000000,n,1.000000002,-3,5.999999999,1e+300,True,255,")
+        self.assertEqual(lines[2], "1" + lines[1][1:])
+        self.assertEqual(lines[3], "2,1700000000.000000000,n,,,,,,," + messages[0][3][:-1].hex())
+        self.assertEqual(channels.unreadable, 1)
+
 
 class Deep(Case):
     """Values nested so deep that they can be read and not be told in words: what comes behind them is not lost."""
@@ -201,8 +218,9 @@ class Deep(Case):
         self.write(self.messages, channels=[self.channel])
         with logfile.load(self.name) as log:
             channels = decode.Channels(log, datatypes.Types())
-            for line_of in (export.people(channels), export.json(channels), export.table(channels, log.entries())[1]):
+            for line_of in (export.people(channels), export.json(channels)):
                 self.assertEqual(len(list(map(line_of, log.entries()))), len(self.messages))
+            self.assertEqual(len(list(tables.lines(channels, log.entries()))), 1 + len(self.messages))
 
     def test_recorded_as_text(self):
         out = textlog.Writer(self.name, [self.channel], [self.type])
