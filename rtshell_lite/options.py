@@ -20,6 +20,11 @@ EXIT_STATUSES = """exit status:
 # ---- reading it --------------------------------------------------------------------------------------------
 
 
+NUMBER = (
+    r"\.?[0-9]+\.?[0-9]*$"  # what the optional value of an option looks like, unless its `value_like` says so
+)
+
+
 class Parser(argparse.ArgumentParser):
     """argparse with options anywhere, negative numbers as arguments, no abbreviations, and our errors."""
 
@@ -123,7 +128,7 @@ class Parser(argparse.ArgumentParser):
             if action.choices:
                 fits = rest[0] in action.choices
             else:
-                fits = re.match(r"\.?[0-9]+\.?[0-9]*$", rest[0])
+                fits = re.match(getattr(action, "value_like", NUMBER), rest[0])
             if not fits:
                 return [word]
         value = rest.pop(0)

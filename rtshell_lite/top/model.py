@@ -30,7 +30,7 @@ REST = 5.0  # seconds before what is dead or silent is asked again
 # ---- one component -----------------------------------------------------------------------------------------
 
 
-class _Entry:
+class Entry:
     """A component that the task of its group looks at."""
 
     def __init__(self, node):
@@ -39,7 +39,7 @@ class _Entry:
         self.kind = "component"
         self.state = None
         self.failure = None
-        self.ports = self.connections = None
+        self.ports = self.links = None  # how many ports; ids of its connections
         # of its contexts; its ports would take much memory
         self.snapshot = snapshot.Snapshot(node, rest=REST)
         self.looked = False  # whether its state, or its failure, is known
@@ -84,9 +84,9 @@ class _Entry:
         try:
             listed = (await snapshot.of(self.node, ports=snapshot.BRIEF)).ports
             self.ports = len(listed)
-            self._connect(len({connector.id for port in listed for connector in port.connectors}))
+            self._connect(frozenset(connector.id for port in listed for connector in port.connectors))
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
-            self.ports = self.connections = None
+            self.ports = self.links = None
             if isinstance(e, errors.Silent):
                 pause = PORTS_SILENT
             else:
@@ -99,7 +99,7 @@ class _Entry:
             self._become(kind, "-", failure)
         else:
             self._become(kind, "?", failure)
-        self.ports = self.connections = None
+        self.ports = self.links = None
         self.snapshot = snapshot.Snapshot(self.node, rest=REST)
         self._contexts_due = self._ports_due = 0.0
         self.looked = True
@@ -114,11 +114,11 @@ class _Entry:
         self.state = state
         self.failure = failure
 
-    def _connect(self, connections):
-        """Note how many connections it has."""
-        if self.connections is not None and connections != self.connections:
-            self.event = f"{self.connections} to {connections} connections"
-        self.connections = connections
+    def _connect(self, links):
+        """Note which connections it has."""
+        if self.links is not None and len(links) != len(self.links):
+            self.event = f"{len(self.links)} to {len(links)} connections"
+        self.links = links
 
     def row(self, path, name):
         """Its Row."""
@@ -136,7 +136,7 @@ class _Entry:
             first and first.rate,
             running,
             self.ports,
-            self.connections,
+            None if self.links is None else len(self.links),
             self.failure,
             self.since and time.monotonic() - self.since,
             self.event,
@@ -233,7 +233,7 @@ class Top:
                 identities = {}
             for node in nodes:
                 identities[str(node.path)] = orb.identity(node.ref)
-                self._entries.setdefault(orb.identity(node.ref), _Entry(node))
+                self._entries.setdefault(orb.identity(node.ref), Entry(node))
             self._found[top], self._failed[top] = identities, failed
             wanted = {identity for listed in self._found.values() for identity in listed.values()}
             self._entries = {identity: self._entries[identity] for identity in wanted}
@@ -301,21 +301,30 @@ class Top:
     def _is_complete(self):
         return len(self._found) == len(self._tops) and all(entry.looked for entry in self._entries.values())
 
-    def rows(self):
-        """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
+    def entries(self):
+        """(path, Entry) of each component."""
         paths_of = {}
-        failed = {}
         for top in self._found:
             for path, identity in sorted(self._found[top].items()):
                 paths_of.setdefault(identity, path)  # the first, if it is bound twice
+        return [(path, self._entries[identity]) for identity, path in paths_of.items()]
+
+    def failures(self):
+        """{path: errors.Error} of each part of the tree that cannot be listed."""
+        failed = {}
+        for top in self._found:
             failed.update(self._failed[top])
-        entries = [(path, self._entries[identity]) for identity, path in paths_of.items()]
+        return failed
+
+    def rows(self):
+        """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
+        entries = self.entries()
         unique = len({entry.node.name for _, entry in entries}) == len(entries)
         rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
         rows = [_marked(row, self._marks.get(row.path)) for row in rows]
         rows += [
             Row(path, path, "unknown", "?", None, None, None, None, failure, None, "")
-            for path, failure in failed.items()
+            for path, failure in self.failures().items()
         ]
         return sorted(rows, key=lambda row: (natural(row.name), row.path))
 

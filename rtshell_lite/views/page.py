@@ -2,7 +2,8 @@
 
 The page is rtshell_lite/views/web/page.html with the style, the scripts and the data in it. What a system says is
 data: JSON without any character that HTML knows, and the scripts put it into text nodes only. The page's
-Content-Security-Policy lets a browser run this script and no other, and load nothing.
+Content-Security-Policy lets a browser run this script and no other, and load nothing; the page of rttop --serve may
+hear what its server sends.
 """
 
 import base64
@@ -31,6 +32,7 @@ from rtshell_lite.xmlprofile import model
 #   findings          level check path message remedy box
 #   sections plots    [heading, text], [heading, SVG in Base64]
 #   profile           of a report: an RtsProfile in YAML
+#   version now       of rttop --serve: of all else; {number of a box: [state, words]}
 
 # What is to be looked at, as rtdoctor's findings have it: level (fail, warn, note or ok); kind of check; path
 # of a component or port, or what else it is about; message; remedy, perhaps a command.
@@ -39,15 +41,25 @@ Remark = collections.namedtuple("Remark", "level check path message remedy")
 
 def html(fields):
     """The text of a page that shows these fields of its data."""
-    script = _file("layout.js") + _file("page.js")
+    return _html(fields["title"], page_file.as_json(fields), ("layout.js", "page.js"), "'none'")
+
+
+def live_html(title, system):
+    """The text of a page that is kept live by who serves it; `system` are its fields in JSON."""
+    return _html(title, system, ("layout.js", "page.js", "live.js"), "'self'")
+
+
+def _html(title, system, scripts, connect):
+    script = "".join(map(_file, scripts))
     style = _file("page.css")
     contents = {
-        "title": printable(fields["title"]).replace("&", "&amp;").replace("<", "&lt;"),
+        "title": printable(title).replace("&", "&amp;").replace("<", "&lt;"),
         "script": script,
         "script_hash": _hash(script),
         "style": style,
         "style_hash": _hash(style),
-        "system": page_file.as_json(fields),
+        "connect": connect,
+        "system": system,
     }
     return re.sub(r"\$(\w+)", lambda found: contents[found.group(1)], _file("page.html"))
 

@@ -168,6 +168,15 @@ Asking is cheap: state twice a second, contexts and ports now and then, four cal
   rttop: No space left on device
   [1]
 
+A page for browsers is tried in tests/commands/test_rttop_serve.py. Without one it shows an address, and ends as pages do:
+
+  $ interrupt 1.5 rttop --serve 127.0.0.1:0
+  http://127.0.0.1:\d+/ (re)
+  [130]
+  $ rttop --serve 127.0.0.1:70000
+  rttop: --serve 127.0.0.1:70000: * (glob)
+  [1]
+
 Wrong usage is found before anything is asked:
 
   $ ctl reset
@@ -185,6 +194,14 @@ Wrong usage is found before anything is asked:
   [2]
   $ rttop -r 0
   rttop: argument -r/--rate: not a number of Hz above 0: 0 (see --help)
+  [2]
+  $ rttop --serve 127.0.0.1:0 -n 1
+  rttop: --serve does not go with -p, -s, -f, -n or --json (see --help)
+  [2]
+  $ rttop --serve=nonsense; rttop --serve=:80; rttop --serve=localhost:x
+  rttop: --serve nonsense: not HOST:PORT (see --help)
+  rttop: --serve :80: not HOST:PORT (see --help)
+  rttop: --serve localhost:x: not HOST:PORT (see --help)
   [2]
   $ rttop -n many
   rttop: argument -n/--number: invalid int value: 'many' (see --help)

@@ -100,7 +100,11 @@ class Browser:
         return json.loads(message.decode())
 
     def open(self, path, width=1200, height=800, dark=False):
-        """A Page that shows a file, as soon as it has loaded; it may use no network."""
+        """A Page that shows a file, as soon as it has loaded."""
+        return self.show("file://" + os.path.abspath(path), width, height, dark)
+
+    def show(self, address, width=1200, height=800, dark=False):
+        """A Page that shows what is at an address, as soon as it has loaded."""
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         page = Page(self, session)
@@ -108,7 +112,7 @@ class Browser:
             page.call(domain + ".enable")
         page.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 500)
         page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
-        page.call("Page.navigate", url="file://" + os.path.abspath(path))
+        page.call("Page.navigate", url=address)
         page.event("Page.loadEventFired")
         return page
 
@@ -146,6 +150,20 @@ class Page:
     def press(self, key, text=""):
         self.call("Input.dispatchKeyEvent", type="keyDown", key=key, text=text)
         self.call("Input.dispatchKeyEvent", type="keyUp", key=key)
+
+    def wait(self, expression):
+        """Wait until an expression in the page is true; returns it."""
+        end = time.monotonic() + LIMIT
+        while True:
+            value = self.run(expression)
+            if value:
+                return value
+            if time.monotonic() > end:
+                raise Failed("still not: %s" % expression)
+            time.sleep(0.02)
+
+    def close(self):
+        self.call("Page.close")
 
     def type(self, text):
         self.call("Input.insertText", text=text)

@@ -123,6 +123,14 @@ class Files(unittest.TestCase):
         self.assertEqual(re.findall(r"\w+://[^\"]*", script), ["http://www.w3.org/2000/svg"])
         self.assertNotIn("</", script)
 
+    def test_script_of_live_pages(self):
+        """It hears what its server sends, and nothing else."""
+        script = read("live.js")
+        self.assertEqual(re.findall(DANGEROUS + r"|\w+://", re.sub(r"//.*", "", script)), [])
+        self.assertEqual(re.findall(YOUNG, script), [])
+        self.assertEqual(re.findall(r"new EventSource\((.*)\)", script), ["`events?${data.version}`"])
+        self.assertNotIn("</", script)
+
     def test_style(self):
         style = read("page.css")
         self.assertEqual(re.findall(r"url|@import|</", style), [])
@@ -133,7 +141,7 @@ class Files(unittest.TestCase):
                 with open(os.path.join(folder, name), encoding="utf-8") as file:
                     text = file.read()
                 loaded = re.findall(r"^(?:from|import) .*\b(page|report)\b", text, re.MULTILINE)
-                self.assertEqual(loaded, ["page"] if name == "report.py" else [], name)
+                self.assertEqual(loaded, ["page"] if name in ("report.py", "site.py") else [], name)
 
 
 if __name__ == "__main__":

@@ -1,21 +1,25 @@
-// The page of a system: the list, the map, the details. What the system says is put into text nodes only.
-// `data` is what rtshell_lite/views/page.py wrote: its comment has the fields.
-const data = JSON.parse(document.getElementById("system").textContent);
-const DEFAULTS = {path: null, state: null, missing: false, composite: null, parts: [], ports: []};
-data.boxes = data.boxes.map((box) => Object.assign({}, DEFAULTS, box));
-data.rows = data.rows.map((rows) => rows.map((pair) => data.pairs[pair]));
+// The page of a system: list, map, details. What the system says goes into text nodes only. views/page.py has the fields of `data`.
+const DEFAULTS = {path: null, state: null, missing: false, composite: null, parts: [], ports: [], why: ""};
+let [data, ALL, troubles, connectionsOf, texts] = []; // see load()
 const SVG = "http://www.w3.org/2000/svg";
 const SHAPES = new Set(["svg", "g", "rect", "text", "path", "defs", "marker", "circle", "title"]);
 const SYMBOLS = {Active: "\u25cf", Inactive: "\u25cb", Error: "\u2716", Created: "\u25cc", Unknown: "?"};
 const [CELL, ROW] = [8.5, 20]; // pixels: a character, a line of text
 // characters of a name on the map, components in the list, sources that a group names (of more, the number)
 const [LONGEST, LISTED, MOST_SOURCES] = [44, 300, 12];
-const ALL = data.boxes.map((box, number) => number);
-const view = {around: null, hops: 1, way: "both", broken: false, kind: data.kind || "auto", scale: 1, selected: null,
-              opened: new Set(data.open.map((name) => `/${data.kinds.indexOf(data.kind)}:${name}`))};
+const view = {around: null, hops: 1, way: "both", broken: false, kind: "auto", scale: 1, selected: null, opened: new Set()};
 let picture = null; // what fold() made, with the elements on the map
-const troubles = ALL.map(() => []); // findings of each component
-const connectionsOf = ALL.map(() => []);
+
+function load(found) {
+  data = Object.assign(found, {boxes: found.boxes.map((box) => Object.assign({}, DEFAULTS, box)),
+                               rows: found.rows.map((rows) => rows.map((pair) => found.pairs[pair]))});
+  ALL = data.boxes.map((box, number) => number);
+  [troubles, connectionsOf, texts] = [ALL.map(() => []), ALL.map(() => []), []]; // findings of each component; what is searched
+  data.connections.forEach((connection) => new Set(connection.ends.map((end) => end[0])).forEach(
+    (end) => connectionsOf[end].push(connection)));
+  data.findings.filter(({box, level}) => box !== null && ["fail", "warn"].includes(level)).forEach(
+    (finding) => troubles[finding.box].push(finding));
+}
 
 const element = (id) => document.getElementById(id);
 const plural = (number, noun) => `${number} ${noun}${number === 1 ? "" : "s"}`;
@@ -132,8 +136,8 @@ function connect({boxes, at}) {
 function namePorts(edge, source, target, arriving) {
   const word = edge.service ? "services" : "data";
   const onlyOne = (ports) => (new Set(ports).size === 1 ? ports[0] : `${new Set(ports).size} ports`);
-  edge.out = source.group ? word : onlyOne(edge.pairs.map((pair) => pair[0]));
-  edge.into = onlyOne(edge.pairs.map((pair) => pair[1]));
+  [edge.out, edge.into] = [0, 1].map((end) => onlyOne(edge.pairs.map((pair) => pair[end])));
+  if (source.group) edge.out = word;
   const isJoined = target.group && arriving > MOST_SOURCES;
   if (isJoined) edge.into = word;
   else if (target.group) edge.into = `from ${boxName(source)}${edge.service ? " (services)" : ""}`;
@@ -154,8 +158,7 @@ const stateWords = (state) => `${SYMBOLS[state] || "?"} ${state}`;
 
 function counts(numbers) {
   const states = new Map();
-  for (const {state} of numbers.map((number) => data.boxes[number])) states.set(state, (states.get(state) || 0) + 1);
-  states.delete(null);
+  numbers.map((number) => data.boxes[number].state).filter(Boolean).forEach((state) => states.set(state, (states.get(state) || 0) + 1));
   const order = Array.from(states.keys()).sort((a, b) => (b === "Error") - (a === "Error") || states.get(b) - states.get(a));
   return order.map((state) => stateWords(state).replace(" ", ` ${states.get(state)} `));
 }
@@ -165,10 +168,9 @@ function heads(box) {
   const broken = box.members.filter(isBroken).length;
   const size = plural(box.members.length, "component") + (broken ? `, \u26a0 ${broken} broken` : "");
   if (box.group) return [short(boxName(box)), size, ...counts(box.members)];
-  const [number] = box.members;
-  const {state, missing, composite} = data.boxes[number];
+  const {state, missing, composite} = data.boxes[box.members[0]];
   const words = [state === null ? "" : stateWords(state), missing ? "not in the profile" : "",
-                 troubles[number].length ? `\u26a0 ${plural(troubles[number].length, "finding")}` : "",
+                 troubles[box.members[0]].length ? `\u26a0 ${plural(troubles[box.members[0]].length, "finding")}` : "",
                  composite === null ? "" : `in ${short(data.boxes[composite].name)}`].filter(Boolean).join("  ");
   return [short(boxName(box)), words].filter(Boolean);
 }
@@ -183,8 +185,7 @@ function classOf(box) {
 
 function draw() {
   const numbers = shownNumbers();
-  picture = fold(numbers, view.kind === "auto" ? chooseKind(numbers) : data.kinds.indexOf(view.kind), view.opened);
-  const {boxes} = picture;
+  const {boxes} = picture = fold(numbers, view.kind === "auto" ? chooseKind(numbers) : data.kinds.indexOf(view.kind), view.opened);
   const edges = connect(picture);
   for (const box of boxes) {
     box.heads = heads(box);
@@ -199,7 +200,8 @@ function draw() {
     return {x: item.x + (side > 0 ? item.width : 0), y: item.y + row * ROW + 15, side};
   };
   const {items, ways, width, height} = arrange(boxes, edges, portOf);
-  const svg = make("svg", {viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "map of the system"}, arrows());
+  const svg = make("svg", {width: width * view.scale, height: height * view.scale, viewBox: `0 0 ${width} ${height}`,
+                           role: "group", "aria-label": "map of the system"}, arrows());
   Object.assign(picture, {edges, items, svg, width, height});
   edges.forEach((edge, place) => {
     const [from, to] = [edge.source, edge.target].map((number) => boxName(boxes[number]));
@@ -263,7 +265,11 @@ function mark() {
     box.shape.classList.toggle("selected", each === place);
     box.shape.classList.toggle("dim", wanted !== "" && !box.members.some((number) => matches(number, wanted)));
   });
-  for (const edge of picture.edges) edge.shape.classList.toggle("on", edge.source === place || edge.target === place);
+  const isSilent = (each) => picture.boxes[each].members.every((number) => data.boxes[number].state === "Unknown");
+  for (const {shape, source, target} of picture.edges) {
+    shape.classList.toggle("on", source === place || target === place);
+    shape.classList.toggle("unsure", isSilent(source) || isSilent(target)); // what does not answer may have no connection any more
+  }
   picture.svg.classList.toggle("some", place !== undefined);
 }
 
@@ -273,15 +279,13 @@ function zoom(scale) {
   const x = (map.scrollLeft + map.clientWidth / 2) / view.scale;
   const y = (map.scrollTop + map.clientHeight / 2) / view.scale;
   view.scale = Math.min(3, Math.max(0.03, scale));
-  picture.svg.setAttribute("width", picture.width * view.scale);
-  picture.svg.setAttribute("height", picture.height * view.scale);
+  ["width", "height"].forEach((side) => picture.svg.setAttribute(side, picture[side] * view.scale));
   lookAt(x, y);
 }
 
 function lookAt(x, y) {
   const map = element("map");
-  map.scrollLeft = x * view.scale - map.clientWidth / 2;
-  map.scrollTop = y * view.scale - map.clientHeight / 2;
+  map.scrollTo(x * view.scale - map.clientWidth / 2, y * view.scale - map.clientHeight / 2);
 }
 
 // Zoom so that everything is seen, but not smaller than `least`.
@@ -344,8 +348,6 @@ function pressed(event, box) {
 
 // ---- the list
 
-const texts = []; // what is searched of each component, as JSON in small letters
-
 function matches(number, wanted) {
   if (texts[number] === undefined) {
     const {name, path, state, groups, parts, ports} = data.boxes[number];
@@ -397,10 +399,13 @@ function showGroup(box) {
               button("Open", () => open(box.group.key)), make("ul", {}, ...members));
 }
 
+const nowWords = ({state, why}) => [state, why].filter(Boolean).join(": ");
+
 function showComponent(number) {
-  const {name, path, state, missing, parts, ports} = data.boxes[number];
+  const {name, path, missing, parts, ports} = data.boxes[number];
   const groups = Array.from(picture.shown).filter(([, group]) => group.members.includes(number));
-  showDetails(name, ...[path, state, missing ? "not in the profile" : ""].filter(Boolean).map((line) => make("p", {}, line)),
+  showDetails(name, ...[path, missing ? "not in the profile" : ""].filter(Boolean).map((line) => make("p", {}, line)),
+              make("p", {id: "now"}, nowWords(data.boxes[number])),
               button("Around this", () => change({around: number, hops: 1})),
               ...groups.map(([key, group]) => button(`Fold ${short(group.name)}`, () => shut(key))), ...showFindings(troubles[number]),
               make("h3", {}, plural(connectionsOf[number].length, "connection")),
@@ -504,16 +509,11 @@ function drag(event) {
 }
 
 function start() {
-  data.connections.forEach((connection) => {
-    new Set(connection.ends.map((end) => end[0])).forEach((end) => connectionsOf[end].push(connection));
-  });
-  for (const found of data.findings) {
-    if (found.box !== null && ["fail", "warn"].includes(found.level)) troubles[found.box].push(found);
-  }
+  load(JSON.parse(element("system").textContent));
+  Object.assign(view, {kind: data.kind || "auto", opened: new Set(data.open.map((name) => `/${data.kinds.indexOf(data.kind)}:${name}`))});
   ["auto", ...data.kinds].forEach((kind) => element("kind").appendChild(make("option", {value: kind}, kind)));
   listen();
-  draw();
-  fit(0.65);
+  change({});
   showList();
   clear();
 }

@@ -1,0 +1,257 @@
+"""A small HTTP/1.1 server on the loop, for a page that a few people look at: it answers GET, one request a connection.
+
+Who connects may send anything, slowly, or nothing. So the head of a request has a largest size and a time in which
+it must come, there is no body, an answer has a time in which it must leave, and the number of connections has a
+limit: where it is reached, one that gets nothing gives its place, else the new one.
+"""
+
+import collections
+import re
+import select
+import socket
+
+from rtshell_lite.net import loop
+
+MOST = 64  # connections
+LONGEST = 8192  # octets of the head of a request; those of browsers have 500 to 2,000
+PATIENCE = 10.0  # seconds in which the head must come
+STALLED = 20.0  # seconds for which nothing may leave while somebody waits for an answer
+SLOWEST = 120.0  # seconds in which an answer must have left that is no stream
+FAREWELL = 1.0  # seconds for which what a client still sends is read, so that it can read the answer
+PAUSE = 1.0  # seconds until connections are accepted again, where there are no files left
+
+WORDS = {
+    200: "OK",
+    400: "Bad Request",
+    403: "Forbidden",
+    404: "Not Found",
+    405: "Method Not Allowed",
+    408: "Request Timeout",
+    431: "Request Header Fields Too Large",
+    505: "HTTP Version Not Supported",
+}
+ALWAYS = (
+    ("Cache-Control", "no-store"),
+    ("Connection", "close"),
+    ("Cross-Origin-Resource-Policy", "same-origin"),
+    ("Referrer-Policy", "no-referrer"),
+    ("X-Content-Type-Options", "nosniff"),
+    ("X-Frame-Options", "DENY"),
+)
+_REQUEST = re.compile(rb"([A-Z]{1,20}) (/[!-~]*) HTTP/(\d)\.(\d)\Z")
+_HEADER = re.compile(rb"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([ \t!-~\x80-\xff]*)\Z")
+
+# What a client asks for: the target as it was sent; {name in small letters: value} of the headers; the IP
+# address of this host that it has connected with.
+Request = collections.namedtuple("Request", "method target headers here")
+
+# What it gets: status; type of the content; the content, octets, or for a stream that lasts a coroutine
+# function that is called with the Connection; further headers, (name, value).
+Answer = collections.namedtuple("Answer", "status kind content headers")
+
+
+class Refused(Exception):
+    """A request that is answered by nothing but a status."""
+
+    def __init__(self, status):
+        super().__init__(status)
+        self.status = status
+
+
+class Gone(Exception):
+    """The client has left, or takes nothing any more."""
+
+
+def refusal(status):
+    """An Answer with no more than a status."""
+    return Answer(status, "text/plain; charset=utf-8", WORDS[status].encode() + b"\n", ())
+
+
+def listening(family, address):
+    """A socket that listens at an address as of getaddrinfo. Raises OSError."""
+    made = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        if family == socket.AF_INET6:
+            made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+        made.bind(address)
+        made.listen(MOST)
+        made.setblocking(False)
+    except OSError:
+        made.close()
+        raise
+    return made
+
+
+async def serve(listener, answer):
+    """Accept connections at a listening socket for ever, and answer each as the function answer(Request) says, which
+    returns an Answer. No failure of a connection ends it.
+    """
+    open_ones = []  # Connections, the oldest first
+    async with loop.Group() as group:
+        while True:
+            await loop.ready(listener.fileno(), select.POLLIN)
+            try:
+                accepted, _ = listener.accept()
+            except (BlockingIOError, ConnectionError):
+                continue  # gone already
+            except OSError:  # out of files
+                if not _make_room(open_ones):
+                    await loop.sleep(PAUSE)
+                continue
+            if len(open_ones) >= MOST and not _make_room(open_ones):
+                accepted.close()
+                continue
+            connection = Connection(accepted)
+            open_ones.append(connection)
+            connection.task = group.start(_attend(connection, answer, open_ones))
+
+
+def _make_room(open_ones):
+    """Close the oldest Connection that gets nothing; False if there is none."""
+    stranger = next((each for each in open_ones if not each.is_welcome), None)
+    if stranger is None:
+        return False
+    open_ones.remove(stranger)
+    stranger.task.cancel()  # which closes it
+    return True
+
+
+async def _attend(connection, answer, open_ones):
+    """Answer one Connection, whatever it does, and close it."""
+    try:
+        connection.socket.setblocking(False)
+        await _answer(connection, answer)
+    except (Gone, OSError):
+        pass
+    finally:
+        if connection in open_ones:
+            open_ones.remove(connection)
+        connection.socket.close()
+
+
+async def _answer(connection, answer):
+    method = "GET"
+    try:
+        request = await _in_time(PATIENCE, connection.request(), Refused(408))
+        method = request.method
+        found = answer(request)
+    except Refused as e:
+        found = refusal(e.status)
+    connection.is_welcome = found.status == 200
+    is_stream = callable(found.content)
+    headers = [("Content-Type", found.kind)] + list(ALWAYS) + list(found.headers)
+    if not is_stream:
+        headers.append(("Content-Length", len(found.content)))
+    lines = [f"HTTP/1.1 {found.status} {WORDS[found.status]}"] + [
+        f"{name}: {value}" for name, value in headers
+    ]
+    head = "\r\n".join(lines + ["", ""]).encode()
+    if is_stream and method == "GET":
+        await connection.send(head)
+        await found.content(connection)
+    elif method == "HEAD" or is_stream:
+        await connection.send(head)
+    else:
+        await _in_time(SLOWEST, connection.send(head, found.content), Gone())
+    connection.is_welcome = False
+    connection.socket.shutdown(socket.SHUT_WR)
+    await _in_time(FAREWELL, connection.read_all(), Gone())
+
+
+async def _in_time(seconds, coroutine, late):
+    """The result of a coroutine; raises `late` after so many seconds."""
+    return await loop.race(coroutine, _raise_later(seconds, late))
+
+
+async def _raise_later(seconds, exception):
+    await loop.sleep(seconds)
+    raise exception
+
+
+class Connection:
+    """One client.
+
+    is_welcome  whether it gets what it has asked for
+    task        what attends to it
+    """
+
+    def __init__(self, accepted):
+        self.socket = accepted
+        self.is_welcome = False
+        self.task = None  # type: loop.Task
+
+    async def request(self):
+        """The Request that it sends. Raises Refused, Gone, OSError."""
+        head = bytearray()
+        while b"\r\n\r\n" not in head:
+            if len(head) > LONGEST:
+                raise Refused(431)
+            head += await self._some()
+        lines = bytes(head).partition(b"\r\n\r\n")[0].split(b"\r\n")
+        method, target = _parsed_line(lines[0])
+        return Request(method, target, _parsed_headers(lines[1:]), self.socket.getsockname()[0])
+
+    async def _some(self):
+        """The next octets that come. Raises Gone, OSError."""
+        while True:
+            await loop.ready(self.socket.fileno(), select.POLLIN)
+            try:
+                some = self.socket.recv(4096)
+            except BlockingIOError:
+                continue
+            if not some:
+                raise Gone
+            return some
+
+    async def read_all(self):
+        """Read, and forget, what comes until the end. Raises Gone, then, OSError."""
+        while True:
+            await self._some()
+
+    async def send(self, *parts):
+        """Send octets: returns when all have left. Raises Gone, OSError."""
+        for part in parts:
+            rest = memoryview(part)
+            while rest:
+                try:
+                    rest = rest[self.socket.send(rest) :]
+                except BlockingIOError:
+                    await _in_time(STALLED, loop.ready(self.socket.fileno(), select.POLLOUT), Gone())
+
+    def check(self):
+        """Raises Gone where a client has left that had no more to send, OSError."""
+        try:
+            if not self.socket.recv(4096):
+                raise Gone
+        except BlockingIOError:
+            pass
+
+
+def _parsed_line(line):
+    """(method, target) of the first line of a request. Raises Refused."""
+    found = _REQUEST.match(line)
+    if found is None:
+        raise Refused(400)
+    method, target, major, minor = found.groups()
+    if (major, minor) not in ((b"1", b"0"), (b"1", b"1")):
+        raise Refused(505)
+    if method not in (b"GET", b"HEAD"):
+        raise Refused(405)
+    return method.decode(), target.decode()
+
+
+def _parsed_headers(lines):
+    """{name in small letters: value}. Raises Refused: for what names are twice, and for a body, too."""
+    headers = {}
+    for line in lines:
+        found = _HEADER.match(line)
+        if found is None:
+            raise Refused(400)
+        name, value = [part.decode("latin-1") for part in found.groups()]
+        if name.lower() in headers and name.lower() in ("host", "origin"):
+            raise Refused(400)
+        headers[name.lower()] = value.strip()
+    if "transfer-encoding" in headers or headers.get("content-length", "0") != "0":
+        raise Refused(400)
+    return headers
