@@ -823,31 +823,15 @@ async def _carry_out(profile, kind, transition, wait):
     from rtshell_lite.system import plan, run_plan
 
     planned = plan.make(profile, kind, "the profile")
-    progress = _Progress()
+    progress = run_plan.Progress()
     carried = run_plan.Run(planned.actions, getattr(transitions, transition), progress, wait)
     if await carried.check(profile):
         carried.refuse()
     else:
         await carried.carry_out()
-    if progress.failure:
-        raise progress.failure
-
-
-class _Progress:
-    """What becomes of the actions of a plan: the first failure that matters."""
-
-    failure = None
-
-    def starting(self, action, line):
-        """An action begins."""
-
-    def ended(self, result):
-        """An action has ended, or will not be tried."""
+    for result in progress.results:
         if result.error is not None and result.action.component.is_required:
-            self.failure = self.failure or result.error
-
-    def skipped(self, result):
-        """An action will not be tried, for a reason that has been reported."""
+            raise result.error
 
 
 def watch(*components, timeout=None):

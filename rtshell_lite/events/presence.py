@@ -7,6 +7,7 @@ end at once. Absent components are looked for by their names.
 Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its neighbours.
 """
 
+import collections
 import functools
 import time
 
@@ -44,7 +45,6 @@ class Followed:
         self.is_hung = self.is_ending = False
         self.heard = self.asked = 0.0
         self.dead = None  # the identity of its object that is gone
-        self.number = 0  # of the next question
 
     @property
     def is_there(self):
@@ -120,6 +120,8 @@ class Presence:
         self.followed = followed
         self.look = look
         self._looked = {}  # {endpoint: when it was last asked}
+        # {endpoint: {kind of question: how many of these it was asked; None: of all}}
+        self._turns = collections.defaultdict(collections.Counter)  # type: dict
         self._suspected = set()  # endpoints that are being asked whether they live
         self._group = None
 
@@ -280,12 +282,15 @@ class Presence:
             return
         self._looked[endpoint] = now
         polled = [each for each in self.at(endpoint) if _is_polled(each)]
-        number = polled[0].number
-        polled[0].number += 1
-        kind = _ASKED[number % len(_ASKED)]
-        questions = [(each, *question) for each in polled for question in kind(each)]
-        if questions:
-            self.start(self._put(*questions[number // len(_ASKED) % len(questions)]), endpoint)
+        turns = self._turns[endpoint]
+        for _ in _ASKED:
+            kind = _ASKED[turns[None] % len(_ASKED)]
+            turns[None] += 1
+            questions = [(each, *question) for each in polled for question in kind(each)]
+            if questions:
+                self.start(self._put(*questions[turns[kind] % len(questions)]), endpoint)
+                turns[kind] += 1
+                return
 
     async def _put(self, each, part, has_changed):
         """Ask a component a question: whether a part of it is not what `shown` has."""
@@ -331,7 +336,8 @@ def _of_connections(each):
             yield "ports", functools.partial(_has_lost, port)
 
 
-_ASKED = (_of_state, _of_connections, _of_state, _of_settings)  # kinds of questions, in turn
+# Kinds of questions, in turn: Error is to be seen soonest.
+_ASKED = 3 * (_of_state, _of_state, _of_connections) + (_of_settings,)
 
 
 async def _is_in_other_state(where, shown):

@@ -67,6 +67,7 @@ class Connection(steps.Step):
     """
 
     free = True
+    part = "ports"
 
     def __init__(self, connector, ends, ids):
         paths = [str(site.path.with_port(name)) for site, name in ends]

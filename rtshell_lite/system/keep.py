@@ -15,9 +15,9 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.events import presence
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, ports, snapshot, transitions
-from rtshell_lite.system import apply, capture, connect_steps, plan, policy, restore, run_plan, sites, steps
-from rtshell_lite.text import shell_word
+from rtshell_lite.robot import component, snapshot, transitions
+from rtshell_lite.system import apply, capture, happening, plan, policy, reconnect, restore, run_plan
+from rtshell_lite.system import sites, steps
 
 PAUSE = 0.15  # seconds between a change and the look at it: who disconnects does it port by port
 TICK = 0.1  # seconds between looks whether all is done
@@ -25,42 +25,22 @@ WAIT = 1.0  # seconds until what a neighbour holds up is asked again
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 
-# What is looked at again, by the part of a component that has changed; WHOLE is everything.
-PARTS = collections.OrderedDict(
-    [
-        ("ports", {"ports": snapshot.FULL}),
-        (
-            "contexts",
-            {
-                "owned": snapshot.FULL,
-                "participating": snapshot.BRIEF,
-                "states": snapshot.FULL,
-                "organisations": snapshot.FULL,
-            },
-        ),
-        ("configuration", {"configuration": snapshot.FULL}),
-        ("state", {"states": snapshot.FULL}),
-    ]
-)
-WHOLE = "whole"
+WHOLE = "whole"  # every part, and whether it is the component that is meant
+STATE = "state"  # a part, and in place of the key of a step
+FULL, BRIEF = snapshot.FULL, snapshot.BRIEF
+# What is looked at again, by the part of a component that has changed.
+PARTS = {
+    "ports": {"ports": FULL},
+    "contexts": {"owned": FULL, "participating": BRIEF, "states": FULL, "organisations": FULL},
+    "configuration": {"configuration": FULL},
+    STATE: {"states": FULL},
+}
 PART_OF = {
     "EC_EVENT": "contexts",
     "PORT_EVENT": "ports",
     "CONFIG_EVENT": "configuration",
-    "RTC_STATUS": "state",
+    "RTC_STATUS": STATE,
 }
-# The part that shows whether a step of a kind is done.
-SHOWN_BY = {
-    "connect": "ports",
-    "disconnect": "ports",
-    "configuration": "configuration",
-    "active set": "configuration",
-    "rate": "contexts",
-    "participants": "contexts",
-    "members": "contexts",
-}
-BY_HAND = ("configuration", "active set", "rate")  # steps whose opposite a person may want
-STATE = "state"  # in place of the key of a step
 
 # `create`, `manager` and `strict_path` as in restore.Options. `strict`: undo what a person did, too; `look`:
 # see presence.Presence; `watch`: whether changes are to be noticed later; `policy` for components without
@@ -68,34 +48,19 @@ STATE = "state"  # in place of the key of a step
 Options = collections.namedtuple("Options", "create manager strict_path strict look watch policy")
 
 
-class Happening(collections.namedtuple("Happening", "time object seen done seconds error")):
-    """What has happened: when (seconds since 1970), to which object, what was seen, what was done about it (""
-    for nothing), how many seconds that took, and the errors.Error that says why it failed, or None.
-    """
-
-    __slots__ = ()
-
-    def as_dict(self):
-        """For JSON."""
-        return dict(self._asdict(), error=str(self.error) if self.error else None)
-
-    def line(self):
-        """For people."""
-        clock = time.strftime("%H:%M:%S", time.localtime(self.time))
-        return f"[{clock}] {self.object}: " + ": ".join(filter(None, (self.seen, self.done)))
-
-
 class Kept(presence.Followed):
     """One component that is kept.
 
     site      its sites.Site; `site.error` says why nothing can be done with it
     changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by time.monotonic()
-    settled   keys of steps, and STATE, that were as in the file when last looked at
+    looking   those that are being looked at
+    settled   {key of a step: its setting}, and STATE, that were as in the file when last looked at
     hands     {key: what a person has done}
     said      {key: the errors.Error that was reported}
     state     its state, absent, or hung; since `since`, seconds since 1970
     trial     the policy.Trial of its state, `repairs` that of everything else
     last      the last Happening of it in words, `restarts` how often it has come back
+    drives    Kepts that it executes, by the file; `drivers` those that execute it
     """
 
     def __init__(self, site, keeper):
@@ -103,28 +68,36 @@ class Kept(presence.Followed):
         self.where = site.where
         self.site = site
         self.keeper = keeper
-        self.policy = policy.of(site.component, keeper.options.policy)
-        self.trial = policy.Trial(self.policy)
-        self.repairs = policy.Trial(self.policy)
-        self.changed = set()
-        self.settled = set()
+        chosen = policy.of(site.component, keeper.options.policy)
+        self.trial = policy.Trial(chosen)
+        self.repairs = policy.Trial(chosen)
+        self.changed = self.looking = set()
+        self.settled = {}
         self.hands = {}
         self.said = {}
         self.state = "absent"
         self.since = time.time()
         self.restarts = 0
         self.last = ""
-        self.is_busy = self.is_paused = self.has_failed = self.has_exited = self.has_been_there = False
-        self.is_counted = False  # whether its present Error is among the failures of its trial
-        self.waits_for = None  # why its activation was not tried
+        self.drives, self.drivers = [], []
+        self.is_busy = self.is_paused = self.has_exited = self.has_been_there = False
+        self.has_failed = (
+            False  # since the last attempt to activate it; that is among the failures of `trial`
+        )
         # False for one whose state is nobody's business here
-        self.is_started = site.component.property(policy.PREFIX + "state") != "any"
+        self.is_started = site.component.property(policy.PREFIX + STATE) != "any"
+        self.known = None  # the identity of the object that it was before the file was read again
         self.due = 0.0
 
     @property
     def is_usable(self):
         """Whether something can be done with it."""
         return self.is_there and self.site.error is None and self.site.found is not None
+
+    @property
+    def is_waiting(self):
+        """Whether it is to be looked at."""
+        return self.is_there and bool(self.changed) and not self.is_busy and not self.is_paused
 
     def become(self, state):
         """Note its state."""
@@ -134,16 +107,17 @@ class Kept(presence.Followed):
 
     def change(self, *parts):
         """Have parts of it looked at again."""
-        self.changed.update(parts)
+        self.changed = self.changed.union(parts)
         self.due = max(self.due, time.monotonic() + PAUSE)
         self.keeper.bell.ring()
 
     def as_dict(self):
         """For `rtkeep status`."""
+        wanted = "Active" if self.is_started else "any"
         return {
             "kind": "component",
             "object": self.where,
-            "wanted": self._wanted(),
+            "wanted": "paused" if self.is_paused else wanted,
             "state": self.state,
             "since": self.since,
             "restarts": self.restarts,
@@ -152,21 +126,40 @@ class Kept(presence.Followed):
             "given_up": self.trial.given_up or self.repairs.given_up,
         }
 
-    def _wanted(self):
-        if self.is_paused:
-            return "paused"
-        return "Active" if self.is_started else "any"
+    def fail(self, why):
+        """Note a failure of its state."""
+        self.settled.pop(STATE, None)
+        if not self.has_failed:
+            self.has_failed = True
+            self.trial.fail(why)
+
+    def forget_all(self):
+        """Begin as with a component that was never seen."""
+        for notes in (self.settled, self.hands, self.said):
+            notes.clear()
+        self.trial.begin_again()
+        self.repairs.begin_again()
 
     def take_back(self):
         """Let it be kept again, whatever a person has done."""
         self.is_paused = False
-        self.settled.clear()
-        self.hands.clear()
-        self.said.clear()
-        self.trial.begin_again()
-        self.repairs.begin_again()
+        self.forget_all()
         if self.is_there:
             self.change(WHOLE)
+
+    def go_on_from(self, old):
+        """The file was read again: what a person has done stands, where the file wants what it wanted before."""
+        self.is_paused = old.is_paused
+        self.restarts = old.restarts
+        self.last = old.last
+        self.has_exited = old.has_exited
+        self.has_been_there = old.has_been_there
+        if old.is_there:
+            self.known = orb.identity(old.shown.node.ref)
+            self.hands = old.hands
+            self.settled = old.settled
+        if not old.is_started:
+            self.settled.pop(STATE, None)
 
     def begin_again(self):
         """Something about it has changed: what was given up is tried again."""
@@ -178,36 +171,31 @@ class Kept(presence.Followed):
     # ---- what is noticed ----
 
     def appeared(self):
-        if self.has_been_there:
-            self.restarts += 1
+        is_other = orb.identity(self.shown.node.ref) != self.known
+        self.known = None
+        if is_other:
+            self.restarts += self.has_been_there
+            self.forget_all()
         self.has_been_there = True
         self.site.node = self.shown.node
         self.site.error = self.site.found = None
-        for notes in (self.settled, self.hands, self.said):
-            notes.clear()
-        self.trial.begin_again()
-        self.repairs.begin_again()
-        if self._may_come_back():
+        restart = self.trial.policy.restart
+        if self.restarts == 0 or restart == "always" or restart == "on-error" and not self.has_exited:
             self.has_failed = False
             self.change(WHOLE)
         else:
-            self.site.error = errors.Failed(self.where, f"is back; its policy is {self.policy.restart}")
+            self.site.error = errors.Failed(self.where, f"is back; its policy is {restart}")
             self.keeper.complain(self, WHOLE, self.site.error)
-
-    def _may_come_back(self):
-        """Whether its policy lets it be restored after a restart."""
-        if self.restarts == 0 or self.policy.restart == "always":
-            return True
-        return self.policy.restart == "on-error" and not self.has_exited
 
     def vanished(self, seen):
         self.site.node = self.site.found = None
         self.site.error = self.error
-        self.changed.clear()
+        self.changed = set()
         self.has_exited = seen == "has exited"
         self.become("absent")
         self.keeper.happened(self, seen)
-        self.keeper.stop_driving(self)
+        for other in self.drives:  # its contexts stop, and nobody has done that
+            other.settled.pop(STATE, None)
 
     def hung(self, error):
         self.become("hung")
@@ -223,12 +211,13 @@ class Kept(presence.Followed):
             self.keeper.suspect(self.endpoint)
             return
         if event.event == "ERROR":
-            self.has_failed = True
-            self.settled.discard(STATE)
+            self.fail("in Error")
         elif event.kind != "RTC_STATUS":
             self.begin_again()
         if event.kind == "EC_EVENT":  # a composite does not report that it has lost a member
-            self.keeper.look_at_drivers(self)
+            for other in self.drivers:
+                if other.is_there:
+                    other.change("contexts")
         self.change(PART_OF.get(event.kind, WHOLE))
 
     def seen(self, part):
@@ -239,10 +228,11 @@ class Kept(presence.Followed):
 class Keeper(presence.Presence):
     """Keeps a system: `async with Keeper(…) as keeper: await keeper.follow()`.
 
-    tell  called with each Happening
+    tell    called with each happening.Happening
+    before  the Keeper of an earlier reading of the same file, which has ended, or None
     """
 
-    def __init__(self, profile, planned, options, tell):
+    def __init__(self, profile, planned, options, tell, before=None):
         self.profile = profile
         self.options = options
         self.tell = tell
@@ -252,15 +242,27 @@ class Keeper(presence.Presence):
         listed = restore.places(profile)
         self._site_of = sites.finder(self._locate, listed)
         super().__init__([Kept(site, self) for site in listed], options.look)
+        # by the ids of their Sites and model.Components
         self._kept_of = {id(kept.site): kept for kept in self.followed}
-        self._making = {}  # {id of a connector that a task works on: Kepts to be looked at afterwards}
+        self._kept_of.update((id(kept.site.component), kept) for kept in self.followed)
+        self._connections = reconnect.Connections(profile, self._site_of, self._kept_at)
         self._is_ending = False
-        self._halves = set()  # ids of connectors of which one end was seen alone
+        earlier = {kept.where: kept for kept in before.followed} if before else {}
+        for kept in self.followed:
+            kept.drives = list(filter(None, map(self._kept_at, _executed(kept.site.component))))
+            for other in kept.drives:
+                other.drivers.append(kept)
+            if kept.where in earlier:
+                kept.go_on_from(earlier[kept.where])
 
     async def __aenter__(self):
         await super().__aenter__()
         self.start(self._work())
         return self
+
+    def _kept_at(self, target):
+        """The Kept that a target in the profile means, or None."""
+        return self._kept_of.get(id(self._site_of(target)))
 
     async def follow(self):
         """Keep it until the task is cancelled."""
@@ -268,28 +270,20 @@ class Keeper(presence.Presence):
             await loop.sleep(MINUTE)
             session.current().sweep()
 
-    async def stop(self, planned, has_teardown):
-        """Deactivate the components by a plan, then, with `has_teardown`, remove the connections of the file."""
+    async def stop(self, planned):
+        """Deactivate the components by a plan."""
         self._is_ending = True
         while any(kept.is_busy for kept in self.followed):
             await loop.sleep(TICK)
-        kept_here = [kept for kept in self.followed if kept.is_usable and kept.is_started]
-        nodes = {id(kept.site.component): kept.shown.node for kept in kept_here}
-        gone = [action.number for action in planned.actions if id(action.component) not in nodes]
-        results = _Results()
-        run = run_plan.Run(planned.actions, transitions.DEACTIVATE, results)
-        run.take(nodes, dict.fromkeys(gone, plan.GONE))
-        await run.carry_out()
-        for result in results.all:
-            kept = self._kept_of_component(result.action.component)
+        here = [kept for kept in self.followed if kept.is_usable and kept.is_started]
+        for result in await self._carry_out(
+            planned.actions, transitions.DEACTIVATE, here, lambda kept: plan.GONE
+        ):
+            kept = self._kept_of[id(result.action.component)]
             if result.error is None:
                 self.happened(kept, "", "Inactive")
             else:
                 self.complain(kept, STATE, result.error)
-        if has_teardown:
-            how = restore.Options(False, None, self.options.strict_path)
-            outcomes, _ = await restore.tearing_down(self.profile, how)
-            await apply.carry_out(outcomes)
 
     def named(self, name):
         """The Kept of a path or an instance name, or None."""
@@ -320,25 +314,30 @@ class Keeper(presence.Presence):
 
     def happened(self, kept, seen, done="", begun=None, error=None):
         """Report a Happening of a Kept; `begun` by time.monotonic()."""
-        kept.last = ": ".join(filter(None, (seen, done)))
-        seconds = 0.0
-        if begun is not None:
-            seconds = time.monotonic() - begun
-        self.tell(Happening(time.time(), kept.where, seen, done, seconds, error))
+        event = happening.now(kept.where, seen, done, begun, error)
+        kept.last = event.words()
+        self.tell(event)
 
     def complain(self, kept, key, error):
-        """Report a failure, once."""
-        if str(kept.said.get(key)) != str(error):
+        """Report a failure, once: whether it is news."""
+        is_new = str(kept.said.get(key)) != str(error)
+        if is_new:
             kept.said[key] = error
             self.happened(kept, error.why, "", None, error)
+        return is_new
+
+    def _leave_alone(self, kept, key, what):
+        """Report what a person has done, once."""
+        if key not in kept.hands:
+            kept.hands[key] = what
+            self.happened(kept, what, "left alone")
 
     # ---- one round of mending ----
 
     async def _work(self):
         while not self._is_ending:
-            waiting = [kept for kept in self.followed if kept.changed and kept.is_there and not kept.is_busy]
-            waiting = [kept for kept in waiting if not kept.is_paused]
             now = time.monotonic()
+            waiting = [kept for kept in self.followed if kept.is_waiting]
             batch = [kept for kept in waiting if kept.due <= now]
             for kept in batch:
                 kept.is_busy = True
@@ -349,17 +348,15 @@ class Keeper(presence.Presence):
 
     async def _mend(self, batch):
         """Look at components again, where they have changed, and bring them to what the file says."""
-        changed = {id(kept): kept.changed for kept in batch}
         for kept in batch:
+            kept.looking = kept.changed
             kept.changed = set()
         try:
-            answers = await session.each(
-                batch, lambda kept: self._look(kept, changed[id(kept)]), lambda kept: kept.place
-            )
+            answers = await session.each(batch, self._look, lambda kept: kept.place)
             for kept, answer in zip(batch, answers):
                 if isinstance(answer, errors.Error):
-                    await self._not_shown(kept, answer, changed[id(kept)])
-            await self._restore([kept for kept in batch if kept.is_usable], changed)
+                    await self._not_shown(kept, answer)
+            await self._restore([kept for kept in batch if kept.is_usable])
             if not self._is_ending:
                 await self._start([kept for kept in batch if kept.is_usable])
         finally:
@@ -367,16 +364,17 @@ class Keeper(presence.Presence):
                 kept.is_busy = False
             self.bell.ring()
 
-    async def _look(self, kept, parts):
+    async def _look(self, kept):
         shown = kept.shown
-        is_whole = WHOLE in parts
-        if is_whole:
-            await shown.ask(ports=snapshot.BRIEF, profile=snapshot.FULL)
+        parts = kept.looking
+        if WHOLE in parts:
+            await shown.ask(ports=BRIEF, profile=FULL)
             if self.options.watch:
                 await kept.observe()
             shown.profile = shown.profile._replace(properties=[])
+            parts = PARTS
         for part, wanted in PARTS.items():
-            if is_whole or part in parts:
+            if part in parts:
                 await shown.ask(**wanted)
         if kept.shown is not shown:  # it has ended
             return
@@ -389,40 +387,36 @@ class Keeper(presence.Presence):
         kept.said.pop(WHOLE, None)
         kept.become(component.merged(shown.states))
         if kept.state == "Error":
-            kept.has_failed = True
-            kept.settled.discard(STATE)
+            kept.fail("in Error")
 
-    async def _not_shown(self, kept, error, parts):
+    async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
-        kept.changed |= parts
+        kept.changed = kept.changed | kept.looking
         kept.due = time.monotonic() + WAIT
         if not kept.is_there:
             return
         kept.site.error = error
         session.current().silent.pop(kept.endpoint, None)
-        near = [other for _, ends in self._connectors([kept]) for other in ends if other is not kept]
-        for other in [kept] + near:
-            await self.ask(other)
-        hung = sorted({other.where for other in near if other.is_hung})
+        near = {other for _, ends in self._connections.of([kept]) for other in ends}
+        await loop.each(near | {kept}, self.ask)
+        hung = sorted(other.where for other in near if other.is_hung)
         if hung:
             error = errors.Unreachable(kept.where, "waits for " + ", ".join(hung))
         if kept.is_there and not kept.is_hung:
             self.complain(kept, WHOLE, error)
 
-    async def _restore(self, batch, changed):
+    async def _restore(self, batch):
         """Do the steps of rtresurrect that concern what has changed of some Kepts."""
-        outcomes = await self._parts(batch, changed)
+        outcomes = await self._parts(batch)
         begun = time.monotonic()
-        connectors = await self._take_connectors(
-            [kept for kept in batch if changed[id(kept)] & {WHOLE, "ports"}]
-        )
+        changed = [kept for kept in batch if kept.looking & {WHOLE, "ports"}]
+        connectors = await self._connections.take(changed)
         try:
-            connecting = connect_steps.connecting(self.profile, self._site_of, connectors)
-            outcomes += self._without_doubt(await restore.connections(connecting))
+            outcomes += await self._connections.outcomes(connectors)
             outcomes = [outcome for outcome in outcomes if not self._is_by_hand(outcome)]
             await apply.carry_out(outcomes)
         finally:
-            self._release(connectors)
+            self._connections.release(connectors)
         for outcome in outcomes:
             self._judge(outcome, begun)
         for kept in batch:
@@ -434,18 +428,18 @@ class Keeper(presence.Presence):
         step = outcome.step
         kept = self._kept_of[id(step.sites[0])]
         if outcome.status in (apply.DONE, apply.ALREADY):
-            kept.settled.add(_key(step))
+            kept.settled[_key(step)] = step.setting
             kept.said.pop(_key(step), None)
         if outcome.status == apply.DONE:
+            kept.hands.pop(_key(step), None)
             self.happened(kept, "", "restored " + _title(step), begun)
             for other in [self._kept_of[id(site)] for site in step.sites]:
                 if other.is_there and other.subscription is None:  # it does not report that
-                    other.change(SHOWN_BY[step.kind])
+                    other.change(step.part)
         elif outcome.failed:
-            kept.settled.discard(_key(step))
             self.complain(kept, _key(step), outcome.error)
-            kept.repairs.fail()
-            self._try_later(kept, kept.repairs, SHOWN_BY.get(step.kind, WHOLE))
+            kept.repairs.fail(outcome.error.why)
+            self._try_later(kept, kept.repairs, step.part)
 
     @staticmethod
     def _try_later(kept, trial, part):
@@ -455,102 +449,29 @@ class Keeper(presence.Presence):
 
     # ---- parts of components ----
 
-    async def _parts(self, batch, changed):
+    async def _parts(self, batch):
         """The outcomes of steps other than connections."""
-        own = [kept for kept in batch if changed[id(kept)] - {"ports", "state"}]
-        back = [kept for kept in batch if WHOLE in changed[id(kept)]]
-        for kept in self.followed:  # composites have lost a member that is back
-            if kept.is_usable and kept not in own and any(self._drives(kept, other) for other in back):
-                own.append(kept)
-        outcomes = await restore.parts([kept.site for kept in own], self._site_of)
-        return [outcome for outcome in outcomes if outcome.step.sites]
-
-    def _drives(self, kept, other):
-        """Whether a component executes another one, by the file."""
-        of_file = kept.site.component
-        targets = [one.component for one in of_file.participants]
-        targets += [target for context in of_file.execution_contexts for target in context.participants]
-        return any(self._locate(target) is other.site.component for target in targets)
-
-    def look_at_drivers(self, kept):
-        """Look again at those that execute a component."""
-        for other in self.followed:
-            if other.is_there and self._drives(other, kept):
-                other.change("contexts")
-
-    def stop_driving(self, kept):
-        """A component is gone: those that take part in its contexts stop, and nobody has done that."""
-        for other in self.followed:
-            if self._drives(kept, other):
-                other.settled.discard(STATE)
+        own = {kept for kept in batch if kept.looking - {"ports", STATE}}
+        for kept in batch:
+            if WHOLE in kept.looking:  # composites have lost a member that is back
+                own.update(other for other in kept.drivers if other.is_usable)
+        listed = [kept.site for kept in self.followed if kept in own]
+        return [outcome for outcome in await restore.parts(listed, self._site_of) if outcome.step.sites]
 
     def _is_by_hand(self, outcome):
         """Whether a step would undo what a person did; notes what is as in the file."""
         step = outcome.step
-        if step.kind not in BY_HAND:
+        if step.setting is None:
             return False
         key = _key(step)
         kept = self._kept_of[id(step.sites[0])]
         if outcome.status == apply.ALREADY and kept.hands.pop(key, None):
             self.happened(kept, f"{_title(step)} is again as in the file")
-        if not outcome.pending or key not in kept.settled or self.options.strict:
+        if not outcome.pending or kept.settled.get(key) != step.setting or self.options.strict:
             return False
-        if key not in kept.hands and not outcome.likely:
-            kept.hands[key] = _title(step) + " was changed by hand"
-            self.happened(kept, kept.hands[key], "left alone")
+        if not outcome.likely:
+            self._leave_alone(kept, key, _title(step) + " was changed by hand")
         return True
-
-    # ---- connections ----
-
-    def _connectors(self, batch):
-        """(connector, the Kepts of its ends) of those of the file with an end on one of some Kepts."""
-        for connector in self.profile.connectors:
-            listed = [self._site_of(end) for end in connector.ends]
-            ends = [self._kept_of[id(site)] for site in listed if site is not None]
-            if len(ends) == len(listed) and any(kept in batch for kept in ends):
-                yield connector, ends
-
-    async def _take_connectors(self, batch):
-        """The connectors of some Kepts whose ports have changed that these do not show as the file has them. No
-        other task works on them until `_release`; all of their ends have been asked since.
-        """
-        taken = []
-        for connector, ends in self._connectors(batch):
-            if not all(kept.is_usable for kept in ends):
-                continue
-            if _is_shown(connector, ends, batch):
-                ends[0].said.pop(_key_of(connector), None)
-            elif id(connector) in self._making:
-                self._making[id(connector)] += [kept for kept in ends if kept in batch]
-            else:
-                self._making[id(connector)] = []
-                taken.append((connector, ends))
-        asked = list({id(kept): kept for _, ends in taken for kept in ends}.values())
-        answers = await session.each(asked, _look_at_ports, lambda kept: kept.place)
-        failed = [kept for kept, answer in zip(asked, answers) if isinstance(answer, errors.Error)]
-        for kept in failed:
-            kept.change("ports")
-        self._release([connector for connector, ends in taken if any(kept in failed for kept in ends)])
-        return [connector for connector, _ in taken if id(connector) in self._making]
-
-    def _release(self, connectors):
-        """Let other tasks work on connectors, and look again at what they wanted to."""
-        for connector in connectors:
-            for kept in self._making.pop(id(connector)):
-                kept.change("ports")
-
-    def _without_doubt(self, outcomes):
-        """The outcomes without those of a connection that has just lost an end: somebody may be about to
-        connect, or to disconnect. What is half there at the next look, too, is removed.
-        """
-        removed = {id(outcome.step.connector) for outcome in outcomes if outcome.step.kind == "disconnect"}
-        doubtful = removed - self._halves
-        self._halves = doubtful
-        kept = [outcome for outcome in outcomes if id(outcome.step.connector) not in doubtful]
-        for outcome in outcomes:
-            if outcome not in kept and outcome.step.sites:
-                self._kept_of[id(outcome.step.sites[0])].change("ports")
-        return kept
 
     # ---- components that managers create ----
 
@@ -559,19 +480,29 @@ class Keeper(presence.Presence):
             return
         now = time.monotonic()
         due = [kept for kept in absent if sites.is_gone(kept.error) and kept.repairs.until <= now]
-        due = [kept for kept in due if not kept.repairs.given_up and not kept.is_paused]
+        due = [kept for kept in due if not kept.repairs.given_up and not kept.is_paused and not kept.is_busy]
         due = [kept for kept in due if time.time() - kept.since > FAREWELL]
+        for kept in due:
+            kept.is_busy = True
+        if due:
+            self.start(self._create(due, now))
+
+    async def _create(self, due, begun):
         how = restore.Options(True, self.options.manager, self.options.strict_path)
         for kept in due:
             kept.site.error = kept.error
-        outcomes = [apply.Outcome(steps.Present(kept.site)) for kept in due]
-        outcomes = await restore.creations(self.profile, outcomes, how, self._locate)
-        await apply.carry_out(outcomes)
+        try:
+            outcomes = [apply.Outcome(steps.Present(kept.site)) for kept in due]
+            outcomes = await restore.creations(self.profile, outcomes, how, self._locate)
+            await apply.carry_out(outcomes)
+        finally:
+            for kept in due:
+                kept.is_busy = False
         for kept, outcome in zip(due, outcomes):
             if outcome.status == apply.DONE:
-                self.happened(kept, "was not there", "created", now)
+                self.happened(kept, "was not there", "created", begun)
             elif outcome.error is not None:
-                kept.repairs.fail()
+                kept.repairs.fail(outcome.error.why)
                 self.complain(kept, "create", outcome.error)
 
     # ---- states ----
@@ -592,83 +523,80 @@ class Keeper(presence.Presence):
 
     def _is_active(self, kept):
         is_new = STATE not in kept.settled
-        kept.settled.add(STATE)
+        kept.settled[STATE] = True
         kept.said.pop(STATE, None)
-        kept.waits_for = None
-        kept.has_failed = kept.is_counted = False
+        kept.has_failed = False
         if kept.hands.pop(STATE, None):
             self.happened(kept, "is Active again")
         for other in self.followed if is_new else ():
-            if other.waits_for is not None:
-                other.change("state")
+            if isinstance(other.said.get(STATE), errors.NotTried):
+                other.change(STATE)
 
     def _may_start(self, kept):
         """Whether a component that is not Active is to be made so now."""
+        trial = kept.trial
         if STATE in kept.settled and not self.options.strict:
-            if STATE not in kept.hands:
-                kept.hands[STATE] = f"was made {kept.state} by hand"
-                self.happened(kept, kept.hands[STATE], "left alone")
-            return False
-        if kept.has_failed and kept.policy.restart == "no":
-            why = f"is in {kept.state}; its policy is {kept.policy.restart}"
+            self._leave_alone(kept, STATE, f"was made {kept.state} by hand")
+        elif kept.has_failed and trial.policy.restart == "no":
+            why = f"is in {kept.state}; its policy is {trial.policy.restart}"
             self.complain(kept, STATE, errors.Failed(kept.where, why))
-            return False
-        if kept.trial.until > time.monotonic():
-            self._try_later(kept, kept.trial, "state")
-            return False
-        return not kept.trial.given_up
-
-    def _has_failed(self, kept, error):
-        """Count a failure of its state; whether that was one too many: then it is given up, and those stop that
-        depend on it.
-        """
-        kept.has_failed = True
-        kept.trial.fail()
-        if not kept.trial.given_up:
-            return False
-        self.complain(kept, STATE, errors.Failed(kept.where, f"{error.why}; {kept.trial.why_given_up()}"))
-        if kept.site.required:
-            self.start(self._stop_dependents(kept))
-        return True
+        elif trial.given_up:
+            error = errors.Failed(kept.where, f"{trial.why}; {trial.why_given_up()}")
+            if self.complain(kept, STATE, error) and kept.site.required:
+                self.start(self._stop_dependents(kept))
+        elif trial.until > time.monotonic():
+            self._try_later(kept, trial, STATE)
+        else:
+            return True
+        return False
 
     async def _reset(self, kept):
-        """Take a component out of Error; how often that is needed is counted."""
+        """Take a component out of Error."""
         begun = time.monotonic()
-        if not kept.is_counted and self._has_failed(kept, errors.Failed(kept.where, "in Error")):
-            return
-        kept.is_counted = False
         try:
             await self._change(kept, transitions.RESET)
             self.happened(kept, "in Error", "reset", begun)
         except errors.Error as e:
-            self.complain(kept, STATE, e)
-            self._try_later(kept, kept.trial, "state")
+            kept.trial.fail(e.why)
+            self._has_failed(kept, e)
+
+    def _has_failed(self, kept, error):
+        """Report a failure of its state, and have it tried again."""
+        kept.trial.why = error.why
+        self.complain(kept, STATE, error)
+        kept.change(STATE)
 
     @staticmethod
     async def _change(kept, transition):
-        node = kept.shown.node
-        await transitions.change(node, transition, None, session.current().timeout)
+        await transitions.change(kept.shown.node, transition, None, session.current().timeout)
         kept.become(transition.target)
 
     async def _activate(self, todo):
-        """Activate components by the actions of the plan; those of the others have ended."""
-        ended = {}
-        for action in self.actions:
-            other = self._kept_of_component(action.component)
-            if other not in todo:
-                is_reached = other.state == "Active" or other.is_usable and not other.is_started
-                ended[action.number] = plan.ALREADY if is_reached else plan.FAILED
-        results = _Results()
-        run = run_plan.Run(self.actions, transitions.ACTIVATE, results)
-        run.take({id(kept.site.component): kept.shown.node for kept in todo}, ended)
-        begun = time.monotonic()
-        await run.carry_out()
+        """Activate components by the actions of the plan."""
         for kept in todo:
-            failed = [one.error for one in results.of(kept.site.component) if one.error is not None]
-            self._started(kept, failed, begun)
+            kept.has_failed = False
 
-    def _kept_of_component(self, of_file):
-        return next(kept for kept in self.followed if kept.site.component is of_file)
+        def reached(other):
+            is_reached = other.state == "Active" or other.is_usable and not other.is_started
+            return plan.ALREADY if is_reached else plan.FAILED
+
+        begun = time.monotonic()
+        results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
+        for kept in todo:
+            own = [result.error for result in results if result.action.component is kept.site.component]
+            self._started(kept, list(filter(None, own)), begun)
+
+    async def _carry_out(self, actions, transition, some, outcome_of):
+        """The Results of the actions of a plan for some Kepts; those of the others have ended, each with the
+        outcome that `outcome_of` gives.
+        """
+        progress = run_plan.Progress()
+        run = run_plan.Run(actions, transition, progress)
+        of_actions = [(action, self._kept_of[id(action.component)]) for action in actions]
+        ended = {action.number: outcome_of(kept) for action, kept in of_actions if kept not in some}
+        run.take({id(kept.site.component): kept.shown.node for kept in some}, ended)
+        await run.carry_out()
+        return progress.results
 
     def _started(self, kept, failed, begun):
         """Judge the actions of one component by the errors.Errors of those that failed."""
@@ -680,19 +608,18 @@ class Keeper(presence.Presence):
             self._is_active(kept)
             self.happened(kept, "", "Active", begun)
         elif isinstance(failed[0], errors.NotTried):
-            kept.waits_for = failed[0].why
             self.complain(kept, STATE, failed[0])
-        elif not self._has_failed(kept, failed[0]):
-            kept.is_counted = True
-            self.complain(kept, STATE, failed[0])
-            self._try_later(kept, kept.trial, "state")
+        else:
+            kept.fail(failed[0].why)
+            self._has_failed(kept, failed[0])
 
-    async def deactivate(self, kept):
-        """Deactivate one component, on request."""
+    async def deactivate(self, kept, seen, done):
+        """Deactivate one component; `seen` and `done` for the report."""
+        begun = time.monotonic()
         try:
             if kept.is_usable:
                 await self._change(kept, transitions.DEACTIVATE)
-                self.happened(kept, "", "deactivated on request")
+                self.happened(kept, seen, done, begun)
         except errors.Error as e:
             self.complain(kept, STATE, e)
 
@@ -700,87 +627,29 @@ class Keeper(presence.Presence):
         """A required component is given up: deactivate what the plan starts after it, the last first."""
         numbers = {action.number for action in self.actions if action.component is kept.site.component}
         for action in reversed(plan.dependents(self.actions, numbers)):
-            other = self._kept_of_component(action.component)
-            if not other.is_usable or other.state != "Active":
-                continue
-            other.settled.discard(STATE)
-            begun = time.monotonic()
-            try:
-                await self._change(other, transitions.DEACTIVATE)
-                self.happened(other, f"{kept.where} is given up", "deactivated", begun)
-            except errors.Error as e:
-                self.complain(other, STATE, e)
+            other = self._kept_of[id(action.component)]
+            if other.state == "Active":
+                other.settled.pop(STATE, None)
+                await self.deactivate(other, f"{kept.where} is given up", "deactivated")
 
 
-class _Results:
-    """Collects the Results of a plan."""
-
-    def __init__(self):
-        self.all = []
-
-    def of(self, of_file):
-        """Those of a model.Component."""
-        return [result for result in self.all if result.action.component is of_file]
-
-    def starting(self, action, line):
-        """Nothing: the end is reported."""
-
-    def ended(self, result):
-        """Keep a Result."""
-        self.all.append(result)
-
-    skipped = ended
-
-
-def _is_shown(connector, ends, batch):
-    """Whether those of the ends of a connector that are in the batch show it as the file has it: with its id,
-    between the ports that the others had when they were last asked.
-    """
-    found = [kept.site.port(capture.port_of(end)) for kept, end in zip(ends, connector.ends)]
-    if any(isinstance(port, errors.Error) for port in found):
-        return False
-    wanted = {orb.identity(port.ref) for port in found}
-    for kept, port in zip(ends, found):
-        same = [one for one in port.connectors if one.id and one.id == connector.connector_id]
-        joined = {orb.identity(ref) for one in same for ref in one.ports if ref is not None}
-        if kept in batch and joined != wanted:
-            return False
-    return True
-
-
-async def _look_at_ports(kept):
-    """Have the present ports of a component in what was found of it."""
-    now = await ports.ports(kept.shown.node)
-    kept.site.found = kept.site.found._replace(ports=ports.in_system(now))
+def _executed(of_file):
+    """What a component executes, by the file: the members of a composite, and who takes part in its contexts."""
+    targets = [participant.component for participant in of_file.participants]
+    return targets + [target for context in of_file.execution_contexts for target in context.participants]
 
 
 def _key(step):
     """What tells a step from others of its component."""
     if step.kind in ("connect", "disconnect"):
-        return _key_of(step.connector)
-    return step.kind, getattr(step, "set_id", None) or getattr(step, "handle", None)
-
-
-def _key_of(connector):
-    return "connect", id(connector)
+        return reconnect.key_of(step.connector)
+    return (
+        step.kind,
+        getattr(step, "set_id", None) or getattr(step, "handle", None),
+        tuple(getattr(step, "values", ())),
+    )
 
 
 def _title(step):
     """What a step is about, without its component."""
     return step.title.replace(" of " + step.where, "")
-
-
-async def commands(profile, planned, options):
-    """The commands that would bring the system to what the file says now."""
-    how = restore.Options(options.create, options.manager, options.strict_path)
-    outcomes = await restore.restoring(profile, how)
-    found = [outcome.step.command for outcome in outcomes if outcome.pending and not outcome.likely]
-    states = dict(zip(map(id, profile.components), await capture.states(profile)))
-    for action in plan.in_order(planned.actions):
-        state = states.pop(id(action.component), "Active")
-        path = shell_word(action.path)
-        if state == "Error":
-            found += ["rtreset --wait " + path]
-        if state in ("Error", "Inactive"):
-            found += ["rtact --wait " + path]
-    return found

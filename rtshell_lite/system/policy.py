@@ -62,6 +62,7 @@ class Trial:
     """How often something has failed of late, and when it may be tried again.
 
     until     time.monotonic() before which it is not to be tried
+    why       the last failure, in words
     given_up  True after too many failures, until `begin_again`
     """
 
@@ -70,10 +71,12 @@ class Trial:
         self.failures = []  # type: list
         self.until = 0.0
         self.given_up = False
+        self.why = ""
 
-    def fail(self):
+    def fail(self, why=""):
         """Note a failure: the next attempt comes at once after the first one, later after others, or never."""
         now = time.monotonic()
+        self.why = why
         if self.failures and now - self.failures[-1] > HEALTH:
             self.failures = []
         self.failures.append(now)

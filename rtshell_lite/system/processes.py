@@ -2,32 +2,30 @@
 ends, by its policy; ended in reverse.
 """
 
-import collections
 import os
-import select
 import signal
 import time
 
-from rtshell_lite import errors, notes
-from rtshell_lite.corba import orb
+from rtshell_lite import errors
+from rtshell_lite.corba import liveness, orb
 from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
-from rtshell_lite.system import policy
+from rtshell_lite.system import guardian, output, policy
 
-LINES = 200  # of output that are kept of each
-LONGEST = 4096  # characters of a line
-LOG = 4 << 20  # octets of a log file, after which it becomes NAME.log.1
 TICK = 0.1  # seconds between looks whether one is ready
 SEEK = 1.0  # seconds between looks whether one that somebody else has started is still there
-PR_SET_PDEATHSIG = 1  # of prctl(2)
+ANSWERS = "answers already"
+HANGS = "does not answer, but is not gone"
+# what a service manager tells us alone
+OURS = ("NOTIFY_SOCKET", "WATCHDOG_USEC", "WATCHDOG_PID")
 
 
 class Process:
     """One process: its `spec`, `state` (waiting, running, ready, foreign, stopped), `pid` or None, `since`,
-    `restarts`, the last `lines` that it wrote.
+    `restarts`, its `output`.
     """
 
-    def __init__(self, spec):
+    def __init__(self, spec, output):
         self.spec = spec
         self.name = spec.name
         self.trial = policy.Trial(spec.policy)
@@ -35,7 +33,7 @@ class Process:
         self.pid = self.status = None
         self.since = time.time()
         self.restarts = 0
-        self.lines = collections.deque(maxlen=LINES)
+        self.output = output
         self.is_wanted = True
         self.changed = []  # Waits of those who want to know
 
@@ -66,7 +64,7 @@ class Process:
             "pid": self.pid,
             "since": self.since,
             "restarts": self.restarts,
-            "lines": list(self.lines),
+            "lines": list(self.output.lines),
             "given_up": self.trial.given_up,
         }
 
@@ -85,16 +83,14 @@ class Processes:
     """
 
     def __init__(self, specs, happened, wrote, log=None):
-        self.all = [Process(spec) for spec in specs]
+        self.all = [Process(spec, output.Output(spec.name, wrote, log)) for spec in specs]
         self.happened = happened
-        self._wrote = wrote
-        self._log = log
         self._by_pid = {}
-        self._guard = _guardian()
+        self._guardian = guardian.Guardian()
         self._group = None
 
     async def __aenter__(self):
-        loop.current().hear(signal.SIGCHLD, self._reap)
+        guardian.reap(self._reaped)
         self._group = loop.Group()
         for process in self.all:
             self._group.start(self._keep(process))
@@ -103,10 +99,10 @@ class Processes:
     async def __aexit__(self, kind, error, traceback):
         self._group.cancel()
         await self._group.__aexit__(kind, error, traceback)
-        for process in self.all:
-            if process.pid is not None:
-                _kill(process.pid, signal.SIGKILL)
-        os.close(self._guard)
+        for pid in self._by_pid:
+            guardian.kill(pid, signal.SIGKILL)
+        self._by_pid = {}
+        self._guardian.close()
 
     def named(self, name):
         """The Process of a name, or None."""
@@ -119,7 +115,7 @@ class Processes:
             await process.until(lambda: process.is_wanted)
             for other in [self.named(name) for name in process.spec.after]:
                 await other.until(lambda: other.is_ready)
-            if await self._is_foreign(process):
+            if not process.is_wanted or await self._is_foreign(process):
                 continue
             begun = time.monotonic()
             try:
@@ -133,136 +129,79 @@ class Processes:
             await self._ended(process, _in_words(process.status), process.status != 0)
 
     async def _is_foreign(self, process):
-        """Whether somebody else has started it: then wait until that one is gone."""
-        if not await self._answers(process):
+        """Whether somebody else has started it: then wait until that one is gone. One that hangs lives: a second one
+        would take its name.
+        """
+        seen = await _seen(process)
+        if seen is None:
             return False
-        self.happened(process.name, f"{process.spec.ready} answers already", "not started", None)
+        self.happened(process.name, f"{process.spec.ready} {seen}", "not started")
         process.become("foreign")
-        while await self._answers(process):
+        while await _seen(process) is not None:
             await loop.sleep(SEEK)
         process.become("waiting")
         return True
 
-    @staticmethod
-    async def _answers(process):
-        """Whether what shows that it is ready answers."""
-        if process.spec.ready is None:
-            return False
-        try:
-            node = await tree.resolve(process.spec.ready)
-            await orb.is_alive(node.path, node.ref)
-            return True
-        except errors.Error:
-            return False
-
     async def _until_ready(self, process, begun):
         process.become("running")
-        while process.spec.ready is not None and not await self._answers(process):
-            await loop.sleep(TICK)
-        process.become("ready")
         if process.spec.ready is not None:
+            while await _seen(process) != ANSWERS:
+                await loop.sleep(TICK)
             self.happened(process.name, f"{process.spec.ready} answers", "ready", begun)
+        process.become("ready")
 
     async def _ended(self, process, seen, has_failed):
         """It has ended: wait until it may be started again."""
         process.become("stopped")
-        is_restarted = process.spec.policy.restart == "always"
-        is_restarted = is_restarted or process.spec.policy.restart == "on-error" and has_failed
-        if not process.is_wanted:
-            self.happened(process.name, seen, "as it was told", None)
-            return
+        restart = process.spec.policy.restart
         process.trial.fail()
-        if process.trial.given_up or not is_restarted:
-            why = process.trial.why_given_up() if process.trial.given_up else "not started again"
-            self.happened(process.name, seen, why, None)
+        if not process.is_wanted:
+            why = "as it was told"
+        elif process.trial.given_up:
+            why = process.trial.why_given_up()
+        elif restart == "no" or restart == "on-error" and not has_failed:
+            why = "not started again"
+        else:
+            why = ""
+        self.happened(process.name, seen, why)
+        if why:
             process.is_wanted = False
             return
-        self.happened(process.name, seen, "", None)
         process.restarts += 1
-        await loop.sleep(max(0, process.trial.until - time.monotonic()))
+        pause = loop.sleep(max(0, process.trial.until - time.monotonic()))
+        await loop.race(pause, process.until(lambda: not process.trial.failures))
 
     # ---- the operating system ----
 
     def _spawn(self, process):
         import subprocess
 
-        die_with_parent = _pdeathsig()
-        guard = self._guard
-
-        def prepare():
-            die_with_parent()
-            os.write(guard, b"+%d\n" % os.getpid())
-
+        inherited = {name: value for name, value in os.environ.items() if name not in OURS}
         child = subprocess.Popen(
             process.spec.command,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             cwd=process.spec.cwd,
-            env=dict(os.environ, **process.spec.env),
+            env=dict(inherited, **process.spec.env),
             start_new_session=True,
-            preexec_fn=prepare,
+            preexec_fn=self._guardian.enter,
         )
         child.returncode = 0  # it is reaped here
         process.pid = child.pid
         process.status = None
         self._by_pid[child.pid] = process
-        output = os.dup(child.stdout.fileno())
+        process.output.follow(os.dup(child.stdout.fileno()))
         child.stdout.close()
-        os.set_blocking(output, False)
-        rest = [b""]
-        loop.current().watch(output, select.POLLIN, lambda: self._read(process, output, rest))
 
-    def _read(self, process, output, rest):
-        """Take what a process writes; `rest` holds the beginning of a line."""
-        try:
-            data = os.read(output, 1 << 16)
-        except BlockingIOError:
-            return
-        lines = (rest[0] + data).split(b"\n")
-        if data and len(lines[-1]) < LONGEST:
-            rest[0] = lines.pop()
-        else:
-            rest[0] = b""
-        for line in filter(None, lines) if not data else lines:
-            text = line[:LONGEST].decode("utf-8", "replace").rstrip("\r")
-            process.lines.append(text)
-            self._wrote(process.name, text)
-            self._write_log(process.name, text)
-        if not data:
-            loop.current().unwatch(output)
-            os.close(output)
-
-    def _write_log(self, name, line):
-        if self._log is None:
-            return
-        target = os.path.join(self._log, name + ".log")
-        try:
-            with open(target, "a", encoding="utf-8") as file:
-                file.write(time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n")
-                is_full = file.tell() > LOG
-            if is_full:
-                os.replace(target, target + ".1")
-        except OSError as e:  # a full disk is no reason to leave a robot alone
-            self._log = None
-            notes.fail(f"nothing more goes to the logs: {e.strerror}")
-
-    def _reap(self):
-        """Take the status of processes that have ended, as PID 1 of those of others, too."""
-        while True:
-            try:
-                pid, status = os.waitpid(-1, os.WNOHANG)
-            except ChildProcessError:
-                return
-            if pid == 0:
-                return
-            process = self._by_pid.pop(pid, None)
-            if process is not None:
-                _kill(pid, signal.SIGKILL)  # what is left of its group
-                os.write(self._guard, b"-%d\n" % pid)
-                process.pid = None
-                process.status = status
-                process.become("stopped")
+    def _reaped(self, pid, status):
+        process = self._by_pid.pop(pid, None)
+        if process is not None:
+            guardian.kill(pid, signal.SIGKILL)  # what is left of its group
+            self._guardian.leave(pid)
+            process.pid = None
+            process.status = status
+            process.become("stopped")
 
     # ---- ending ----
 
@@ -288,66 +227,29 @@ class Processes:
         for last in (number, signal.SIGKILL):
             if process.pid is None:
                 return
-            _kill(process.pid, last)
+            guardian.kill(process.pid, last)
             await loop.race(process.until(lambda: process.pid is None), loop.sleep(seconds))
         self.happened(process.name, f"does not end within {seconds:g}s", "killed", begun)
 
 
-def _kill(pid, number):
-    """Send a signal to the group of a process."""
+async def _seen(process):
+    """ANSWERS, HANGS, or None: what is at the path that shows that a process is ready."""
+    node = None
+    if process.spec.ready is None:
+        return None
     try:
-        os.killpg(pid, number)
-    except (ProcessLookupError, PermissionError):
+        node = await tree.resolve(process.spec.ready)
+        await orb.is_alive(node.path, node.ref)
+        return ANSWERS
+    except errors.Silent:  # where it once was another host, or this one with another address, nothing hangs
+        if node is None or await liveness.is_this_host(node.endpoint[0]):
+            return HANGS
+    except errors.Error:
         pass
+    return None
 
 
 def _in_words(status):
     if os.WIFSIGNALED(status):
         return "ended by " + signal.Signals(os.WTERMSIG(status)).name
     return "ended with status %d" % os.WEXITSTATUS(status)
-
-
-def _pdeathsig():
-    """A function for the child that has the kernel kill it when this process ends, where that can be done."""
-    try:
-        import ctypes
-
-        prctl = ctypes.CDLL(None).prctl
-    except (ImportError, OSError, AttributeError):
-        return lambda: None
-    return lambda: prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
-
-
-def _guardian():
-    """The end of a pipe: groups of processes that are written there as +PID, and not as -PID, are killed by a
-    process of its own as soon as this one is gone, even by kill -9.
-    """
-    reading, writing = os.pipe()
-    if os.fork():
-        os.close(reading)
-        os.set_inheritable(writing, False)
-        return writing
-    try:
-        _watch_over(reading)
-    finally:
-        os._exit(0)
-
-
-def _watch_over(reading):
-    os.setsid()
-    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        signal.signal(number, signal.SIG_IGN)
-    os.dup2(os.open(os.devnull, os.O_RDWR), 0)
-    for fd in (1, 2):
-        os.dup2(0, fd)
-    os.dup2(reading, 3)
-    os.closerange(4, 1024)
-    groups = set()
-    with open(3, "rb") as lines:
-        for line in lines:
-            if line.startswith(b"+"):
-                groups.add(int(line))
-            else:
-                groups.discard(-int(line))
-    for group in groups:
-        _kill(group, signal.SIGKILL)

@@ -7,8 +7,8 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import manager, ports
-from rtshell_lite.system import apply, capture, connect_steps, relocate, sites, steps
-from rtshell_lite.text import printable
+from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, sites, steps
+from rtshell_lite.text import printable, shell_word
 
 # How a profile is to be restored. `create` whether missing components are to be created, `manager` the path
 # of the manager for those that the profile names none for, `strict` is --strict-path.
@@ -41,6 +41,21 @@ async def restoring(profile, options):
     site_of = sites.finder(locate, listed)
     outcomes += await parts(listed, site_of)
     return outcomes + await connections(connect_steps.connecting(profile, site_of))
+
+
+async def commands(profile, planned, options):
+    """The commands that would bring the system to what a profile says now, its states by its Plan."""
+    outcomes = await restoring(profile, options)
+    found = [outcome.step.command for outcome in outcomes if outcome.pending and not outcome.likely]
+    states = dict(zip(map(id, profile.components), await capture.states(profile)))
+    for action in plan.in_order(planned.actions):
+        state = states.pop(id(action.component), "Active")
+        path = shell_word(action.path)
+        if state == "Error":
+            found += ["rtreset --wait " + path]
+        if state in ("Error", "Inactive"):
+            found += ["rtact --wait " + path]
+    return found
 
 
 async def parts(listed, site_of):
@@ -281,6 +296,12 @@ async def tearing_down(profile, options):
                 outcome.status = apply.UNTRIED
                 outcome.error = lost[0].error
     return outcomes, notes
+
+
+async def tear_down(profile, options):
+    """Remove the connections of a profile, as far as that can be done."""
+    outcomes, _ = await tearing_down(profile, options)
+    await apply.carry_out(outcomes)
 
 
 async def _ports_only(node):

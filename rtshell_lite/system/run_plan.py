@@ -26,11 +26,28 @@ _Contexts = collections.namedtuple("_Contexts", "handles owned")
 _Answer = collections.namedtuple("_Answer", "node profile contexts")
 
 
+class Progress:
+    """Is told of the actions of a plan, and keeps the `results` of those that have ended."""
+
+    def __init__(self):
+        self.results = []
+
+    def starting(self, action, line):
+        """An action begins, described by `line`."""
+
+    def ended(self, result):
+        """An action has ended, or will not be tried."""
+        self.results.append(result)
+
+    def skipped(self, result):
+        """An action will not be tried, for a reason that has been reported."""
+
+
 class Run:
     """A plan being carried out."""
 
     def __init__(self, actions, transition, progress, wait=None):
-        """`progress` has the methods starting(action, line), ended(Result), skipped(Result).
+        """`progress`: a Progress, or what has its methods.
 
         `wait`: how long a component may take to reach its state, in seconds (default: the timeout).
         """

@@ -6,7 +6,7 @@ import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.net import loop
-from rtshell_lite.system import keep, plan, steering
+from rtshell_lite.system import guardian, happening, keep, plan, restore, steering
 from rtshell_lite.text import json_line
 from rtshell_lite.xmlprofile import model
 
@@ -19,6 +19,8 @@ class Nothing:
     all = ()
 
     async def __aenter__(self):
+        if os.getpid() == 1:  # of a container, where others leave theirs with us
+            guardian.reap(lambda pid, status: None)
         return self
 
     async def __aexit__(self, *_):
@@ -58,13 +60,13 @@ class Service:
         self.is_leaving = False  # the components are left as they are
         self.has_teardown = False
 
-    def tell(self, happening):
+    def tell(self, event):
         """Report a Happening."""
-        self._show(happening)
-        steering.notify(STATUS=happening.line())
+        self._show(event)
+        steering.notify(STATUS=event.line())
         try:
             if self._events is not None:
-                self._events.write(json_line(happening.as_dict()) + "\n")
+                self._events.write(json_line(event.as_dict()) + "\n")
                 self._events.flush()
         except OSError as e:  # a full disk is no reason to leave a robot alone
             self._events = None
@@ -72,10 +74,7 @@ class Service:
 
     def process_happened(self, name, seen, done="", begun=None):
         """Report what happens to a process; `begun` by time.monotonic()."""
-        seconds = 0.0
-        if begun is not None:
-            seconds = time.monotonic() - begun
-        self.tell(keep.Happening(time.time(), name, seen, done, seconds, None))
+        self.tell(happening.now(name, seen, done, begun))
 
     async def run(self, processes):
         """Keep it, and Processes or Nothing, until a signal or a request ends that; a second signal ends it at
@@ -95,12 +94,18 @@ class Service:
         return 128 + self._wanted if self._is_hurried else 0
 
     async def _keep(self, profile, starting, stopping):
-        async with keep.Keeper(profile, starting, self._options, self.tell) as self.keeper:
+        before = self.keeper
+        async with keep.Keeper(profile, starting, self._options, self.tell, before) as self.keeper:
             async with loop.background(self._report()):
                 await self._bell.wait()
             if self._wanted != "reload" and not self.is_leaving:
                 steering.notify(STOPPING=1)
-                await loop.race(self.keeper.stop(stopping, self.has_teardown), self._second.wait())
+                await loop.race(self._stop_all(profile, stopping), self._second.wait())
+
+    async def _stop_all(self, profile, stopping):
+        await self.keeper.stop(stopping)
+        if self.has_teardown:
+            await restore.tear_down(profile, restore.Options(False, None, self._options.strict_path))
 
     async def _report(self):
         """Tell the service manager when all is so, and that we live."""
@@ -194,7 +199,7 @@ class Service:
     def _stop(self, one):
         if isinstance(one, keep.Kept):
             one.is_paused = True
-            self.keeper.start(self.keeper.deactivate(one))
+            self.keeper.start(self.keeper.deactivate(one, "", "deactivated on request"))
         else:
             self.keeper.start(self.processes.stop([one]))
 

@@ -27,9 +27,12 @@ class Step:
     where     the object, for errors
     command   the command that does the same, ready for a shell
     endpoint  the process that `act` asks
+    part      the part of a component that shows whether it is done: configuration, contexts, ports
+    setting   the value that it gives to what a person may have reasons to set otherwise; None for other steps
     """
 
-    kind = command = ""
+    kind = command = part = ""
+    setting = None  # type: object
     tolerant = False  # True if it makes sense though a component is dead
     free = False  # True if others of the kind may come before or after it
 
@@ -190,6 +193,7 @@ class Members(Step):
     """Make components members of a composite."""
 
     kind = "members"
+    part = "contexts"
 
     def __init__(self, site, members):
         names = ", ".join(printable(member.instance) for member in members)
@@ -250,6 +254,8 @@ def _is_missing(member, composite):
 class _Configuring(Step):
     """What steps on a configuration set share."""
 
+    part = "configuration"
+
     def __init__(self, site, set_id, title):
         super().__init__([site], site.where, f"{title} {printable(set_id)} of {site.where}")
         self.site = site
@@ -278,7 +284,7 @@ class Values(_Configuring):
 
     def __init__(self, site, set_id, values):
         super().__init__(site, set_id, "configuration set")
-        self.values = values
+        self.values = self.setting = values
         self.active_before = None  # the set that was active, and has to be again
         present = (self._present(site.found) if site.found else None) or {}
         changed = [
@@ -342,6 +348,7 @@ class Active(_Configuring):
 
     def __init__(self, site, set_id):
         super().__init__(site, set_id, "active configuration set")
+        self.setting = set_id
         self.command = configuration.command(site.where, set_id, "act")
 
     def differences(self, answers):
@@ -375,6 +382,7 @@ class Participants(Step):
     """
 
     kind = "participants"
+    part = "contexts"
 
     def __init__(self, site, index, handle, participants):
         names = ", ".join(printable(participant.instance) for participant in participants)
@@ -465,13 +473,14 @@ class Rate(Step):
     """
 
     kind = "rate"
+    part = "contexts"
 
     def __init__(self, site, index, handle, rate):
         super().__init__([site], site.where, "rate of execution context %d of %s" % (handle, site.where))
         self.site = site
         self.index = index
         self.handle = handle
-        self.rate = rate
+        self.rate = self.setting = rate
         words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "rate", f"{rate!r}"]
         self.command = " ".join(map(shell_word, words))
 

@@ -101,6 +101,16 @@ A component that lives is not started a second time.
   motor: Motor0.rtc answers already: not started
   $ kill $keep; wait $keep
 
+Nor is one that hangs; when it is gone, the process is started.
+
+  $ hang these2; : > out; rtkeep --processes Procfile > out 2>&1 & keep=$!
+  $ soon 'grep motor.*not.started out'; said out | grep motor; kill-mock these2; soon 'grep motor.*ready out'; said out | grep motor
+  motor: Motor0.rtc does not answer, but is not gone: not started
+  motor: Motor0.rtc does not answer, but is not gone: not started
+  motor: started, pid N
+  motor: Motor0.rtc answers: ready
+  $ kill $keep; wait $keep
+
 What is wrong with a Procfile is said before anything is started:
 
   $ try() { printf "$1\n" > p; rtkeep --processes p; }

@@ -20,7 +20,7 @@ To systemd it says when all is as the file says, what happens, that it lives, an
   >     print(server.recv(4096).decode(), flush=True)
   > EOF
   $ python3 manager.py > told & manager=$!
-  $ soon '[ -S notify ]'; NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=400000 rtkeep --events log.json a.xml > out 2>&1 & keep=$!
+  $ soon '[ -S notify ]'; NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=400000 rtkeep --events log.json a.xml >> out 2>&1 & keep=$!
   $ soon 'grep READY=1 told'; soon '[ $(grep -c WATCHDOG=1 told) -ge 3 ]'; grep STATUS told | said | sed 's/\[.*\] //' | sort
   STATUS=ConfigSample0.rtc: Active
   STATUS=ConsoleIn0.rtc: Active
@@ -43,7 +43,6 @@ What is paused is not mended, until it is resumed; that takes back what a person
   $ rtkeep pause Motor0 ConsoleIn0 ConsoleOut0; ctl error Motor0; rtdis ConsoleIn0.rtc; sleep 1; ctl state Motor0; rtls -l | grep ConsoleIn0
   ERROR
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
-  $ tty 160 rttop -n 1 . | grep -o '[^ ]*.rtc .*rtkeep: .*' | sed 's/.rtc .*rtkeep/.rtc rtkeep/; s/;.*//' | sort
   $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0; soon 'rtcheck a.xml'
   $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'; rtkeep status --json | grep -o '"by_hand": .".*hand"'; rtkeep resume; soon 'rtcheck a.xml'
   "by_hand": ["was made Inactive by hand"
@@ -53,6 +52,22 @@ What is paused is not mended, until it is resumed; that takes back what a person
   rtkeep: a.xml: no such component or process in it: Nothing0
   rtkeep: b.xml: no rtkeep keeps it
   [1]
+
+What a person has done stands when the file is read again, and so does a pause; what the file wants otherwise than before is done.
+
+  $ : > out; rtdeact Motor0.rtc; rtconf ConfigSample0.rtc -s mode1 set int_param0=7; rtec ConfigSample0.rtc rate 250; soon '[ $(grep -c by.hand out) = 3 ]'
+  $ rtkeep pause ConsoleOut0; cp a.xml before; sed 's/\(int_param0" rts:data=\)"-999"/\1"8"/' before > a.xml; cmp -s before a.xml; echo $?; : > out; rtkeep reload
+  1
+  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = 8 ]'; soon 'grep ConfigSample0.*restored out'; cp before a.xml; rtkeep reload
+  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = -999 ]'; soon 'rtkeep status | grep Motor0.*Inactive'; rtkeep status --json | grep -o '"by_hand": .".*hand"\|"ConsoleOut0.*"\|"wanted": "paused"'
+  "by_hand": ["rate of execution context 0 was changed by hand"
+  "wanted": "paused"
+  "by_hand": ["was made Inactive by hand"
+  $ said out | sort; ctl state Motor0; rtec ConfigSample0.rtc | head -3; rtkeep resume; soon 'rtcheck a.xml'
+  ConfigSample0.rtc: restored configuration set mode1
+  ConfigSample0.rtc: restored configuration set mode1
+  INACTIVE
+  0  0  Periodic  250  Running  Active  ConfigSample0  -
 
 Its file can be read again; one that is wrong changes nothing.
 
@@ -64,7 +79,7 @@ Its file can be read again; one that is wrong changes nothing.
 
 What a person has done can be made the file's.
 
-  $ rtconf ConfigSample0.rtc -s mode1 set int_param0=5; rtec Motor0.rtc rate 500; soon '[ $(grep -c by.hand out) = 3 ]'
+  $ : > out; rtconf ConfigSample0.rtc -s mode1 set int_param0=5; rtec Motor0.rtc rate 500; soon '[ $(grep -c by.hand out) = 2 ]'
   $ rtkeep pause; rtdis ConsoleIn0.rtc; rtcon -i more ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtkeep adopt --dry-run a.xml | grep '^[-+]' | sed 's/ *<[^ ]*//; s/rtc.*//' | head -7
   --- a.xml

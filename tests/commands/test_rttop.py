@@ -9,6 +9,7 @@ import time
 import unittest
 
 import processes
+import running
 import worlds
 from worlds import Server, World, eventually
 
@@ -338,6 +339,30 @@ class End(Terminal):
         self.tmux("kill-session")
         eventually(lambda: not os.path.exists("/proc/%d" % pid), "rttop has ended")
         self.assertEqual(self.connectors().count("\n"), 1)
+
+    def test_marks_of_rtkeep(self):
+        """What a running rtkeep says of a component stands beside what has changed."""
+        world = World("these", "Motor:Kept0", "ConsoleIn:Left0", "ConsoleIn:Free0", "--context", "kept.host_cxt/%n.rtc")
+        self.addCleanup(world.close)
+        self.tmux("resize-window", "-x", "160", "-y", "40")
+        place = "/localhost:%d/kept.host_cxt" % Server.port
+        more = {"XDG_RUNTIME_DIR": self.home}
+        done = running.run(["rtcryo", "--all", "-o", "a.xml", place + "/Kept0.rtc", place + "/Left0.rtc"], self.home)
+        self.assertEqual(done.status, 0, done)
+        keeping = running.start(["rtkeep", "a.xml"], self.home, more, stdout=subprocess.DEVNULL)
+        self.addCleanup(keeping.wait)
+        self.addCleanup(keeping.kill)
+        self.type("export XDG_RUNTIME_DIR=$HOME")
+        self.start(place)
+        self.shows(r"Kept0\.rtc .*rtkeep: kept", without=r"Free0\.rtc .*rtkeep")
+        self.assertEqual(running.run(["rtkeep", "pause", "Kept0"], self.home, **more).status, 0)
+        self.assertEqual(running.run(["rtdeact", place + "/Left0.rtc"], self.home).status, 0)
+        self.shows(r"Kept0\.rtc .*rtkeep: paused")
+        self.shows(r"Left0\.rtc .*rtkeep: left alone")
+        keeping.terminate()
+        self.shows(r"Kept0\.rtc", without="rtkeep")
+        self.press("q")
+        self.ended(0)
 
     def test_a_bug_of_ours(self):
         with open(os.path.join(self.home, "broken.py"), "w") as file:

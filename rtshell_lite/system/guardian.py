@@ -1,0 +1,93 @@
+"""What ends the processes that rtkeep has started when it is gone itself, even by kill -9: a small process that
+watches it, and on Linux the kernel.
+"""
+
+import os
+import signal
+
+from rtshell_lite.net import loop
+
+PR_SET_PDEATHSIG = 1  # of prctl(2)
+
+
+class Guardian:
+    """Kills the process groups that were `enter`ed, and did not `leave`, as soon as this process is gone."""
+
+    def __init__(self):
+        reading, self._writing = os.pipe()
+        self._prctl = _prctl()
+        if os.fork():
+            os.close(reading)
+            return
+        try:
+            _watch_over(reading)
+        finally:
+            os._exit(0)
+
+    def enter(self):
+        """To be called by a child between fork and exec."""
+        if self._prctl is not None:
+            self._prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+        os.write(self._writing, b"+%d\n" % os.getpid())
+
+    def leave(self, pid):
+        """The group of a process that has ended is gone."""
+        os.write(self._writing, b"-%d\n" % pid)
+
+    def close(self):
+        """Kill what is left."""
+        os.close(self._writing)
+
+
+def reap(ended):
+    """Take the status of processes that end, and call ended(pid, status); as process 1 also of those of others."""
+
+    def take():
+        try:
+            pid, status = os.waitpid(-1, os.WNOHANG)
+            while pid:
+                ended(pid, status)
+                pid, status = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            pass
+
+    loop.current().hear(signal.SIGCHLD, take)
+    take()  # those that have ended before
+
+
+def kill(pid, number):
+    """Send a signal to the group of a process."""
+    try:
+        os.killpg(pid, number)
+    except (ProcessLookupError, PermissionError):
+        pass
+
+
+def _prctl():
+    """prctl(2), None where there is none."""
+    try:
+        import ctypes
+
+        return ctypes.CDLL(None).prctl
+    except (ImportError, OSError, AttributeError):
+        return None
+
+
+def _watch_over(reading):
+    os.setsid()
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    os.dup2(os.open(os.devnull, os.O_RDWR), 0)
+    for fd in (1, 2):
+        os.dup2(0, fd)
+    os.dup2(reading, 3)
+    os.closerange(4, 1024)
+    groups = set()
+    with open(3, "rb") as lines:
+        for line in lines:
+            if line.startswith(b"+"):
+                groups.add(int(line))
+            else:
+                groups.discard(-int(line))
+    for group in groups:
+        kill(group, signal.SIGKILL)

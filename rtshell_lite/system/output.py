@@ -1,0 +1,67 @@
+"""What a process writes: its last lines, and a log with one older file beside it."""
+
+import collections
+import os
+import select
+import time
+
+from rtshell_lite import notes
+from rtshell_lite.net import loop
+
+LINES = 200  # that are kept of each process
+LONGEST = 4096  # characters of a line
+LOG = 4 << 20  # octets of a log file, after which it becomes NAME.log.1
+
+
+class Output:
+    """What the process `name` writes; survives that one, for the next process of that name.
+
+    lines   the last ones
+    wrote   called with the name and each line
+    log     the directory of the log, or None
+    """
+
+    def __init__(self, name, wrote, log):
+        self.name = name
+        self.lines = collections.deque(maxlen=LINES)
+        self._wrote = wrote
+        self._log = log
+
+    def follow(self, fd):
+        """Take what comes from a pipe until its end."""
+        os.set_blocking(fd, False)
+        rest = [b""]  # the beginning of a line
+        loop.current().watch(fd, select.POLLIN, lambda: self._read(fd, rest))
+
+    def _read(self, fd, rest):
+        try:
+            data = os.read(fd, 1 << 16)
+        except BlockingIOError:
+            return
+        lines = (rest[0] + data).split(b"\n")
+        if data and len(lines[-1]) < LONGEST:
+            rest[0] = lines.pop()
+        else:
+            rest[0] = b""
+        for line in filter(None, lines) if not data else lines:
+            text = line[:LONGEST].decode("utf-8", "replace").rstrip("\r")
+            self.lines.append(text)
+            self._wrote(self.name, text)
+            self._write_log(text)
+        if not data:
+            loop.current().unwatch(fd)
+            os.close(fd)
+
+    def _write_log(self, line):
+        if self._log is None:
+            return
+        target = os.path.join(self._log, self.name + ".log")
+        try:
+            with open(target, "a", encoding="utf-8") as file:
+                file.write(time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n")
+                is_full = file.tell() > LOG
+            if is_full:
+                os.replace(target, target + ".1")
+        except OSError as e:  # a full disk is no reason to leave a robot alone
+            self._log = None
+            notes.fail(f"nothing more goes to the log of {self.name}: {e.strerror}")

@@ -1,0 +1,94 @@
+"""Which connections of kept components are not as their file has them, so that one task at a time mends each."""
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb, session
+from rtshell_lite.robot import ports
+from rtshell_lite.system import capture, connect_steps, restore
+
+
+class Connections:
+    """The connectors of a profile and who mends them; `kept_at(end)` gives the keep.Kept of an end, or None."""
+
+    def __init__(self, profile, site_of, kept_at):
+        self._profile = profile
+        self._site_of = site_of
+        self._kept_at = kept_at
+        self._making = set()  # ids of the connectors that a task works on
+        self._halves = set()  # ids of connectors of which one end was seen alone
+
+    def of(self, batch):
+        """(connector, the Kepts of its ends) of those with an end on one of some Kepts."""
+        for connector in self._profile.connectors:
+            ends = [self._kept_at(end) for end in connector.ends]
+            if None not in ends and any(kept in batch for kept in ends):
+                yield connector, ends
+
+    async def take(self, batch):
+        """The connectors of some Kepts whose ports have changed that these do not show as the file has them. No
+        other task works on them until they are released; all of their ends have been asked since.
+        """
+        taken = []
+        for connector, ends in self.of(batch):
+            if not all(kept.is_usable for kept in ends):
+                continue
+            if _is_shown(connector, ends, batch):
+                ends[0].said.pop(key_of(connector), None)
+            elif id(connector) in self._making:
+                for kept in ends:
+                    kept.change("ports")
+            else:
+                self._making.add(id(connector))
+                taken.append((connector, ends))
+        asked = list({kept for _, ends in taken for kept in ends})
+        answers = await session.each(asked, _look_at_ports, lambda kept: kept.place)
+        failed = {kept for kept, answer in zip(asked, answers) if isinstance(answer, errors.Error)}
+        for kept in failed:
+            kept.change("ports")
+        self.release([connector for connector, ends in taken if failed.intersection(ends)])
+        return [connector for connector, _ in taken if id(connector) in self._making]
+
+    def release(self, connectors):
+        """Let other tasks work on connectors."""
+        self._making.difference_update(map(id, connectors))
+
+    async def outcomes(self, connectors):
+        """The apply.Outcomes of the steps that make connectors, without those of a connection that has just lost an
+        end: somebody may be about to connect, or to disconnect. What is half there at the next look, too, is
+        removed.
+        """
+        connecting = connect_steps.connecting(self._profile, self._site_of, connectors)
+        outcomes = await restore.connections(connecting)
+        removed = {id(outcome.step.connector) for outcome in outcomes if outcome.step.kind == "disconnect"}
+        doubtful = removed - self._halves
+        self._halves = doubtful
+        for outcome in outcomes:
+            if id(outcome.step.connector) in doubtful:
+                self._kept_at(outcome.step.connector.ends[0]).change("ports")
+        return [outcome for outcome in outcomes if id(outcome.step.connector) not in doubtful]
+
+
+def key_of(connector):
+    """What tells the steps of a connector from others."""
+    return "connect", id(connector)
+
+
+def _is_shown(connector, ends, batch):
+    """Whether those of the ends of a connector that are in the batch show it as the file has it: with its id,
+    between the ports that the others had when they were last asked.
+    """
+    found = [kept.site.port(capture.port_of(end)) for kept, end in zip(ends, connector.ends)]
+    if any(isinstance(port, errors.Error) for port in found):
+        return False
+    wanted = {orb.identity(port.ref) for port in found}
+    for kept, port in zip(ends, found):
+        same = [one for one in port.connectors if one.id and one.id == connector.connector_id]
+        joined = {orb.identity(ref) for one in same for ref in one.ports if ref is not None}
+        if kept in batch and joined != wanted:
+            return False
+    return True
+
+
+async def _look_at_ports(kept):
+    """Have the present ports of a component in what was found of it."""
+    now = await ports.ports(kept.shown.node)
+    kept.site.found = kept.site.found._replace(ports=ports.in_system(now))

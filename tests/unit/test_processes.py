@@ -1,0 +1,160 @@
+"""The processes that rtkeep keeps: if this fails, some of a robot outlive it, fill the table of processes, or cannot be ended.
+
+tests/commands/rtkeep-processes.t has the common cases.
+"""
+import json
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import running
+import worlds
+
+LONG = 30.0  # seconds; more than ending at once takes on a busy machine
+STUBBORN = "sh -c 'trap \"\" TERM INT; echo ready; while :; do sleep 0.1; done'"
+IN_NAMESPACE = ["unshare", "--pid", "--fork", "--mount-proc", "--kill-child"]
+
+
+def has_namespaces():
+    """Whether we may make a process the first of its own namespace."""
+    if not shutil.which("unshare"):
+        return False
+    return subprocess.call(IN_NAMESPACE + ["true"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) == 0
+
+
+def children(pid):
+    """{pid: state} of the children of a process."""
+    with open("/proc/%d/task/%d/children" % (pid, pid)) as file:
+        found = file.read().split()
+    states = {}
+    for child in map(int, found):
+        try:
+            with open("/proc/%d/stat" % child) as file:
+                states[child] = file.read().rpartition(")")[2].split()[0]
+        except FileNotFoundError:
+            pass
+    return states
+
+
+def is_there(pid):
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+class Processes(unittest.TestCase):
+    def setUp(self):
+        self.directory = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.directory, True)
+
+    def keep(self, procfile, inside=(), **more):
+        with open(os.path.join(self.directory, "Procfile"), "w") as file:
+            file.write(procfile)
+        with open(os.path.join(self.directory, "said"), "ab") as said:
+            self.process = running.start(["rtkeep", "-v", "--json", "--processes", "Procfile"], self.directory,
+                                         dict(more, XDG_RUNTIME_DIR=self.directory), inside,
+                                         stdin=subprocess.DEVNULL, stdout=said, stderr=said)
+        self.addCleanup(self.process.wait)
+        self.addCleanup(self.process.kill)
+
+    def said(self):
+        with open(os.path.join(self.directory, "said")) as file:
+            return file.read()
+
+    def until(self, text, count=1):
+        worlds.eventually(lambda: self.said().count(text) >= count or self.process.poll() is not None, text)
+        self.assertGreaterEqual(self.said().count(text), count, self.said())
+
+    def events(self):
+        return [json.loads(line) for line in self.said().splitlines() if line.startswith("{")]
+
+    def pids(self, name):
+        return [int(event["done"].rpartition(" ")[2]) for event in self.events()
+                if event["object"] == name and event["done"].startswith("started")]
+
+    def test_second_signal(self):
+        """A second signal ends it at once, with all processes, however long these may take; a first one does not."""
+        for first, second in ((signal.SIGTERM, signal.SIGTERM), (signal.SIGINT, signal.SIGTERM), (signal.SIGTERM, signal.SIGINT)):
+            with self.subTest(first=first, second=second):
+                open(os.path.join(self.directory, "said"), "w").close()
+                self.keep("a: %s\na.stop: TERM 1000\n" % STUBBORN)
+                self.until("a: ready")
+                self.process.send_signal(first)
+                time.sleep(0.5)  # a time in which nothing may happen
+                self.assertIsNone(self.process.poll())
+                begun = time.monotonic()
+                self.process.send_signal(second)
+                self.assertEqual(self.process.wait(LONG), 128 + second)
+                self.assertLess(time.monotonic() - begun, LONG)
+                worlds.eventually(lambda: not is_there(self.pids("a")[-1]), "the process ends, too")
+
+    def test_kill_follows(self):
+        self.keep("a: %s\na.stop: TERM 0.3\n" % STUBBORN)
+        self.until("a: ready")
+        self.process.terminate()
+        self.assertEqual(self.process.wait(LONG), 0)
+        self.assertIn(("does not end within 0.3s", "killed"), [(event["seen"], event["done"]) for event in self.events()])
+
+    def test_what_is_told_to_rtkeep_alone(self):
+        """A process that took the messages of the service manager for its own would speak for rtkeep."""
+        self.keep("a: env\na.restart: no\n", NOTIFY_SOCKET="/nowhere", WATCHDOG_USEC="5000000", OTHER="here")
+        self.until("not started again")
+        self.assertIn("OTHER=here", self.said())
+        self.assertNotIn("NOTIFY_SOCKET", self.said())
+        self.assertNotIn("WATCHDOG", self.said())
+
+    def test_resume_does_not_wait(self):
+        self.keep("a: false\na.delay: 1000-1000\n")
+        self.until("started, pid", 2)  # at once after the first failure, then 1000 s later
+        self.until("ended with status 1", 2)
+        done = running.run(["rtkeep", "resume", "a"], self.directory, XDG_RUNTIME_DIR=self.directory)
+        self.assertEqual(done.status, 0, done)
+        self.until("started, pid", 3)
+
+    @unittest.skipUnless(has_namespaces(), "no namespaces of processes here: unshare does not work")
+    def test_first_process_of_a_container(self):
+        """As process 1 it reaps what others have left, hears signals, and takes all with it."""
+        orphans = "sh -c 'for n in 1 2 3 4 5; do sh -c \"setsid sleep 0.2 &\"; done; echo left; exec sleep 1000'"
+        self.keep("a: %s\n" % orphans, inside=IN_NAMESPACE)
+        self.until("a: left")
+        (first,) = children(self.process.pid)
+        with open("/proc/%d/status" % first) as file:
+            self.assertRegex(file.read(), r"NSpid:\t\d+\t1\n")
+        worlds.eventually(lambda: len(children(first)) == 2, "orphans end: only the process and what watches over it stay")
+        self.assertNotIn("Z", children(first).values())
+        os.kill(first, signal.SIGTERM)
+        self.assertEqual(self.process.wait(LONG), 0)
+        self.assertIn("as it was told", self.said())
+
+    @unittest.skipUnless(has_namespaces(), "no namespaces of processes here: unshare does not work")
+    def test_first_process_without_processes_of_its_own(self):
+        """It reaps then, too: `docker exec` leaves orphans with it."""
+        with open(os.path.join(self.directory, "a.rtsys"), "w") as file:
+            file.write('<rts:RtsProfile rts:version="0.2" rts:id="RTSystem:a:b:1" '
+                       'xmlns:rts="http://www.openrtp.org/namespaces/rts"/>')
+        script = 'sh -c "setsid sleep 0.2 &"; exec "$@"'  # its orphan becomes that of rtkeep
+        with open(os.path.join(self.directory, "said"), "ab") as said:
+            self.process = running.start(["rtkeep", "a.rtsys"], self.directory, dict(XDG_RUNTIME_DIR=self.directory),
+                                         IN_NAMESPACE + ["sh", "-c", script, "sh"],
+                                         stdin=subprocess.DEVNULL, stdout=said, stderr=said)
+        self.addCleanup(self.process.wait)
+        self.addCleanup(self.process.kill)
+
+        def is_kept():
+            return any(name.endswith(".socket") for _, _, names in os.walk(self.directory) for name in names)
+
+        worlds.eventually(is_kept, "it runs")
+        (first,) = children(self.process.pid)
+        worlds.eventually(lambda: not children(first), "no zombie stays")
+        os.kill(first, signal.SIGTERM)
+        self.assertEqual(self.process.wait(LONG), 0, self.said())
+
+
+if __name__ == "__main__":
+    unittest.main()
