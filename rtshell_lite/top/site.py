@@ -92,7 +92,7 @@ class Place:
 async def place(words):
     """The Place for HOST:PORT; port 0 is any free one. Raises Usage, Failed."""
     host, colon, port = words.rpartition(":")
-    if not colon or not host or not port.isdigit() or len(port) > 5:
+    if not colon or not host or not port.isdigit() or not 0 <= int(port[:6]) < 65536:
         raise errors.Usage(f"--serve {printable(words)}: not HOST:PORT")
     try:
         found = await loop.on_thread(socket.getaddrinfo, host.strip("[]"), int(port), 0, socket.SOCK_STREAM)

@@ -173,9 +173,6 @@ A page for browsers is tried in tests/commands/test_rttop_serve.py. Without one 
   $ interrupt 1.5 rttop --serve 127.0.0.1:0
   http://127.0.0.1:\d+/ (re)
   [130]
-  $ rttop --serve 127.0.0.1:70000
-  rttop: --serve 127.0.0.1:70000: * (glob)
-  [1]
 
 Wrong usage is found before anything is asked:
 
@@ -197,6 +194,9 @@ Wrong usage is found before anything is asked:
   [2]
   $ rttop --serve 127.0.0.1:0 -n 1
   rttop: --serve does not go with -p, -s, -f, -n or --json (see --help)
+  [2]
+  $ rttop --serve 127.0.0.1:70000
+  rttop: --serve 127.0.0.1:70000: not HOST:PORT (see --help)
   [2]
   $ rttop --serve=nonsense; rttop --serve=:80; rttop --serve=localhost:x
   rttop: --serve nonsense: not HOST:PORT (see --help)
