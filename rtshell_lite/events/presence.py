@@ -52,9 +52,16 @@ class Followed:
         return self.shown is not None
 
     @property
+    def node(self):
+        """Its Node. Raises why it is absent, as it may be by the time that a task begins."""
+        if self.shown is None:
+            raise self.error
+        return self.shown.node
+
+    @property
     def endpoint(self):
-        """(host, port) of its process."""
-        return self.shown.node.endpoint
+        """(host, port) of its process; raises as `node` does."""
+        return self.node.endpoint
 
     @property
     def place(self):
@@ -89,8 +96,7 @@ class Followed:
             return
         quiet = [(f"port_profile.{word}_event.min_interval", NEVER) for word in ("send", "receive")]
         if self.subscription is None:
-            node = self.shown.node
-            self.subscription = observer.observer(node, known[0], KINDS, self._hear, BEAT, quiet)
+            self.subscription = observer.observer(self.node, known[0], KINDS, self._hear, BEAT, quiet)
         try:
             await self.subscription.attach()
         except errors.Refused:
@@ -179,12 +185,14 @@ class Presence:
 
     async def ask(self, each):
         """Ask a component whether it lives, and act on the answer."""
-        if not each.is_there:
+        shown = each.shown
+        if shown is None:
             return
         try:
             await _alive(each)
         except errors.Error as e:
-            self.failed(each, e)
+            if each.shown is shown:  # not another one that has come meanwhile
+                self.failed(each, e)
             return
         session.current().silent.pop(each.endpoint, None)
         each.heard = max(each.heard, time.monotonic() - LATE + BEAT)
@@ -266,6 +274,8 @@ class Presence:
     @staticmethod
     async def _lend_again(each):
         """A component that lives may have lost its observer after a failed call."""
+        if each.subscription is None:
+            return
         each.heard = time.monotonic()
         try:
             await each.subscription.attach()
@@ -295,6 +305,8 @@ class Presence:
     async def _put(self, each, part, has_changed):
         """Ask a component a question: whether a part of it is not what `shown` has."""
         shown = each.shown
+        if shown is None:
+            return
         try:
             is_new = await has_changed(each.where, shown)
         except errors.Refused:

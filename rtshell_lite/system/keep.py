@@ -188,8 +188,7 @@ class Kept(presence.Followed):
             self.keeper.complain(self, WHOLE, self.site.error)
 
     def vanished(self, seen):
-        self.site.node = self.site.found = None
-        self.site.error = self.error
+        self.site.error = self.error  # tasks that are at work go on with what they have, and fail
         self.changed = set()
         self.has_exited = seen == "has exited"
         self.become("absent")
@@ -352,8 +351,9 @@ class Keeper(presence.Presence):
             kept.looking = kept.changed
             kept.changed = set()
         try:
-            answers = await session.each(batch, self._look, lambda kept: kept.place)
-            for kept, answer in zip(batch, answers):
+            there = [kept for kept in batch if kept.is_there]
+            answers = await session.each(there, self._look, lambda kept: kept.place)
+            for kept, answer in zip(there, answers):
                 if isinstance(answer, errors.Error):
                     await self._not_shown(kept, answer)
             await self._restore([kept for kept in batch if kept.is_usable])
@@ -365,11 +365,11 @@ class Keeper(presence.Presence):
             self.bell.ring()
 
     async def _look(self, kept):
-        shown = kept.shown
+        shown = kept.node and kept.shown
         parts = kept.looking
         if WHOLE in parts:
             await shown.ask(ports=BRIEF, profile=FULL)
-            if self.options.watch:
+            if self.options.watch and kept.shown is shown:
                 await kept.observe()
             shown.profile = shown.profile._replace(properties=[])
             parts = PARTS
@@ -427,6 +427,8 @@ class Keeper(presence.Presence):
         """Report what has become of a step."""
         step = outcome.step
         kept = self._kept_of[id(step.sites[0])]
+        if kept.site.found is None:  # another object has come meanwhile
+            return
         if outcome.status in (apply.DONE, apply.ALREADY):
             kept.settled[_key(step)] = step.setting
             kept.said.pop(_key(step), None)
@@ -568,7 +570,7 @@ class Keeper(presence.Presence):
 
     @staticmethod
     async def _change(kept, transition):
-        await transitions.change(kept.shown.node, transition, None, session.current().timeout)
+        await transitions.change(kept.node, transition, None, session.current().timeout)
         kept.become(transition.target)
 
     async def _activate(self, todo):
@@ -594,13 +596,13 @@ class Keeper(presence.Presence):
         run = run_plan.Run(actions, transition, progress)
         of_actions = [(action, self._kept_of[id(action.component)]) for action in actions]
         ended = {action.number: outcome_of(kept) for action, kept in of_actions if kept not in some}
-        run.take({id(kept.site.component): kept.shown.node for kept in some}, ended)
+        run.take({id(kept.site.component): kept.node for kept in some}, ended)
         await run.carry_out()
         return progress.results
 
     def _started(self, kept, failed, begun):
         """Judge the actions of one component by the errors.Errors of those that failed."""
-        if not kept.is_there:
+        if not kept.is_usable:
             return
         if not failed:
             kept.become("Active")

@@ -90,5 +90,5 @@ def _is_shown(connector, ends, batch):
 
 async def _look_at_ports(kept):
     """Have the present ports of a component in what was found of it."""
-    now = await ports.ports(kept.shown.node)
+    now = await ports.ports(kept.node)
     kept.site.found = kept.site.found._replace(ports=ports.in_system(now))

@@ -68,6 +68,7 @@ What a person does is reported, and left alone.
 At rest nobody is called who reports by himself: a question each --look seconds goes to the others. At the end no observer stays.
 
   $ sleep 1; begun=$(date +%s); ctl reset; ctl @these3 reset; sleep 2.5; ctl calls | grep -v put
+  [1]
   $ ctl @these3 calls | awk -v end=$(date +%s) -v begun=$begun '!/put/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
   1
   $ kill $keep; wait $keep

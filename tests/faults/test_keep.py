@@ -118,7 +118,7 @@ class Keeping:
     def __init__(self, file, *words):
         self.directory = os.path.dirname(file)
         self.log = os.path.join(self.directory, "events.json")
-        self.words = ["rtkeep", "--look", "0.5", "--burst", "1000/60", "--delay", "0.2-0.5", "--leave", "--events", self.log]
+        self.words = ["rtkeep", "--look", "0.3", "--burst", "1000/60", "--delay", "0.2-0.5", "--leave", "--events", self.log]
         self.file = file
         self.start()
 
