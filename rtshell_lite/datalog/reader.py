@@ -134,8 +134,8 @@ class Log:
                 logged, name, media, _, size = mcap.attachment(octets[HEAD.size :])
                 index = mcap.attachment_index(logged, name, media, size, offset, end - offset)
                 made.records[mcap.ATTACHMENT_INDEX].append(index)
-            else:
-                made.records[kind].append(octets)
+        for (kind, _), body in sorted(self._defined.items()):
+            made.records[kind].append(mcap.record(kind, body))
         indexes = [self._index(stretch, made) for stretch in self._stretches]
         return made, {schema: number for number, schema in self._schemas.items()}, dict(self._ids), indexes
 
@@ -220,12 +220,11 @@ class Log:
         self.started = None
         self._schemas = {}
         self._ids = {}
+        self._defined = {}  # Schema and Channel records, in chunks or not: bodies by (opcode, id)
         self._numbers = {}  # our number of a channel, by its id
         self._counts = counted or {}
         self._stretches = []
-        self._others = (
-            []
-        )  # (opcode, begin, end) of Schema, Channel, Metadata, Attachment records outside of chunks
+        self._others = []  # (opcode, begin, end) of Metadata and Attachment records
         self._compressed = None
         self.end = len(mcap.MAGIC)
         for kind, body in defined:
@@ -348,7 +347,8 @@ class Log:
         try:
             if kind in (mcap.SCHEMA, mcap.CHANNEL):
                 self._define(kind, self._body(self.end, end))
-            elif kind == mcap.METADATA:
+                return
+            if kind == mcap.METADATA:
                 self._described(self._body(self.end, end))
             elif kind == mcap.ATTACHMENT:
                 body = self._octets(self.end + HEAD.size, min(end - self.end, WORDS))
@@ -372,8 +372,10 @@ class Log:
         if kind == mcap.SCHEMA:
             number, schema = mcap.schema(body)
             self._schemas.setdefault(number, schema)
+            self._defined.setdefault((kind, number), body)
             return
         number, schema_number, topic, encoding, about = mcap.channel(body)
+        self._defined.setdefault((kind, number), body)
         if number in self._numbers:
             return
         schema = self._schemas.get(schema_number)

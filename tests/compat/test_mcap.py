@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path[:0] = [os.path.dirname(TESTS), os.path.join(TESTS, "support")]
@@ -25,12 +26,16 @@ try:
     from mcap_ros2.writer import Writer as RosWriter
 except ImportError:
     raise unittest.SkipTest("needs mcap and mcap-ros2-support; see tests/run --compat")
+if sys.version_info >= (3, 14):
+    from compression import zstd
+else:
+    from backports import zstd  # what Python 3.14 has, for older ones
 
 import random_values  # noqa: E402
 from rtshell_lite import errors  # noqa: E402
 from rtshell_lite.data import datatypes  # noqa: E402
 from rtshell_lite.data.idl import parser  # noqa: E402
-from rtshell_lite.datalog import decode, logfile, records, schemas, writer  # noqa: E402
+from rtshell_lite.datalog import compression, decode, logfile, mend, records, schemas, writer  # noqa: E402
 from rtshell_lite.giop import descriptors  # noqa: E402
 
 START = 1700000000 * 10 ** 9
@@ -206,12 +211,40 @@ class Theirs(Case):
                 self.assertEqual(log.since(START + 70), 70)
 
     def test_compressed(self):
-        for compression in (CompressionType.LZ4, CompressionType.ZSTD):
-            self.ros(compression=compression)
-            if compression == CompressionType.ZSTD and sys.version_info >= (3, 14):
-                continue
-            with self.assertRaisesRegex(errors.Failed, "compressed .*, which is not read; mcap decompress FILE -o OUT"):
+        for packed in (CompressionType.LZ4, CompressionType.ZSTD):
+            self.ros(compression=packed)
+            with mock.patch.object(compression, "_zstd", lambda: None), self.assertRaisesRegex(
+                    errors.Failed, "compressed .*, which is not read; mcap decompress FILE -o OUT"):
                 logfile.load(self.name)
+
+    def test_zstd(self):
+        """Read where Python has it; what is damaged is counted, as elsewhere; a mended copy is read by theirs."""
+        with mock.patch.object(compression, "_zstd", lambda: zstd):
+            self.ros(compression=CompressionType.ZSTD, chunk_size=300)
+            with logfile.load(self.name) as log:
+                self.assertEqual([entry.number for entry in log.entries()], list(range(100)))
+                self.assertEqual(([entry.number for entry in log.entries(57)][0], log.since(START + 70)), (57, 70))
+                offsets = [(stretch.end, stretch.number) for stretch in log._stretches]
+            end, count = offsets[len(offsets) // 2]
+            with open(self.name, "r+b") as file:
+                file.truncate(end - 1)
+            with logfile.load(self.name) as log:
+                self.assertEqual((len(list(log.entries())), log.damaged, log.closed), (count, 0, False))
+            mend.mend(self.name, self.name + "-mended")
+        with open(self.name + "-mended", "rb") as file:
+            messages = make_reader(file, validate_crcs=True, decoder_factories=[DecoderFactory()]).iter_decoded_messages()
+            self.assertEqual([each.decoded_message.data for each in messages], list(range(count)))
+
+    def test_zstd_that_is_damaged(self):
+        self.ros(compression=CompressionType.ZSTD, chunk_size=300)
+        with mock.patch.object(compression, "_zstd", lambda: zstd), open(self.name, "r+b") as file:
+            with logfile.load(self.name) as log:
+                stretch = log._stretches[1]
+            file.seek(stretch.end - 8)
+            file.write(b"\xff" * 8)
+            file.flush()
+            with logfile.load(self.name) as log:
+                self.assertEqual((len(list(log.entries())), log.damaged), (100 - stretch.count, stretch.count))
 
     def test_json_and_omgidl_in_no_chunk(self):
         for chunking in (True, False):

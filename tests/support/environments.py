@@ -162,7 +162,7 @@ def prepare_compat(python):
     """An environment with the real libraries for profiles and logs, from the package index; returns its interpreter. Raises
     Failed.
     """
-    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support"]
+    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support", "backports.zstd; python_version < '3.14'"]
     return _environment(python, os.path.join(STORE, "compat-" + python.full), " ".join(words), words, "yaml, rtsprofile, mcap, mcap_ros2")
 
 
