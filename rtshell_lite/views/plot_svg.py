@@ -1,5 +1,7 @@
 """A plot.Picture as SVG: readable on white and on black, in colours and without (lines differ in their dashes, too)."""
 
+import math
+
 from rtshell_lite.text import cells, printable
 from rtshell_lite.views import plot
 
@@ -10,6 +12,7 @@ RIGHT = 24
 TOP = 34
 LINE = 20  # between lines of text
 FOOT = 62
+WORD = 7  # width of a character of a mark
 # of a series: colour on white, colour on black, dashes
 STYLES = (
     ("#0b62b8", "#6cb6ff", ""),
@@ -28,6 +31,7 @@ text { fill: currentColor; }
 .mark { stroke: #c8102e; stroke-dasharray: 3 2; }
 .words { fill: #c8102e; font-size: 12px; }
 .series { fill: none; stroke-width: 1.6; stroke-linejoin: round; stroke-linecap: round; }
+.wide { stroke-width: 3.2; }
 %s@media (prefers-color-scheme: dark) {
 svg { background: #0d1117; color: #e6edf3; }
 .mark { stroke: #ff7b72; }
@@ -55,7 +59,7 @@ def lines(picture):
             yield from _curves(picture, panel, top)
         y += size
     if picture.first is not None:
-        yield from _words_of_marks(picture, marks, y)
+        yield from _words_of_marks(marks, y)
         yield from _foot(picture, y)
     yield "</svg>"
 
@@ -104,10 +108,15 @@ def _heading(panel, y):
         yield _text(x + 42, line + 4, _said(series), sort="small")
 
 
-def _path(data, number):
-    dashes = STYLES[number % len(STYLES)][2]
-    more = f' stroke-dasharray="{dashes}"' * bool(dashes)
-    return f'<path class="series s{number % len(STYLES)}" d="{data}"{more}/>'
+def _path(data, number, stretch=1.0):
+    """A line in the style of a series; there are as many wide styles. `stretch` makes its dashes longer."""
+    turn, place = divmod(number, len(STYLES))
+    names = f"series s{place}" + " wide" * (turn % 2)
+    more = ""
+    if STYLES[place][2]:
+        lengths = [f"{float(length) * stretch:.4g}" for length in STYLES[place][2].split()]
+        more = ' stroke-dasharray="%s"' % " ".join(lengths)
+    return f'<path class="{names}" d="{data}"{more}/>'
 
 
 def _axes(picture, panel, top):
@@ -150,19 +159,26 @@ def _curves(picture, panel, top):
     low, high = _bounds(panel)
     for number, series in enumerate(panel.series.values()):
         data = []
-        begun = None
+        at = None
+        length = 0.0
+        width = 0.0
         for moment, value, is_after_gap in _thinned(picture, series):
             x = _x(picture, moment)
             y = top + HEIGHT - (value - low) / (high - low) * HEIGHT
-            if is_after_gap or begun is None:
+            if is_after_gap or at is None:
                 data.append(f"M{x:.1f} {y:.1f}h0")  # a value between two gaps is a dot
-            elif series.is_step:
+                at = x, y
+                continue
+            if series.is_step:
                 data.append(f"H{x:.1f}V{y:.1f}")
             else:
                 data.append(f"L{x:.1f} {y:.1f}")
-            begun = x
+            length += math.hypot(x - at[0], y - at[1])
+            width += x - at[0]
+            at = x, y
         if data:
-            yield _path("".join(data), number)
+            # the dashes of a noisy line, which is much longer than wide, look as in the legend
+            yield _path("".join(data), number, max(1.0, length / max(width, 1.0)))
 
 
 def _thinned(picture, series):
@@ -178,17 +194,17 @@ def _thinned(picture, series):
 
 
 def _kept_apart(picture):
-    """The marks whose words have room beside each other; a line is drawn for all."""
+    """The marks whose words have room beside each other: (left end of the words, words); a line is drawn for all."""
     found = []
     free = 0.0
     for moment, words in sorted(picture.marks):
-        if (
-            picture.first is not None
-            and picture.first <= moment <= picture.last
-            and _x(picture, moment) >= free
-        ):
-            found.append((moment, words))
-            free = _x(picture, moment) + 8 * cells(words) + 8
+        if picture.first is None or not picture.first <= moment <= picture.last:
+            continue
+        size = WORD * cells(words)
+        x = min(_x(picture, moment), WIDTH - size)
+        if x >= free:
+            found.append((max(x, 0.0), words))
+            free = x + size + WORD
     return found
 
 
@@ -198,14 +214,9 @@ def _lines_of_marks(picture, top):
             yield f'<path class="mark" d="M{_x(picture, moment):.1f} {top}v{HEIGHT}"/>'
 
 
-def _words_of_marks(picture, marks, y):
-    for moment, words in marks:
-        x = _x(picture, moment)
-        yield f'<path class="mark" d="M{x:.1f} {y}v24"/>'
-        if x + 7 * cells(words) > WIDTH:
-            yield _text(x, y + 36, words, "end", "words")
-        else:
-            yield _text(x, y + 36, words, "start", "words")
+def _words_of_marks(marks, y):
+    for x, words in marks:
+        yield _text(x, y + 36, words, sort="words")
 
 
 def _foot(picture, y):

@@ -1,5 +1,6 @@
 """Plots: what is thinned out, where lines end, which numbers stand at axes, and that nothing hostile is drawn."""
 import math
+import re
 import types
 import unittest
 import xml.dom.minidom
@@ -144,6 +145,30 @@ class Drawn(unittest.TestCase):
     def test_an_svg_has_few_points(self):
         made = "\n".join(plot_svg.lines(picture(50000, function=math.sin)))
         self.assertLess(len(made), 200000)
+
+    def test_lines_differ_without_colours(self):
+        """As many as an arm has joints and more, also where noise makes a line much longer than it is wide."""
+        panel = plot.Panel("joints")
+        for joint in range(12):
+            for number in range(2000):
+                panel.named(str(joint)).add(START + number * SECOND, joint + number % 2 * 5)
+        made = plot.Picture([panel])
+        made.fit()
+        drawn = re.findall(r'<path class="series s\d( wide)?" d="(M[^"]*)"( stroke-dasharray="[^"]*")?', "\n".join(plot_svg.lines(made)))
+        legend = [(wide, dashes) for wide, data, dashes in drawn if "h34" in data]
+        curves = [dashes for _, data, dashes in drawn if "h34" not in data]
+        self.assertEqual((len(set(legend)), len(curves)), (12, 12))
+        self.assertEqual(legend[1][1], ' stroke-dasharray="9 3"')
+        self.assertGreater(float(re.findall(r'"([\d.]+) ', curves[1])[0]), 90)
+
+    def test_words_of_marks_do_not_overlap(self):
+        made = picture(100)
+        made.marks = [(START + number * SECOND, "a word of some length %d" % number) for number in (0, 50, 60, 97, 98, 99)]
+        found = re.findall(r'<text x="([\d.]+)"[^>]*class="words">a word of some length (\d+)', "\n".join(plot_svg.lines(made)))
+        self.assertEqual([number for _, number in found], ["0", "50", "97"])
+        places = [float(x) for x, _ in found] + [plot_svg.WIDTH + plot_svg.WORD]
+        for this, following in zip(places, places[1:]):
+            self.assertGreaterEqual(following - this, 24 * plot_svg.WORD)
 
 
 if __name__ == "__main__":
