@@ -134,6 +134,13 @@ def senders(stage, rate=1000, size=1000, *changes):
     source.owned[0].activate_component(source.reference)
 
 
+def sources(stage, count=30, rate=100, size=8):
+    """[N [RATE [SIZE]]]: Source0, Source1 … (default 30), as that of `senders` (default 100, 8)"""
+    for number in range(int(count)):
+        source = stage.add("Source", "Source%d" % number, rate=float(rate), size=int(size))
+        source.owned[0].activate_component(source.reference)
+
+
 def topics(stage, *interfaces):
     """[INTERFACE …]: ConsoleIn0 and ConsoleOut0 with transports that connect one port alone (default: fast-rtps ssm)"""
     stage.flavour = stage.flavour.but(interfaces=",".join([stage.flavour.interfaces] + list(interfaces or ("fast-rtps", "ssm"))))
@@ -190,7 +197,7 @@ def harassing(stage, only=None):
 
 WORLDS = {world.__name__: world for world in (
     two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
-    fsm, observed, senders, topics, custom, orphan, fragile, hung, zombie, names)}
+    fsm, observed, senders, sources, topics, custom, orphan, fragile, hung, zombie, names)}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update(ailments.WORLDS)
 WORLDS.update({"all": everything, "chain": chain_of, "hostile": cruel, "wicked": harassing})

@@ -1,9 +1,11 @@
 """How much rtlog records without loss, beside a bare omniORBpy servant; its CPU at 100 Hz; its memory after many messages.
 
-    python3 tests/bench/rtlog.py [rate | block | cpu | memory] [MESSAGES]     TMPDIR says which disk
+    python3 tests/bench/rtlog.py [rate | block | cpu | memory | robot] [MESSAGES | SECONDS]     TMPDIR says which disk
 
 TimedLong: a mock component sends as fast as its port takes values (flush: each put is waited for), to rtlog and to the bare
 servant. Octets, 1 MB each: also to the bare servant; to rtlog at lower and lower rates, until nothing is dropped.
+A robot of 60 ports at 100 Hz and 4 of images of 1 MB at 10 Hz, recorded whole with --events, beside a bare servant that writes
+the same: CPU of both, by turns; values lost; memory.
 """
 import os
 import resource
@@ -40,14 +42,22 @@ orb = CORBA.ORB_init(["bare", "-ORBgiopMaxMsgSize", "104857600"], CORBA.ORB_ID)
 poa = orb.resolve_initial_references("RootPOA")
 poa._get_the_POAManager().activate()
 sink = Sink()
-file = open(sys.argv[4], "wb", 0) if len(sys.argv) > 4 else None
+file = open(sys.argv[4], "wb", 1 << 20) if len(sys.argv) > 4 else None
 ior = orb.object_to_string(sink._this())
-port = orb.string_to_object(sys.argv[1])
-code, profile = port.connect(worlds.connector([port], corba_cdr__inport_ior=ior, data_type=sys.argv[2]))
+connected = []
+for pair in sys.argv[1].split(","):
+    reference, _, type_id = pair.partition(" ")
+    port = orb.string_to_object(reference)
+    code, profile = port.connect(worlds.connector([port], corba_cdr__inport_ior=ior, data_type=type_id or sys.argv[2]))
+    connected.append((port, profile.connector_id))
+used = time.process_time()
+count = sink.count
 time.sleep(float(sys.argv[3]))
+used = time.process_time() - used
 count, octets, seconds = sink.count, sink.octets, sink.ended - sink.begun
-port.disconnect(profile.connector_id)
-print(count / seconds, octets / seconds)
+for port, connector_id in connected:
+    port.disconnect(connector_id)
+print(count / seconds, octets / seconds, used / float(sys.argv[3]))
 os._exit(0)
 """ % (ROOT, os.path.join(ROOT, "tests", "support"))
 
@@ -135,6 +145,56 @@ def memory(file, messages):
         messages, sizes[tenth], sizes[-1], max(sizes)))
 
 
+def robot(directory, seconds):
+    """Record a whole robot for so long, and a fifth of that with the bare servant before and after."""
+    small = worlds.World("sources", "30", "100", "8", "--context", "small.host_cxt/%n.rtc")
+    images = worlds.World("sources", "4", "10", "1000000", "--context", "images.host_cxt/%n.rtc")
+    pairs = []
+    for context, count in (("small", 30), ("images", 4)):
+        for number in range(count):
+            steps = [worlds.CosNaming.NameComponent(context, "host_cxt"), worlds.CosNaming.NameComponent("Source%d" % number, "rtc")]
+            for port in worlds.Server.root.resolve(steps)._narrow(worlds.OpenRTM.DataFlowComponent).get_ports():
+                type_id = worlds.LONG
+                if port.get_port_profile().name.endswith("block"):
+                    type_id = "IDL:RTC/TimedOctetSeq:1.0"
+                pairs.append(worlds.Server.orb.object_to_string(port) + " " + type_id)
+    for turn in ("before", "recorded", "after"):
+        if turn == "recorded":
+            whole(os.path.join(directory, "robot.mcap"), seconds)
+            continue
+        said = subprocess.run([sys.executable, "-c", BARE, ",".join(pairs), "", str(seconds / 5), os.path.join(directory, "bare")],
+                              check=True, stdout=subprocess.PIPE, env=worlds.ENVIRONMENT).stdout.split()
+        os.remove(os.path.join(directory, "bare"))
+        count, octets, used = map(float, said)
+        print("bare, %s: %.0f/s, %.1f MB/s, %.1f %% of a CPU" % (turn, count, octets / 1e6, used * 100), flush=True)
+    small.close()
+    images.close()
+
+
+def whole(file, seconds):
+    words = ["--events", "-t", str(seconds), "/127.0.0.1:%d" % worlds.Server.port]
+    process = subprocess.Popen(rtlog(file, words), env=environment())
+    peak = used = 0.0
+    while process.poll() is None:
+        with open("/proc/%d/status" % process.pid) as status, open("/proc/%d/stat" % process.pid) as stat:
+            peak = max([peak] + [int(line.split()[1]) / 1024 for line in status if line.startswith("VmHWM")])
+            used = max(used, sum(map(int, stat.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK"))
+        time.sleep(0.2)
+    last, lost, octets = {}, 0, 0
+    with logfile.load(file) as log:
+        names = [channel.name for channel in log.channels]
+        for entry in log.entries():
+            if not names[entry.channel].startswith("/events") and entry.data is not None:
+                at = 8 + 4 * names[entry.channel].endswith("block")
+                number = int.from_bytes(entry.data[at:at + 4], "little")
+                lost += number - last.get(entry.channel, number - 1) - 1
+                last[entry.channel] = number
+                octets += len(entry.data)
+        print("rtlog, %d s: status %s, %d channels, %.0f/s, %.1f MB/s, %.1f %% of a CPU, %d lost, %d damaged, peak %.1f MiB" % (
+            seconds, process.returncode, len(last), log.count / seconds, octets / 1e6 / seconds, used / seconds * 100, lost, log.damaged,
+            peak))
+
+
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else "all"
     worlds.start_name_server()
@@ -147,6 +207,8 @@ def main():
                 block(file)
             if what in ("cpu", "all"):
                 cpu(file)
+            if what == "robot":
+                robot(directory, float(sys.argv[2]) if len(sys.argv) > 2 else 300.0)
             if what in ("memory", "all"):
                 memory(file, int(sys.argv[2]) if len(sys.argv) > 2 else 1000000)
     finally:
