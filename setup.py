@@ -5,7 +5,13 @@ import os
 import setuptools
 from setuptools.command.build_py import build_py
 
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:
+    from wheel.bdist_wheel import bdist_wheel
+
 os.chdir(os.path.dirname(os.path.abspath(__file__)))
+os.umask(0o022)
 TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/documentation.py", "shell/manpages.py"]
 PAGES = {}
 for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
@@ -20,5 +26,16 @@ class WithoutTools(build_py):
             return super().build_module(module, module_file, package)
 
 
+class SameEverywhere(bdist_wheel):
+    """Makes the same octets of the same files, whatever modes they have in the checkout; the times are SOURCE_DATE_EPOCH."""
+
+    def egg2dist(self, *args):
+        super().egg2dist(*args)
+        for where, _, names in os.walk(self.bdist_dir):
+            for name in names:
+                is_program = os.path.basename(where) == "scripts"
+                os.chmod(os.path.join(where, name), 0o755 if is_program else 0o644)
+
+
 setuptools.setup(scripts=sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum()),
-                 data_files=sorted(PAGES.items()), cmdclass={"build_py": WithoutTools})
+                 data_files=sorted(PAGES.items()), cmdclass={"build_py": WithoutTools, "bdist_wheel": SameEverywhere})

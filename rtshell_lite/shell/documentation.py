@@ -7,7 +7,7 @@ English until somebody translates it. tests/unit/test_documentation.py fails whe
 import os
 import re
 
-from rtshell_lite import files
+from rtshell_lite import __version__, files
 from rtshell_lite.shell import command_line, installation, manpages
 
 ROOT = os.path.dirname(installation.PACKAGE)
@@ -20,11 +20,17 @@ def documents():
     japanese = with_rows(japanese, english)
     found = {
         "man/" + name: text
-        for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}).items()
+        for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}, released()).items()
     }
     found["README.ja.md"] = japanese
     found["docs/command-line.txt"] = command_line.text()
     return found
+
+
+def released():
+    """The date of this version, in the first heading of CHANGELOG.md: `## 1.0.0 (2026-11-25)`."""
+    changelog = files.read(os.path.join(ROOT, "CHANGELOG.md"))
+    return re.search(r"^## %s \((\d{4}-\d\d-\d\d)\)$" % re.escape(__version__), changelog, re.MULTILINE).group(1)
 
 
 def with_rows(japanese, english):

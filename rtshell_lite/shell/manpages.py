@@ -29,15 +29,14 @@ SUMMARIES = {
     "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド",
 }
 WIDEST = 76
-DATE = "2026-11-22"  # of the pages, in their heads
 
 
-def pages(readmes):
-    """All pages, {path below man/: text}; `readmes` are the texts of both READMEs by name."""
+def pages(readmes, date):
+    """All pages, {path below man/: text}; `readmes` are the texts of both READMEs by name, `date` that of the version."""
     commands = installation.commands()
-    found = {f"man1/{name}.1": _command_page(name, path) for name, path in commands.items()}
-    found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands)
-    found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", readmes["README.ja.md"], commands)
+    found = {f"man1/{name}.1": _command_page(name, path, date) for name, path in commands.items()}
+    found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands, date)
+    found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", readmes["README.ja.md"], commands, date)
     return found
 
 
@@ -49,7 +48,7 @@ def sections(markdown):
 # ---- a command ---------------------------------------------------------------------------------------------
 
 
-def _command_page(name, path):
+def _command_page(name, path, date):
     module = installation.load(path, "rtshell_lite command")
     parser = options.parser(module.arguments, module.__doc__, name)
     shown = [action for action in parser._actions if action.help is not argparse.SUPPRESS]
@@ -57,7 +56,7 @@ def _command_page(name, path):
     details, _, examples = ("\n" + rest).partition("\nexamples:\n")
     details, _, fields = details.partition("\nJSON:\n")
     lines = [
-        _header(name, 1),
+        _header(name, 1, date),
         ".SH NAME",
         "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
         ".SH SYNOPSIS",
@@ -105,10 +104,10 @@ def _page(lines):
     return "\n".join(page) + "\n"
 
 
-def _header(name, section):
+def _header(name, section, date):
     return (
         '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l'
-        % (name.upper(), section, DATE, __version__)
+        % (name.upper(), section, date, __version__)
     )
 
 
@@ -153,11 +152,11 @@ def _entries(text):
 # ---- the overview ------------------------------------------------------------------------------------------
 
 
-def _overview(readme, text, commands):
+def _overview(readme, text, commands, date):
     name, description, titles, see_also = SECTIONS[readme]
     parts = sections(text)
     lines = [
-        _header("rtshell_lite", 7),
+        _header("rtshell_lite", 7, date),
         ".SH " + name,
         "rtshell_lite \\- " + _text(SUMMARIES[readme]),
         ".SH " + description,

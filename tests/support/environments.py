@@ -101,17 +101,17 @@ def build_wheel(python):
         return wheel
     builder = _builder(python)
     with tempfile.TemporaryDirectory(prefix="rt-build-") as directory:
-        copy, out = os.path.join(directory, "source"), os.path.join(directory, "out")
-        os.mkdir(copy)
+        source, out = os.path.join(directory, "source"), os.path.join(directory, "out")
+        os.mkdir(source)
         for name in SOURCES:
-            _copy(os.path.join(ROOT, name), os.path.join(copy, name))
-        run([builder, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", out, copy])
+            copy(os.path.join(ROOT, name), os.path.join(source, name))
+        run([builder, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", out, source])
         shutil.rmtree(os.path.dirname(store), ignore_errors=True)
         shutil.copytree(out, store)
     return glob.glob(os.path.join(store, "*.whl"))[0]
 
 
-def _copy(source, target):
+def copy(source, target):
     if os.path.isdir(source):
         shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__", "*.pyc", ".*"))
     else:
