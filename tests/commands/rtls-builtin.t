@@ -105,9 +105,9 @@ world: manager --context managed.host_cxt/%n.rtc
   $ rtdoctor -v | grep -m 1 Python
   ok    here: Python *, builtin ORB (glob)
   $ rtls -v --version; rtls --version
-  0.* (glob)
+  1.* (glob)
   Python 3.*, builtin ORB (glob)
-  0.* (glob)
+  1.* (glob)
   $ kill-mock two; rtls; rtls -l
   Broken0.rtc
   *ConsoleIn0.rtc

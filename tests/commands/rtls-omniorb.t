@@ -9,7 +9,7 @@ world: two
   $ RTCTREE_ORB_ARGS='-ORBmaxGIOPConnectionPerServer;2' rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
   $ rtls --version -v
-  0.* (glob)
+  1.* (glob)
   Python 3.*, omniORBpy * (glob)
 
 It is used by itself where only it knows what is asked: a setting, another transport.

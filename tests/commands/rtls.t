@@ -79,9 +79,9 @@ A name server needs no slash after its TCP port, and need not stand in RTCTREE_N
 Without the variable, the name server of this machine is meant; empty items and repetitions in it do no
 harm.
 
-  $ (unset RTCTREE_NAMESERVERS; rtls /)
+  $ (unset RTCTREE_NAMESERVERS; rtls -q /)
   localhost/
-  $ RTCTREE_NAMESERVERS=' ' rtls /
+  $ RTCTREE_NAMESERVERS=' ' rtls -q /
   localhost/
   $ RTCTREE_NAMESERVERS=";localhost:$PORT; 127.0.0.1:$PORT;;localhost:$PORT" rtls /
   127.0.0.1:$PORT/
