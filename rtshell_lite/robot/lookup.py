@@ -130,10 +130,8 @@ def _may_be_dotted(first, rest):
 
 def explained(word, error):
     """The error of a path that was typed as `word`, with the name server that a lone word may mean."""
-    if type(error) is not errors.NotFound or is_absolute(word):
-        return error
-    first, *rest = elements(word)
-    if rest or not _may_be_dotted(first, rest):
+    is_missing = type(error) is errors.NotFound and error.where == str(parse(word))
+    if not is_missing or _has_kind(word) or not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
         return error
     return errors.NoEntry(error.where, "/" + word)
 

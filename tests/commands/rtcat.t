@@ -298,7 +298,7 @@ The common options:
   $ rtcat ConsoleIn0.rtc:out --verbose --quiet --timeout 2
   +DataOutPort: out
   $ rtcat --version
-  0.1.0
+  1.0.0
   $ rtcat --help | sed -n '/^examples/,/^$/p'
   examples:
     rtcat ConsoleIn0.rtc

@@ -42,7 +42,7 @@ A failure changes nothing, says why, and passes its status on:
 Options and questions go to the program:
 
   $ rtcwd --version
-  0.1.0
+  1.0.0
   $ rtcwd --help | grep '^Change'
   Change the working directory in the RTC Tree.
   $ rtcwd --shell sh | head -n 1

@@ -155,7 +155,7 @@ The common options:
   $ rtcwd -- ..
   /localhost:$PORT
   $ rtcwd --version
-  0.1.0
+  1.0.0
   $ rtcwd --help | sed -n '/^examples/,/^$/p'
   examples:
     rtcwd localhost

@@ -263,7 +263,7 @@ The common options:
   $ rtfind -v --timeout 2 . -n ErrStart0.rtc
   /localhost:$PORT/test.host_cxt/arm.cxt/ErrStart0.rtc
   $ rtfind --version
-  0.1.0
+  1.0.0
   $ rtfind --help | sed -n '/^examples/,/^$/p'
   examples:
     rtfind / -n 'Console*'

@@ -179,7 +179,7 @@ Several paths: what is in a directory follows its name. Options may stand anywhe
 What does not exist. Of the directory that should have held it, the name nearest to it is offered.
 
   $ rtls nothing.like.it
-  rtls: /localhost:$PORT/test.host_cxt/nothing.like.it: no such path
+  rtls: /localhost:$PORT/test.host_cxt/nothing.like.it: no such path; did you mean the name server /nothing.like.it?
   [3]
   $ rtls ConsolIn0.rtc
   rtls: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?
@@ -295,7 +295,7 @@ Wrong usage contacts nobody.
   $ rtls --verbose --quiet ConsoleIn0.rtc
   ConsoleIn0.rtc
   $ rtls --version
-  0.1.0
+  1.0.0
 
 Help holds what the command is for, its examples, and the exit statuses.
 

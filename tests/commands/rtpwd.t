@@ -51,7 +51,7 @@ Nothing else is taken:
   rtpwd: unrecognized arguments: --lang (see --help)
   [2]
   $ rtpwd --version
-  0.1.0
+  1.0.0
 
 Help holds what the command is for, and examples (the words around them differ between Pythons):
 
