@@ -135,9 +135,9 @@ def senders(stage, rate=1000, size=1000, *changes):
 
 
 def sources(stage, count=30, rate=100, size=8):
-    """[N [RATE [SIZE]]]: Source0, Source1 … (default 30), as that of `senders` (default 100, 8)"""
+    """[N [RATE [SIZE]]]: Source0, Source1 … (default 30), as that of `senders` (default 100, 8); they take OpenRTM observers"""
     for number in range(int(count)):
-        source = stage.add("Source", "Source%d" % number, rate=float(rate), size=int(size))
+        source = stage.add("Source", "Source%d" % number, rate=float(rate), size=int(size), consumers=(observers.OBSERVER,))
         source.owned[0].activate_component(source.reference)
 
 

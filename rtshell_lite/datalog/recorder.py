@@ -141,10 +141,11 @@ class Recorder:
             raise self.failure
 
     async def _write(self, batch):
+        taken = time.time() * 1e9  # the box has nothing that came before
         batch = [message for message in batch if self._fits(*message)]
         if self._most is not None:
             batch = batch[: self._most - self.count]
-        await self._try(self._append, batch)
+        await self._try(self._append, batch, taken)
 
     async def _try(self, function, *args):
         """Run what uses the disk on a thread."""
@@ -163,7 +164,7 @@ class Recorder:
         """Put a file into the log, with the next messages."""
         self._attachments.append((moment, name, media_type, data))
 
-    def _append(self, batch):
+    def _append(self, batch, taken):
         for channel in self._channels[self._added :]:
             self.writer.add(channel)
             self._added += 1
@@ -179,7 +180,7 @@ class Recorder:
         self.repeated += sum(self._is_repeated(channel, message.data) for channel, message in batch)
         self.octets += sum(len(message.data) for _, message in batch)
         if self.incidents is not None:
-            self.incidents.step(self.writer, self._channels)
+            self.incidents.step(self.writer, self._channels, taken)
         if time.monotonic() >= self._sync_at:
             self.writer.sync()
             self._sync_at = time.monotonic() + SYNC

@@ -14,7 +14,7 @@ from rtshell_lite.datalog import logfile, writer
 PARTS = 4  # files of a ring, besides the one that is being written
 SPACE = 1.0  # seconds between two looks at the free space
 SLICE = 2 << 20  # octets that are copied at a time, for messages come meanwhile
-SETTLED = 0.5  # seconds after which what came before a moment has been written
+LATE = 2.0  # seconds that a ring holds beyond its own: a busy machine learns late of what has happened
 SECOND = 10**9
 EACH = 150  # octets that a message takes in memory besides its own
 
@@ -27,6 +27,8 @@ Part = collections.namedtuple("Part", "name octets begun ended")
 
 def ring_limits(span, size, leave):
     """The Limits of a ring of `span` seconds and `size` octets, of which one may be None."""
+    if span:
+        span += LATE
     return Limits(span and max(span / PARTS, 0.5), size and size // (PARTS + 1), None, span, size, leave)
 
 
@@ -250,17 +252,16 @@ class Incidents:
                 return
         self._pending.append(Incident(moment - self._before, moment + self._after, (moment, words)))
 
-    def step(self, ring, channels):
-        """Copy a slice of what is due. Raises OSError, errors.Failed."""
+    def step(self, ring, channels, written):
+        """Copy a slice of what is due: all that came before `written` (ns) is in the ring. Raises OSError, errors.Failed."""
         ring.protected = min((incident.first for incident in self._pending), default=None)
-        now = time.time() * 1e9
         for incident in self._pending[:1]:
-            if incident.last < now - SETTLED * 1e9:
+            if incident.last < written:
                 self._copy(incident, ring, channels, SLICE)
 
     def is_busy(self):
         """Whether something is due."""
-        return bool(self._pending) and self._pending[0].last < (time.time() - SETTLED) * 1e9
+        return bool(self._pending) and self._pending[0].last < time.time() * 1e9
 
     def finish(self, ring, channels):
         """Write all that is pending, as far as it has come."""

@@ -54,7 +54,7 @@ class Ring(Case):
             made.write([(0, int(self.clock.now * 1e9), True, b"%08d" % self.number)])
             self.number += 1
             if incidents:
-                incidents.step(made, CHANNELS)
+                incidents.step(made, CHANNELS, self.clock.now * 1e9)
 
     @staticmethod
     def numbers(name):
@@ -122,6 +122,27 @@ class Ring(Case):
         numbers = self.numbers(self.kept[0])
         self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
         self.assertLessEqual(abs(numbers[0] - at + 40), 1)
+
+    def test_what_is_late_is_kept(self):
+        """A busy machine learns late of what has happened, and writes late what has come."""
+        for make in (lambda: self.parts(), lambda: self.memory(4 + ring.LATE)):
+            self.kept.clear()
+            made, incidents = make(), self.incidents(4, 2)
+            self.run_for(20, made, incidents)
+            incidents.trigger("x", int((self.clock.now - 1.5) * 1e9))
+            at = self.number - 15
+            waiting = []
+            for _ in range(30):
+                self.clock.now += 0.1
+                waiting.append((0, int(self.clock.now * 1e9), True, b"%08d" % self.number))
+                self.number += 1
+            incidents.step(made, CHANNELS, (self.clock.now - 3) * 1e9)
+            self.assertEqual(self.kept, [])
+            made.write(waiting)
+            incidents.step(made, CHANNELS, self.clock.now * 1e9)
+            numbers = self.numbers(self.kept[0])
+            self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
+            self.assertLessEqual(max(abs(numbers[0] - at + 40), abs(numbers[-1] - at - 20)), 1)
 
     def test_an_end_keeps_what_there_is(self):
         made, incidents = self.memory(), self.incidents(4, 100)
