@@ -12,11 +12,10 @@ OpenRTM's own rtcname://HOST/CONTEXT.kind/NAME.PORT and rtcloc://HOST:PORT/CATEG
 robot/lookup.py finds what is meant.
 """
 
-import collections
 import os
-import re
 
 from rtshell_lite import errors
+from rtshell_lite.records import Record, item
 from rtshell_lite.text import is_plain, printable, typed, unescaped
 
 DEFAULT_PORT = 2809
@@ -29,13 +28,17 @@ REFERENCES = ("corbaloc:", "IOR:")
 # after its groups: the address, and the rest with the key
 CORBALOC = r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(.+))?\Z"
 ANY = ("*", "**")
-_OPENRTM = r"(rtcname|rtcloc)(?:\.iiop)?(\.\w+)?://"
+# OpenRTM's own begin so
+_OPENRTM = ("rtcname", "rtcloc")
+_OPENRTM_PATH = r"(rtcname|rtcloc)(?:\.iiop)?(\.\w+)?://"
 
 
-class Name(collections.namedtuple("Name", "id kind")):
+class Name(Record):
     """A name in a naming context, `id.kind` (CosNaming::NameComponent). Both are text, not wire strings."""
 
     __slots__ = ()
+    _fields = ("id", "kind")
+    id, kind = item(0), item(1)
 
     def __str__(self):
         if not self.id and not self.kind:
@@ -45,7 +48,7 @@ class Name(collections.namedtuple("Name", "id kind")):
         return _spelt(self.id, ".")
 
 
-class Path(collections.namedtuple("Path", "server names port directory")):
+class Path(Record):
     """A place in the RTC Tree.
 
     server     address as typed, None at the root
@@ -55,6 +58,8 @@ class Path(collections.namedtuple("Path", "server names port directory")):
     """
 
     __slots__ = ()
+    _fields = ("server", "names", "port", "directory")
+    server, names, port, directory = item(0), item(1), item(2), item(3)
 
     def __str__(self):
         if self.server is None:
@@ -151,13 +156,24 @@ def _working_directory(cwd):
 
 def is_absolute(text):
     """Whether a path as typed does not start at the working directory."""
-    return text.startswith(("/",) + REFERENCES) or re.match(_OPENRTM, text) is not None
+    return text.startswith(("/",) + REFERENCES) or _openrtm(text) is not None
+
+
+def _openrtm(text):
+    """The match of a path that begins as OpenRTM's own do, or None."""
+    if not text.startswith(_OPENRTM):
+        return None
+    import re
+
+    return re.match(_OPENRTM_PATH, text)
 
 
 def _cut(text, separator):
     """Split at every unescaped `separator`; the pieces stay escaped."""
     if "\\" not in text:
         return text.split(separator)
+    import re
+
     pieces = []
     start = 0
     for character in re.finditer(r"\\.|.", text, re.DOTALL):
@@ -187,7 +203,7 @@ def _elements(text):
 
 def _standard(text):
     """OpenRTM's rtcname:// and rtcloc:// as a path of ours; other text as it is."""
-    found = re.match(_OPENRTM, text)
+    found = _openrtm(text)
     if not found:
         return text
     form, protocol = found.groups()
@@ -199,6 +215,8 @@ def _standard(text):
         name, dot, port = last.partition(".")
         last = name + ".rtc" + (":" + port if dot else "")
     if form == "rtcname":
+        import re
+
         above = re.sub(r"\*(?=/|\Z)", "**", above)  # looked for in all directories below
         return "/" + host + "/" + above + slash + last
     if host in ANY:
@@ -208,6 +226,8 @@ def _standard(text):
 
 def _reference(text):
     """The elements of a path that begins with an object; the first one is not escaped."""
+    import re
+
     first, *below = _cut(text, "/")
     if text.startswith("IOR:"):
         return [first] + below
@@ -234,9 +254,13 @@ def _split_reference(server, text):
     head, colon, port = server[at:].partition(":")
     if colon and not port:
         raise errors.BadPath(text, "no port after the colon")
-    if server.startswith("IOR:") and not re.match("([0-9a-fA-F]{2})+\\Z", head):
+    if server.startswith("IOR:") and not _is_hexadecimal(head):
         raise errors.BadPath(text, "not a stringified reference (IOR:…)")
     return server[:at] + head, port or None
+
+
+def _is_hexadecimal(text):
+    return bool(text) and len(text) % 2 == 0 and not text.strip("0123456789abcdefABCDEF")
 
 
 # ---- elements ----------------------------------------------------------------------------------------------
@@ -257,7 +281,7 @@ def _why_no_server(address):
     host, _, port = address.partition(":")
     if host and port and ":" not in port and not address.startswith("["):
         return f"{port} is not a TCP port (1 to 65535)"
-    if re.match("[0-9a-fA-F:.]+$", address) and address.count(":") > 1:
+    if address.count(":") > 1 and not address.strip("0123456789abcdefABCDEF:."):
         return f"an IPv6 address is written in brackets: /[{address}]"
     return f"{address} is not a name server (host or host:tcpport)"
 

@@ -2,16 +2,14 @@
 as JSON.
 """
 
-import itertools
 import os
-import re
 import sys
 
 from rtshell_lite import errors
 
 # ---- the wire ----------------------------------------------------------------------------------------------
 
-_is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # missing in Python 3.6
+is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # missing in Python 3.6
 
 
 def from_wire(s):
@@ -20,7 +18,7 @@ def from_wire(s):
     Almost every ORB declares its UTF-8 bytes to be Latin-1. Bytes that are not UTF-8 become surrogate
     escapes, which `to_wire` turns back. Text beyond Latin-1 has been decoded by the ORB.
     """
-    if _is_ascii(s):
+    if is_ascii(s):
         return s
     try:
         return s.encode("latin-1").decode("utf-8", "surrogateescape")
@@ -33,7 +31,7 @@ def typed(s):
     as surrogate escapes.
     """
     try:
-        if _is_ascii(s):
+        if is_ascii(s):
             return s
         return s.encode("utf-8", "surrogateescape").decode("utf-8", "surrogateescape")
     except UnicodeEncodeError:  # other surrogates, which no command line has
@@ -44,7 +42,7 @@ def to_wire(s):
     """Turn text into the string that a peer expects: the reverse of `from_wire`.
     Raises Usage for a lone surrogate.
     """
-    if _is_ascii(s):
+    if is_ascii(s):
         return s
     try:
         return s.encode("utf-8", "surrogateescape").decode("latin-1")
@@ -86,12 +84,13 @@ def safe(s):
 def is_plain(s):
     """True where nothing in `s` but backslashes has to be escaped."""
     return s.isprintable() and (
-        _is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in printable_flags(s))
+        is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in printable_flags(s))
     )
 
 
 def printable_flags(s):
     """Each character of `s`, and whether it can be printed as it is."""
+    import re
     from unicodedata import category
 
     # no base character yet
@@ -182,9 +181,11 @@ def unescaped(s):
     """The reverse of `printable`; a backslash before punctuation is dropped.
     Raises ValueError for a bad escape.
     """
-    if "\\" in s:
-        return re.sub(_ESCAPE, _meant, s)
-    return s
+    if "\\" not in s:
+        return s
+    import re
+
+    return re.sub(_ESCAPE, _meant, s)
 
 
 def _meant(escape):
@@ -206,6 +207,7 @@ def literal(word):
     Raises ValueError, also for bad escapes, of which Python itself only warns.
     """
     import ast
+    import re
 
     prefix = word[: min(word.index(quote) for quote in "'\"" if quote in word)].lower()
     if (
@@ -225,8 +227,10 @@ def shell_word(s):
     """`s` as one word of a POSIX shell command, printable except newlines,
     which $(printf) would drop at an end.
     """
-    if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
+    if _is_one_word(s):
         return s
+    import itertools
+
     pieces = [
         (plain, "".join(c for c, _ in piece))
         for plain, piece in itertools.groupby(printable_flags(s), lambda pair: pair[1] or pair[0] == "\n")
@@ -236,9 +240,16 @@ def shell_word(s):
 
 def quoted(s):
     """`s` as one word of a POSIX shell command, raw. (shlex is not in Debian's python3-minimal.)"""
-    if re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII):
+    if _is_one_word(s):
         return s
     return _quoted(s)
+
+
+def _is_one_word(s):
+    """Whether `s` means itself in a shell."""
+    import re
+
+    return re.match(r"[\w@%+=:,./-]+\Z", s, re.ASCII) is not None
 
 
 def _quoted(s):
@@ -267,6 +278,8 @@ def width():
 def cells(s):
     """How many columns of a terminal `s` fills: East Asian wide characters take two, combining ones none."""
     if "\x1b" in s:  # our own colour: other text is escaped
+        import re
+
         s = re.sub("\x1b\\[[0-9;]*m", "", s)
     if not s or max(s) < "\u0300":
         return len(s)

@@ -2,11 +2,12 @@
 from the tables that are generated from it (see idl_stubs/generate.py).
 """
 
-import functools
-
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, OBJECT, SEQUENCE, STRING, UNION, WSTRING
 from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: calls.py reads MINORS
+from rtshell_lite.records import cached
+
+MOST_NAMED = 4096  # more than there are
 
 
 def known(type_id):
@@ -31,7 +32,7 @@ def descriptor(word):
     return word
 
 
-@functools.lru_cache(maxsize=None)
+@cached(MOST_NAMED)
 def _named(type_id):
     if type_id in INTERFACES:
         return (OBJECT, type_id, name(type_id))
@@ -81,7 +82,7 @@ def operation(interface, name):
     raise KeyError(name)
 
 
-@functools.lru_cache(maxsize=None)
+@cached(MOST_NAMED)
 def id_of(name):
     """The repository id of an interface or a type by its name: RTC.PortService, CosNaming.NameComponent."""
     tail = "/" + name.replace(".", "/") + ":"

@@ -1,7 +1,8 @@
 """GIOP messages as octets (CORBA 3.0, 15.4): requests to send, replies taken apart."""
 
-import functools
 import struct
+
+from rtshell_lite.records import cached
 
 # kinds of messages; a request is 0
 REPLY = 1
@@ -46,7 +47,7 @@ def aligned(data, size):
     return data + b"\0" * (-len(data) % size)
 
 
-@functools.lru_cache(maxsize=256)
+@cached(256)
 def _named(operation, is_new):
     """The name of an operation, and what follows:
     service contexts, or that there is no principal, before GIOP 1.2.

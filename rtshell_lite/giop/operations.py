@@ -1,10 +1,9 @@
 """Operations of interfaces: how their arguments and results are written and read."""
 
-import functools
-
 from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.giop.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plain
 from rtshell_lite.giop import marshal
+from rtshell_lite.records import cached
 
 _MAKERS = [marshal.Maker(">"), marshal.Maker("<")]
 _OF_SCHEMAS = [marshal.ValueMaker(">"), marshal.ValueMaker("<")]
@@ -84,14 +83,14 @@ class Schema:
         return self._operation
 
 
-@functools.lru_cache(maxsize=None)
+@cached(1024)
 def operation(interface, name):
     """The Operation of an interface or one of those that it inherits. Raises KeyError."""
     given, returned, raised = _COMMON.get(name) or idl.operation(interface, name)
     return Operation(given, returned, {type_id: type_id for type_id in raised})
 
 
-@functools.lru_cache(maxsize=None)
+@cached(1024)
 def served(interface, name):
     """(readers of the arguments by byte order, writers of the results, whether all arguments are octets) of
     an operation of ours.

@@ -16,11 +16,11 @@ because importing asyncio takes three times as long as a whole command.
 """
 
 import _signal  # which `signal` is made of: that one takes long to import
-import collections
 import os
 import select
 import sys
 import time
+from _collections import deque  # which `collections` is made of, as here of others
 from _heapq import heappop, heappush
 from _thread import _local as Local, allocate_lock  # which `threading` is made of
 
@@ -300,9 +300,9 @@ class _Batch:
 
     def workers(self, key):
         """(key, coroutine) pairs, which share the work."""
-        queues = collections.OrderedDict()  # type: dict
+        queues = {}  # type: dict
         for number, item in enumerate(self.items):
-            queues.setdefault(key(item) if key else None, collections.deque()).append(number)
+            queues.setdefault(key(item) if key else None, deque()).append(number)
         for place, queue in queues.items():
             for _ in range(min(MOST, len(queue))):
                 yield place, self._work(queue)
@@ -552,7 +552,7 @@ class Loop:
     """
 
     def __init__(self):
-        self.ready = collections.deque()  # type: collections.deque
+        self.ready = deque()  # type: deque
         self.running = None
         self.before_waiting = []
         self.at_end = []
@@ -569,12 +569,13 @@ class Loop:
         self._timer_count = 0
         self._poll = select.poll()
         self._watched = {}
-        self._posted = collections.deque()  # type: collections.deque  # functions from other threads
+        self._posted = deque()  # type: deque  # functions from other threads
         self._bell = None  # the pipe that wakes the poll
+        self._may_be_rung = False  # other threads may wake it
         self._back = time.monotonic()  # when the last poll ended
         self._signals = {}
         self._heard = {}
-        self._struck = collections.deque()  # type: collections.deque
+        self._struck = deque()  # type: deque
         self._outer_bell = -1  # where Python rang at signals before
         self.is_guest = False
         self._last_strike = -BOUNCE
@@ -663,12 +664,7 @@ class Loop:
         begun = time.monotonic()
         away = begun - self._back
         seconds = self._patience(begun)
-        if (
-            seconds
-            and self.alone is not None
-            and len(self._watched) == self.idle + 1
-            and len(self._timers) < 2
-        ):
+        if seconds and self.alone is not None and self.is_one_awaited():
             found = []
             self.alone()
         else:
@@ -687,6 +683,19 @@ class Loop:
         if self._struck:
             self._strike(self._struck.popleft())
 
+    def is_one_awaited(self):
+        """Whether nothing can come but at the one busy descriptor, or signals, which may wait for a moment."""
+        count = len(self._watched)
+        if self._bell is not None:
+            count -= 1
+        return count == self.idle + 1 and len(self._timers) < 2 and not self._may_be_rung
+
+    def has_nothing_else(self):
+        """Whether nothing is to be done but what the running task does."""
+        if self.ready or self._posted or self._struck:
+            return False
+        return not self._timers or self._timers[0].when > time.monotonic()
+
     def _patience(self, now):
         """Seconds that a poll may take."""
         if self.ready or self._posted or self._struck:
@@ -702,7 +711,11 @@ class Loop:
                 function()
 
     def make_bell(self):
-        """Have `post` and signals wake the loop."""
+        """Have `post` wake the loop."""
+        self._may_be_rung = True
+        self._make_pipe()
+
+    def _make_pipe(self):
         if self._bell is not None:
             return
         self._readable, self._bell = os.pipe()
@@ -737,7 +750,7 @@ class Loop:
 
     def _take_wakeups(self):
         """Have signals end a poll: Python begins it again otherwise."""
-        self.make_bell()
+        self._make_pipe()
         outer = _signal.set_wakeup_fd(self._bell)
         if outer != self._bell:
             self._outer_bell = outer

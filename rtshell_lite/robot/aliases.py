@@ -1,7 +1,5 @@
 """Directories bound by several names: naming contexts and managers, recognised by their references."""
 
-import collections
-
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.text import printable
@@ -102,6 +100,6 @@ async def resolve(host):
             known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
-        return list(collections.OrderedDict.fromkeys(info[4][0] for info in known))
+        return list(dict.fromkeys(info[4][0] for info in known))
 
     return await session.on_thread(printable(host), look_up)

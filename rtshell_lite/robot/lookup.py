@@ -14,7 +14,6 @@ An ordinary path is taken as it is, and costs no call. These are looked up:
 """
 
 import os
-import re
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
@@ -109,7 +108,12 @@ def _is_address(word):
     known = [split_address(address) for address in tree.servers()]
     if port is None:
         return _has_bad_port(word, [host for host, _ in known])
-    return (host, port) in known or host != word or re.match(r"[0-9]+(\.[0-9]+){3}$|\[", host) is not None
+    return (host, port) in known or host != word or host.startswith("[") or _is_ipv4(host)
+
+
+def _is_ipv4(host):
+    parts = host.split(".")
+    return len(parts) == 4 and all(part.isdecimal() for part in parts)
 
 
 def _has_bad_port(word, hosts):
@@ -130,6 +134,8 @@ def _may_be_dotted(first, rest):
 
 def explained(word, error):
     """The error of a path that was typed as `word`, with the name server that a lone word may mean."""
+    import re
+
     is_missing = type(error) is errors.NotFound and error.where == str(parse(word))
     if not is_missing or _has_kind(word) or not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
         return error

@@ -1,6 +1,5 @@
 """The objects of the RTC Tree: what each is, by its reference, and whether it lives, by asking it."""
 
-import collections
 import time
 
 from rtshell_lite import errors, notes
@@ -250,9 +249,7 @@ async def bound(node):
     if node.kind not in ("server", "directory"):
         return []
     received = too_long = 0
-    entries = (
-        collections.OrderedDict()
-    )  # type: dict  # of names that may come again and again, each is kept once
+    entries = {}  # type: dict  # of names that may come again and again, each is kept once
     async for bindings in _batches(node):
         for binding in [binding for binding in bindings if binding.binding_name]:
             name = binding.binding_name[0]

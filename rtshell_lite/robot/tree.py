@@ -9,10 +9,7 @@ Resolution is lazy: only what a path names is asked. As a library:
     loop.run(main())
 """
 
-import collections
-import functools
 import os
-import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -33,6 +30,7 @@ from rtshell_lite.robot.node import (
     stream_nodes,
     unusable,
 )
+from rtshell_lite.records import cached
 from rtshell_lite.text import closest, from_wire, printable, shell_word
 
 AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
@@ -45,7 +43,7 @@ DEPTH = 64  # contexts can be bound inside themselves by another name
 def servers():
     """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
     listed = [address for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";") if address.strip()]
-    return list(collections.OrderedDict.fromkeys(address.strip() for address in listed or ["localhost"]))
+    return list(dict.fromkeys(address.strip() for address in listed or ["localhost"]))
 
 
 async def known_servers(first):
@@ -77,7 +75,7 @@ def name_server(address):
 
     It may be a manager, too, that is reached without a name server: corbaloc:iiop:HOST:PORT/manager.
     """
-    if re.search(r"[,\s]", address):
+    if "," in address or len(address.split()) > 1:
         raise errors.BadPath(printable(address), "several name servers are separated by semicolons")
     return _server(parse(address if address.startswith(REFERENCES) else "/" + address))
 
@@ -93,7 +91,7 @@ def _object(reference):
     return Node(path, kind_of(orb.address(ref).type_id), ref)
 
 
-@functools.lru_cache(maxsize=64)
+@cached(64)
 def _reference(server):
     return orb.corbaloc(str(Path(server, (), None, False)), server, "NameService", DEFAULT_PORT)
 
@@ -229,7 +227,7 @@ def _by_id(names):
 
 def _near_miss(path, names):
     close = closest(path.names[-1].id, names)  # the kinds, all .rtc, would make any two names alike
-    if close is None and re.search(r"[*?]", path.names[-1].id):
+    if close is None and ("*" in path.names[-1].id or "?" in path.names[-1].id):
         pattern = shell_word(str(path.names[-1]))
         return errors.NoPattern(str(path), f"rtfind {shell_word(str(path.parent()))} -n {pattern}")
     if close is None:

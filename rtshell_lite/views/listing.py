@@ -1,7 +1,5 @@
 """What rtls and rtfind show of nodes: their kind at a glance, a row of figures, or JSON."""
 
-import collections
-
 from rtshell_lite import errors, text
 from rtshell_lite.corba import session
 from rtshell_lite.robot import tree
@@ -43,7 +41,7 @@ async def blocks(path, recurse=False, shown="."):
         return [(None, [top])]
     if not recurse:
         return [(shown + ":", await tree.children(top))]
-    listed = collections.OrderedDict()
+    listed = {}
     for node in await tree.walk(top):
         if node.kind in tree.DIRECTORIES and node.alias is None:
             below = str(node.path).lstrip("/")[len(str(top.path).lstrip("/")) :].strip("/")

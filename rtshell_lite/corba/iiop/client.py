@@ -2,7 +2,6 @@
 peers.py makes the calls, server.py has servants.
 """
 
-import re
 import sys
 
 from rtshell_lite import errors
@@ -45,6 +44,8 @@ def from_url(where, url):
         raise errors.BadPath(where, "not an address (the builtin ORB speaks IIOP only)")
     key = key.encode("utf-8", "surrogateescape")
     if b"%" in key:
+        import re
+
         key = re.sub(b"%([0-9a-fA-F]{2})", lambda octet: bytes.fromhex(octet.group(1).decode()), key)
     return references.at(host.strip("[]"), port, key, _MINORS[version])
 

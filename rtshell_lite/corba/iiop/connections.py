@@ -4,12 +4,12 @@ what comes is bounded.
 
 import _socket  # which `socket` is made of: that one takes long to import
 import errno
-import functools
 import itertools
 import os
 import select
 import struct
 import time
+from _functools import partial  # as in net/loop.py
 
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, session
@@ -74,7 +74,7 @@ def _sweep():
     global _swept
     _swept = time.monotonic()
     for endpoint in list(_idle):
-        still_open = list(iter(functools.partial(kept, endpoint), None))
+        still_open = list(iter(partial(kept, endpoint), None))
         if still_open:
             _idle[endpoint] = still_open
         else:
