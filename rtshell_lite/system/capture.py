@@ -27,8 +27,14 @@ DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_typ
 Found = collections.namedtuple("Found", "node ports owned states sets active members profile snapshot")
 
 # `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out
-# because nothing is connected to them, `failures` are errors, `notes` lines on what else is left out.
-System = collections.namedtuple("System", "profile found unused failures notes")
+# because nothing is connected to them, `failures` are errors, `notes` lines on what else is left out. `lost`
+# are the paths, as text, of components that did not answer, with (host, port) of their processes, `loose` the
+# Looses.
+System = collections.namedtuple("System", "profile found unused failures notes lost loose")
+
+# A connection of which all ends but one do not answer, so that nobody knows whether it is there: the model's
+# connector with this one; (host, port) of the process of another; the line of the notes on it.
+Loose = collections.namedtuple("Loose", "connector endpoint note")
 
 # Object references, some of them in the names of 1.1 to 2.1: they say where a port is today, and mislead
 # tomorrow.
@@ -127,6 +133,7 @@ async def capture(
         holders = {}
     found = []
     silent = {}
+    lost = {}
     question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
     for node, answer in zip(nodes, await tree.on_nodes(nodes, question)):
         if not isinstance(answer, errors.Error):
@@ -136,13 +143,14 @@ async def capture(
         else:
             failures.append(answer)
             silent[node.endpoint] = answer
+            lost[str(node.path)] = node.endpoint
     outside = await places.far_ends([port for each in found for port in each.ports], silent)
-    connectors = _connectors(found, outside, silent, notes)
+    connectors, loose = _connectors(found, outside, silent, notes)
     unused = []
     if not all_components:
         found, unused = _in_use(found)
     profile = _profile(found, connectors, holders, notes)
-    return System(profile, found, unused, failures, _once(notes))
+    return System(profile, found, unused, failures, _once(notes), lost, loose)
 
 
 def of_snapshots(shown, ends):
@@ -152,8 +160,9 @@ def of_snapshots(shown, ends):
     """
     notes = []
     found = [found_in(each)._replace(snapshot=each) for each in shown]
-    profile = _profile(found, _connectors(found, ends, {}, notes), {}, notes)
-    return System(profile, found, [], [], _once(notes))
+    connectors, loose = _connectors(found, ends, {}, notes)
+    profile = _profile(found, connectors, {}, notes)
+    return System(profile, found, [], [], _once(notes), {}, loose)
 
 
 def _once(notes):
@@ -302,8 +311,8 @@ def _target(kind, each, **more):
 
 
 def _connectors(found, outside, silent, notes):
-    """The model's connectors, each once, with all its ends; what ends outside the system is reported in
-    `notes`.
+    """(the model's connectors, each once, with all its ends; Looses); what ends outside the system is reported
+    in `notes`.
 
     `outside` are places.Ends by identity;
     `silent` are the processes that did not answer, {endpoint: errors.Error}.
@@ -323,18 +332,23 @@ def _connectors(found, outside, silent, notes):
                     (one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs)
                 )
     made = []
+    loose = []
     for port, one, refs in connectors.values():
         known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
-        for name in [
-            _name(outside[orb.identity(ref)], ref, silent) for ref in refs if orb.identity(ref) not in ends
-        ]:
-            notes.append(
-                "connection %s of %s: its end %s is not in the system, left out"
-                % (printable(one.id), ports.label(port), name)
-            )
+        unknown = [ref for ref in refs if orb.identity(ref) not in ends]
+        for ref in unknown:
+            name = _name(outside[orb.identity(ref)], ref, silent)
+            where = f"connection {printable(one.id)} of {ports.label(port)}"
+            notes.append(f"{where}: its end {name} is not in the system, left out")
         if len(known) > 1 or len(refs) == 1:
             made.append(_connector(one, known))
-    return sorted(made, key=lambda one: ([_end_key(end) for end in one.ends], one.connector_id, one.name))
+        elif unknown and outside[orb.identity(unknown[0])].port is None:
+            loose.append(Loose(_connector(one, known), orb.endpoint(unknown[0]), notes[-1]))
+    return sorted(made, key=_connector_key), sorted(loose, key=lambda each: _connector_key(each.connector))
+
+
+def _connector_key(one):
+    return [_end_key(end) for end in one.ends], one.connector_id, one.name
 
 
 def _owns(each, port):

@@ -2,7 +2,7 @@
 
 At most IN_FLIGHT remote calls are made at a time, to all processes together. Each look asks a component for
 its state; its contexts, rates and connections, which change less often and cost more, are asked for less
-often.
+often. Where there are more than FEW components, those that nobody sees now are looked at SELDOM.
 """
 
 import collections
@@ -25,9 +25,16 @@ PORTS = 10.0  # seconds between looks at connections: each makes a component che
 PORTS_SILENT = 60.0  # the same, for one that does not answer that
 FLOW = 1.0  # seconds for which the flow of ports is measured
 REST = 5.0  # seconds before what is dead or silent is asked again
+FEW = 100  # components that are all looked at as often as the user wants
+SELDOM = 5.0  # seconds between two looks at one of more components that is not shown
+SLOWER = 6  # times as long between two looks at its contexts, and at its connections
+KEPT = 60.0  # seconds for which what was measured is shown
 
 
 # ---- one component -----------------------------------------------------------------------------------------
+
+
+NEVER = float("-inf")
 
 
 class Entry:
@@ -46,16 +53,40 @@ class Entry:
         self.silenced = 0.0  # when it was silent last
         self.since = None  # when its state changed last, by time.monotonic()
         self.event = ""  # the last change, in words
-        self._again = self._contexts_due = self._ports_due = 0.0
+        self.path = str(node.path)
+        self.is_shown = True
+        self.flow = {}  # {port: values that are written a second}, as measured
+        self._flow_until = 0.0
+        self._again = 0.0  # when it is to be asked again
+        # when its state, contexts and connections were asked for
+        self._asked = self._contexts_asked = self._ports_asked = NEVER
 
     def hurry(self):
         """Look at everything again, as something has been done to it."""
-        self._again = self._contexts_due = self._ports_due = 0.0
+        self._again = 0.0
+        self._asked = self._contexts_asked = self._ports_asked = NEVER
+
+    def measured(self):
+        """{port: values that are written a second}, if that was measured a moment ago, else {}."""
+        if time.monotonic() > self._flow_until:
+            return {}
+        return self.flow
+
+    def keep_measured(self, flow):
+        """Keep what was measured, for a while."""
+        self.flow = flow
+        self._flow_until = time.monotonic() + KEPT
+
+    def _pause(self, seconds):
+        """How long to wait after a question that those who see it want answered after so many seconds."""
+        if self.is_shown:
+            return seconds
+        return SLOWER * seconds
 
     async def ask(self):
         """Ask it; False when it was not its time. Raises Silent."""
         now = time.monotonic()
-        if now < self._again:
+        if now < self._again or not self.is_shown and now < self._asked + SELDOM:
             return False
         try:
             await self._look(now)
@@ -70,17 +101,18 @@ class Entry:
         return True
 
     async def _look(self, now):
-        if now >= self._contexts_due:
+        if now >= self._contexts_asked + self._pause(CONTEXTS):
             await self.snapshot.ask(owned=snapshot.RUNNING, participating=snapshot.RUNNING)
-            self._contexts_due = now + CONTEXTS
+            self._contexts_asked = now
         await self.snapshot.ask(states=snapshot.FULL)
         self._become("component", component.merged(self.snapshot.states), None)
-        if now >= self._ports_due:
+        if now >= self._ports_asked + self._pause(PORTS):
             await self._look_at_ports()
+        self._asked = now
         self.looked = True
 
     async def _look_at_ports(self):
-        pause = PORTS
+        rest = 0.0
         try:
             listed = (await snapshot.of(self.node, ports=snapshot.BRIEF)).ports
             self.ports = len(listed)
@@ -88,10 +120,8 @@ class Entry:
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.links = None
             if isinstance(e, errors.Silent):
-                pause = PORTS_SILENT
-            else:
-                pause = PORTS
-        self._ports_due = time.monotonic() + pause
+                rest = PORTS_SILENT - PORTS
+        self._ports_asked = time.monotonic() + rest
 
     def fail(self, kind, failure):
         """Note that it is dead, or does not answer, and forget what was known of it."""
@@ -101,7 +131,7 @@ class Entry:
             self._become(kind, "?", failure)
         self.ports = self.links = None
         self.snapshot = snapshot.Snapshot(self.node, rest=REST)
-        self._contexts_due = self._ports_due = 0.0
+        self._contexts_asked = self._ports_asked = NEVER
         self.looked = True
 
     def _become(self, kind, state, failure):
@@ -140,6 +170,7 @@ class Entry:
             self.failure,
             self.since and time.monotonic() - self.since,
             self.event,
+            self.measured(),
         )
 
 
@@ -195,6 +226,7 @@ class Top:
         self._doubtful = Slots(DOUBTFUL)
         self._news = []
         self._marks = {}  # by path: what an rtkeep says of a component
+        self.shown = None  # paths of the components that are seen now; None: of all
         self._tasks = None
 
     async def __aenter__(self):
@@ -255,6 +287,8 @@ class Top:
         trusted = False
         while True:
             entries = [entry for entry in self._entries.values() if entry.group == group]
+            for entry in entries:
+                entry.is_shown = self.shown is None or len(self._entries) <= FEW or entry.path in self.shown
             if not entries:
                 self._groups.discard(group)
                 return
@@ -323,7 +357,7 @@ class Top:
         rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
         rows = [_marked(row, self._marks.get(row.path)) for row in rows]
         rows += [
-            Row(path, path, "unknown", "?", None, None, None, None, failure, None, "")
+            Row(path, path, "unknown", "?", None, None, None, None, failure, None, "", {})
             for path, failure in self.failures().items()
         ]
         return sorted(rows, key=lambda row: (natural(row.name), row.path))
@@ -348,18 +382,40 @@ class Top:
         """Ask which components the one at a path (text) is connected with; `news` returns their paths, a set."""
         self._act(path, "neighbours", _neighbours)
 
-    def measure(self, path):
-        """Measure how many values a second the component at a path (text) writes to its out ports; `news` returns
-        lines.
+    def measure(self, path, command="measure"):
+        """Measure how many values a second the component at a path (text) writes to its out ports: the rows show it
+        for a while, and `news` returns lines.
         """
-        self._act(path, "measure", _flow)
+
+        async def measure(node):
+            measured = await _flow(node)
+            entry = self._entry(path)
+            if entry is not None:
+                entry.keep_measured(
+                    {name: rate for name, rate in measured if not isinstance(rate, errors.Error)}
+                )
+            return list(map(_flow_line, measured)) or ["it has no out port"]
+
+        self._act(path, command, measure)
+
+    def run(self, coroutine):
+        """The loop.Task of a coroutine that ends with this at the latest."""
+        return self._tasks.start(coroutine)
+
+    def node(self, path):
+        """The Node of the component at a path (text), or None."""
+        entry = self._entry(path)
+        return entry and entry.node
+
+    def _entry(self, path):
+        identity = next((identities[path] for identities in self._found.values() if path in identities), None)
+        return self._entries.get(identity)
 
     def _act(self, path, command, function):
-        identity = next((identities[path] for identities in self._found.values() if path in identities), None)
-        if identity is None:
+        entry = self._entry(path)
+        if entry is None:
             self._add_news(command, path, errors.NotFound(path))
             return
-        entry = self._entries[identity]
 
         async def act():
             try:
@@ -434,12 +490,13 @@ async def _neighbours(node):
 
 
 async def _flow(node):
-    """Lines that say how many values a second a component writes to its out ports."""
+    """[(out port of a component, values that are written to it a second or an errors.Error)]"""
     measured = [port for port in await ports.ports(node) if port.type == "DataOutPort"]
-    lines = []
-    for port, rate in zip(measured, await rates.written(measured, FLOW)):
-        if isinstance(rate, errors.Error):
-            lines.append(f"         ?  {ports.label(port)}: {safe(rate.why)}")
-        else:
-            lines.append(f"{rate:8.1f} Hz  {ports.label(port)}")
-    return lines or ["it has no out port"]
+    return list(zip(map(ports.label, measured), await rates.written(measured, FLOW)))
+
+
+def _flow_line(measured):
+    name, rate = measured
+    if isinstance(rate, errors.Error):
+        return f"         ?  {name}: {safe(rate.why)}"
+    return f"{rate:8.1f} Hz  {name}"

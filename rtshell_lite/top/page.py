@@ -23,7 +23,8 @@ BRACKETS = b"\x1b[?2004h"
 NO_BRACKETS = b"\x1b[?2004l"
 ENTER = ("\n", "\r", curses.KEY_ENTER)
 BACKSPACE = ("\x08", "\x7f", curses.KEY_BACKSPACE)
-HINTS = "? keys  q end  / filter  s sort  g group  n neighbours  d doctor  c cat"
+HINTS = "? keys  q end  / filter  s sort  g group  n neighbours  d doctor  p plot  c cat"
+MEASURE_ALL = "measure what is seen"
 
 HELP = f"""up down j k   select a component; also PgUp PgDn Home End
 a y           activate the selected component, as rtact does
@@ -31,7 +32,9 @@ i y           deactivate it, as rtdeact
 r y           reset it, as rtreset
 c Enter       show all about it, as rtcat -l
 d             show what rtdoctor finds wrong with it
-m             measure for a second what it writes to its out ports
+m             measure for a second what it writes to its out ports; M: of all
+              that are seen here
+p             plot what its out port sends; again: its next out port
 n             show only it and what it is connected with; Esc drops that
 s             sort by the next of: {', '.join(rows.SORTS)}
 g             group by the next of: {', '.join(rows.GROUPS)}
@@ -43,8 +46,10 @@ q             end; here, and in what c shows: go back
 
 STATE is ? of what does not answer, - of a zombie. RATE is the execution
 context's, in Hz. CONN counts connections. From {rows.WIDE} columns on also how long
-it has been SINCE its state changed, while this page was looking, and what
-changed last."""
+it has been SINCE its state changed, while this page was looking, what
+changed last, and for a minute what was MEASURED: the rate at which it
+writes, and VALUES/S of all its out ports. To measure and to plot connects
+to these ports."""
 
 # curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
 COLOURS = {
@@ -166,6 +171,7 @@ class Page:
         self.typing = False  # whether the user types the filter
         self.asked = None  # the transitions.Transition and the Row that wait for a y
         self.overlay = None  # lines shown instead of the rows: of rtcat, the keys
+        self.plot = None  # the plotting.Plot whose lines these are
         self.overlay_first = 0
         self.ended = False
         self.typed = loop.Bell()  # rings while there is something to be read from the terminal
@@ -230,6 +236,8 @@ class Page:
                 self.message = f"{len(value)} connected with {path}; Esc shows all"
                 self.only = value | {path}
                 self.wanted = ""
+            elif command == MEASURE_ALL:
+                self.message = ""
             elif isinstance(value, list):
                 self.message = ""
                 self.overlay = value
@@ -273,8 +281,35 @@ class Page:
         step = self._step(key)
         if step is not None:
             self.overlay_first += step
+        elif key == "p" and self.plot is not None:
+            self._plot(self.plot.number + 1)
         elif key in ("q", "c", "d", "m", "h", "?", ESCAPE) + ENTER:
             self.overlay = None
+            self._end_plot()
+
+    def _plot(self, number):
+        """Plot what the out port of this number of the selected component sends."""
+        from rtshell_lite.top import plotting
+
+        self._end_plot()
+        node = self.looking.node(self.selected)
+        if node is None:
+            return
+        self.plot = plotting.Plot(node, number, self._take_plot)
+        self.overlay = [f"plotting {self.selected} …"]
+        self.overlay_first = 0
+        self.plot.task = self.looking.run(self.plot.follow())
+
+    def _take_plot(self, picture):
+        """Show the picture of a plot, lines for a width and a height."""
+        height, width = self.window.getmaxyx()
+        self.overlay = picture(width, max(height - 3, 1), self.window.encoding.lower().startswith("utf"))
+        self.looking.bell.ring()
+
+    def _end_plot(self):
+        if self.plot is not None:
+            self.plot.task.cancel()
+            self.plot = None
 
     def _obey_rows(self, key):
         step = self._step(key)
@@ -338,6 +373,12 @@ class Page:
         elif key == "m":
             self.message = f"measuring {self.selected} …"
             self.looking.measure(self.selected)
+        elif key == "M":
+            self.message = "measuring what is seen here …"
+            for path in self.looking.shown:
+                self.looking.measure(path, MEASURE_ALL)
+        elif key == "p":
+            self._plot(0)
         elif key == "n":
             self.message = f"neighbours of {self.selected} …"
             self.looking.show_neighbours(self.selected)
@@ -405,6 +446,7 @@ class Page:
         if chosen == self.first == 1:
             self.first = 0  # the line of its group
         shown = self.lines[self.first : self.first + self.room]
+        self.looking.shown = {line.path for line in shown if isinstance(line, rows.Row)}
         for y, (line, words) in enumerate(zip(shown, self._spelt_lines(shown, width)), top):
             if not isinstance(line, rows.Row):
                 self._put(y, words, curses.A_UNDERLINE)
@@ -441,6 +483,8 @@ class Page:
             line = "/" + self.wanted + "_"
         elif self.message:
             line = text.safe(self.message)
+        elif self.plot is not None:
+            line = "q back  p next port"
         elif self.overlay is not None:
             line = "q back  up down PgUp PgDn"
         elif row and row.failure:

@@ -17,10 +17,14 @@ STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)
 # for a zombie; `rate` in Hz, of the first context that runs, else of the first one; `running` whether any
 # does; `ports` and `connections` are counts. None is unknown (yet). `failure` is an errors.Error or None.
 # `since` are the seconds for which it has been so, None if that is longer than it has been looked at; `event`
-# is what was seen to change last, in words.
-Row = collections.namedtuple("Row", "path name kind state rate running ports connections failure since event")
+# is what was seen to change last, in words; `flow` {port: values that are written a second}, {} unless
+# measured.
+Row = collections.namedtuple(
+    "Row", "path name kind state rate running ports connections failure since event flow"
+)
 
 HEAD = "STATE         RATE  CONN  COMPONENT"
+WIDE_HEAD = "STATE         RATE  MEASURED  VALUES/S  CONN  COMPONENT"
 WIDE = 110  # columns from which on there is room for more
 _NAMES = 36  # columns at most for names, and for directories
 
@@ -93,33 +97,46 @@ def summary(rows):
 
 def line(row):
     """A Row as a line below HEAD; it begins with the state."""
-    if row.rate is None:
-        rate = "-"
-    elif row.running is False:
-        rate = "stopped"
-    else:
-        rate = f"{row.rate:g}"
-    if row.connections is None:
-        connections = "-"
-    else:
-        connections = str(row.connections)
     if row.failure:
         why = ": " + reason(row.path, row.failure)
     else:
         why = ""
-    return "%-8s  %8s  %4s  %s" % (
-        row.state or "",
-        rate,
-        connections,
-        MARKS.get(row.kind, "") + row.name + why,
-    )
+    return "%-8s  %8s  %4s  %s" % (row.state or "", _rate(row), _connections(row), _name(row) + why)
+
+
+def _rate(row):
+    if row.rate is None:
+        return "-"
+    if row.running is False:
+        return "stopped"
+    return f"{row.rate:g}"
+
+
+def _connections(row):
+    if row.connections is None:
+        return "-"
+    return str(row.connections)
+
+
+def _name(row):
+    return MARKS.get(row.kind, "") + row.name
+
+
+def _wide_line(row):
+    """A Row as a line below WIDE_HEAD. What writes in each cycle shows the rate at which it is executed."""
+    measured = values = "-"
+    if row.flow:
+        measured = f"{max(row.flow.values()):.1f}"
+        values = f"{sum(row.flow.values()):.1f}"
+    figures = (row.state or "", _rate(row), measured, values, _connections(row))
+    return "%-8s  %8s  %8s  %8s  %4s  " % figures + _name(row)
 
 
 def wide_head(shown):
-    """HEAD with the columns that `wide_line` adds, for these Rows."""
+    """WIDE_HEAD with the columns that `wide_lines` adds, for these Rows."""
     names, directories = _widths(shown)
     return "%s  %s  %5s  %s  %s" % (
-        HEAD[: -len("COMPONENT")] + text.padded("COMPONENT", names),
+        WIDE_HEAD[: -len("COMPONENT")] + text.padded("COMPONENT", names),
         text.padded("DIRECTORY", directories),
         "SINCE",
         "",
@@ -131,10 +148,9 @@ def wide_lines(shown, listed):
     """Yield a line for each Row of `shown`, which are some of those `listed`, below their `wide_head`."""
     names, directories = _widths(listed)
     for row in shown:
-        plain = line(row._replace(failure=None))
         why = reason(row.path, row.failure) if row.failure else row.event
         yield "%s  %s  %5s    %s" % (
-            text.padded(plain, len(HEAD) - len("COMPONENT") + names),
+            text.padded(_wide_line(row), len(WIDE_HEAD) - len("COMPONENT") + names),
             text.padded(group(row, "directory"), directories),
             _duration(row.since),
             why,

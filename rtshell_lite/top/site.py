@@ -7,6 +7,7 @@ has changed since: states one by one, else all that the page shows. Nothing that
 
 import binascii
 import collections
+import errno
 import functools
 import os
 import socket
@@ -89,8 +90,10 @@ class Place:
             raise http.Refused(403)
 
 
-async def place(words):
-    """The Place for HOST:PORT; port 0 is any free one. Raises Usage, Failed."""
+async def place(words, otherwise=None):
+    """The Place for HOST:PORT; port 0 is any free one. `otherwise` is taken where that is in use. Raises Usage,
+    Failed.
+    """
     host, colon, port = words.rpartition(":")
     if not colon or not host or not port.isdigit() or not 0 <= int(port[:6]) < 65536:
         raise errors.Usage(f"--serve {printable(words)}: not HOST:PORT")
@@ -99,6 +102,8 @@ async def place(words):
         family, _, _, _, address = sorted(found, key=lambda each: each[0])[0]
         listener = http.listening(family, address)
     except (OSError, OverflowError, UnicodeError) as e:
+        if otherwise and getattr(e, "errno", None) == errno.EADDRINUSE:
+            return await place(otherwise)
         raise errors.Failed(f"--serve {printable(words)}", getattr(e, "strerror", None) or str(e))
     token = ""
     if not _is_loopback(address[0]):
@@ -135,6 +140,7 @@ class Site:
 
     async def serve(self):
         """Answer browsers for ever."""
+        self._looking.shown = set()  # nobody sees all of many components
         async with loop.Group() as group:
             group.start(self._keep_states())
             group.start(self._keep_details())
@@ -228,7 +234,8 @@ class Site:
         system = capture.of_snapshots(known, dict(ends))
         drawing = live_graph.of_system(system, lost)
         for box in drawing.picture.boxes:
-            box.state = None
+            if box.path:
+                box.state = None
         failures = self._looking.failures().items()
         remarks = [page.Remark("fail", "", path, failure.why, "") for path, failure in failures]
         return drawing.picture, drawing.profile, self._title, self._what, remarks

@@ -11,17 +11,20 @@ from rtshell_lite.xmlprofile import model
 
 # What is known of a component that runs: its state, (host, port) of its process, a snapshot.Snapshot or None.
 Look = collections.namedtuple("Look", "state process snapshot")
+NOT_KNOWN = "not known"  # in place of the name of a port that does not answer
 SILENT = Look("Unknown", None, None)
 
 
 async def of_robot(tops, everything, with_snapshots=False):
     """The Drawing of what is below the Paths `tops` (none: all name servers).
 
-    Components that do not answer are boxes without connections. `everything`: also what is not connected.
+    Components that do not answer are boxes. `everything`: also what is not connected.
+    Where a connection leads to one, that is drawn: it may be gone.
     `with_snapshots`: all that rtcat shows. `results` are capture.Found and errors.Error.
     """
     found = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
-    return of_system(found, {failure.where: None for failure in found.failures})
+    lost = {failure.where: None for failure in found.failures}
+    return of_system(found, dict(lost, **found.lost))
 
 
 def of_system(system, lost):
@@ -35,7 +38,41 @@ def of_system(system, lost):
         if silent is not None:
             profile.components.append(silent)
             looks.append(SILENT._replace(process=process))
-    return graph.Drawing(_of(profile, looks), profile, system.found + system.failures, system.notes)
+    for each in system.loose:
+        _tie(each, profile, lost)
+    tied = {each.note for each in system.loose}
+    notes = [line for line in system.notes if line not in tied]
+    picture = _of(profile, looks)
+    for box in picture.boxes[len(looks) :]:  # of ends that do not answer
+        if box.missing:
+            box.missing = False
+            box.state = SILENT.state
+    return graph.Drawing(picture, profile, system.found + system.failures, notes)
+
+
+def _tie(loose, profile, lost):
+    """Add a capture.Loose to a profile, with an end whose port is not known: of the one component that was lost of its
+    process, else of the process.
+    """
+    ends = loose.connector.ends
+    where = [path for path, process in lost.items() if process == loose.endpoint]
+    there = [each for each in profile.components if capture.shown_path(each) in where]
+    if len(there) == 1:
+        path_id = model.Property(name=capture.PATH_ID, value=there[0].path_uri)
+        other = model.TargetPort(
+            instance_name=there[0].instance_name, port_name=NOT_KNOWN, properties=[path_id]
+        )
+    else:
+        host, port = loose.endpoint
+        other = model.TargetPort(instance_name=f"{host}:{port}", port_name=NOT_KNOWN)
+    if loose.connector.source is None:
+        loose.connector.ends = [other] + ends
+    else:
+        loose.connector.ends = ends + [other]
+    if isinstance(loose.connector, model.ServicePortConnector):
+        profile.service_port_connectors.append(loose.connector)
+    else:
+        profile.data_port_connectors.append(loose.connector)
 
 
 def _silent(text):

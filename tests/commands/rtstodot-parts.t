@@ -130,3 +130,35 @@ Formats exclude each other:
   $ rtstodot --dot --svg robot.rtsys
   rtstodot: only one of --dot, --svg, --html and --text or --ascii can be drawn (see --help)
   [2]
+
+Connections to what does not answer are drawn, to a port that is not known: they may be gone. Where it is not clear whose port it
+is, its process is drawn.
+
+  $ mock these ConsoleIn:Near0 --context far.host_cxt/%n.rtc; mock these ConsoleOut:Hung0 --context far.host_cxt/%n.rtc
+  $ mock these ConsoleOut:Hung1 ConsoleOut:Hung2 --context far.host_cxt/%n.rtc
+  $ rtcon ../far.host_cxt/Near0.rtc:out ../far.host_cxt/Hung0.rtc:in; rtcon ../far.host_cxt/Near0.rtc:out ../far.host_cxt/Hung1.rtc:in
+  $ hung() { ctl @these3 fail get_owned_contexts 1 HANG; ctl @these4 fail get_owned_contexts 1 HANG; ctl @these4 fail get_owned_contexts 2 HANG; }
+  $ hung; rtstodot --live --timeout 1 --text ../far.host_cxt 2> said | sed 's/1:[0-9]*  /1:PORT  /'
+  ┌──────────────────────────┐
+  │ Near0  Inactive          │
+  │                      out ├─┐
+  ├──────────────────────────┤ │
+  │ Hung0  Unknown           │ │
+  │ not known                │<┤
+  ├──────────────────────────┤ │
+  │ 127.0.0.1:PORT  Unknown │ │
+  │ not known                │<┘
+  ├──────────────────────────┤
+  │ Hung1  Unknown           │
+  ├──────────────────────────┤
+  │ Hung2  Unknown           │
+  └──────────────────────────┘
+  $ cat said
+  rtstodot: /localhost:$PORT/far.host_cxt/Hung0.rtc: no answer within 1s
+  rtstodot: /localhost:$PORT/far.host_cxt/Hung1.rtc: no answer within 1s
+  rtstodot: /localhost:$PORT/far.host_cxt/Hung2.rtc: no answer within 1s
+  $ hung; rtstodot --live --timeout 1 --dot ../far.host_cxt 2>/dev/null | grep -c 'not.* known'
+  2
+  $ hung; rtstodot --live --timeout 1 --svg ../far.host_cxt 2>/dev/null | grep -c 'not known'
+  4
+  $ ctl @these3 reset; ctl @these4 reset

@@ -89,7 +89,7 @@ class Terminal(unittest.TestCase):
     def start(self, words=""):
         """Start rttop, and wait for its page."""
         self.type("clear; rttop %s; echo status $?" % words)
-        self.shows("^STATE +RATE +CONN +COMPONENT")
+        self.shows("^STATE +RATE .*CONN +COMPONENT")
 
     def pid(self):
         """The process in the foreground of the terminal."""
@@ -185,12 +185,12 @@ class Page(Terminal):
     def test_wide_pages_say_where_and_since_when(self):
         self.tmux("resize-window", "-x", "200", "-y", "60")
         self.start()
-        self.shows(r"^STATE +RATE +CONN +COMPONENT +DIRECTORY +SINCE +LAST EVENT")
-        self.shows(r"^\? +- +- +\?Mock0\.rtc +/localhost:\d+/hung\.host_cxt +- +no answer within 1s")
+        self.shows(r"^STATE +RATE +MEASURED +VALUES/S +CONN +COMPONENT +DIRECTORY +SINCE +LAST EVENT")
+        self.shows(r"^\? +- +- +- +- +\?Mock0\.rtc +/localhost:\d+/hung\.host_cxt +- +no answer within 1s")
         self.type("/motor")
         self.shows("1 with: motor")
         self.press("a", "y")
-        self.shows(r"^Active +1000 +2 +Motor0\.rtc +\S+/test\.host_cxt +\d+s +Inactive to Active")
+        self.shows(r"^Active +1000 +- +- +2 +Motor0\.rtc +\S+/test\.host_cxt +\d+s +Inactive to Active")
         self.press("i", "y")
         self.shows(r"Motor0\.rtc +\S+/test\.host_cxt +\d+s +Active to Inactive")
         self.press("q")
@@ -225,6 +225,47 @@ class Page(Terminal):
         self.shows(r"^ +0\.0 Hz  .*/Broken0\.rtc:|^it has no out port$")
         self.press("q", "q")
         self.ended(0)
+
+    def test_what_is_measured_stands_beside_what_is_claimed(self):
+        senders = World("senders", "50", "8")
+        self.addCleanup(running.run, ["rtdel", self.top + "/Source0.rtc"], self.home)
+        self.addCleanup(senders.close)
+        self.tmux("resize-window", "-x", "200", "-y", "60")
+        self.start()
+        self.shows(r"^Active +50 +- +- +0 +Source0\.rtc")
+        self.press("M")
+        found = self.shows(r"^Active +50 +\d+\.\d +\d+\.\d +\d +Source0\.rtc")
+        claimed, measured, values = re.search(r"Active +(\d+) +(\S+) +(\S+) .*Source0", found).groups()
+        self.assertTrue(0 < float(measured) < float(values), found)
+        self.assertRegex(found, r"(?m)^Inactive +1000 +0\.0 +0\.0 +2 +Motor0\.rtc")
+        eventually(lambda: senders.ctl("connectors", "Source0:number").count("\n") == 0, "it has disconnected")
+        self.press("q")
+        self.ended(0)
+
+    def test_plots_of_ports(self):
+        senders = World("senders", "50", "8")
+        self.addCleanup(running.run, ["rtdel", self.top + "/Source0.rtc"], self.home)
+        self.addCleanup(senders.close)
+        self.start("-f source")
+        self.shows(r"^Active .*Source0\.rtc")
+        self.press("p")
+        self.shows(r"/Source0\.rtc:(number|block)$", without="CONN")
+        self.shows("[\u2801-\u28ff]")
+        self.assertEqual(senders.ctl("connectors", "Source0:number").count("\n") +
+                         senders.ctl("connectors", "Source0:block").count("\n"), 1)
+        first = re.search(r"/Source0\.rtc:(\w+)", self.screen()).group(1)
+        self.press("p")
+        self.shows(r"/Source0\.rtc:%s$" % {"number": "block", "block": "number"}[first], without=first)
+        self.press("q")
+        self.shows(r"^Active .*Source0\.rtc")
+        for port in "number", "block":
+            eventually(lambda: senders.ctl("connectors", "Source0:" + port).count("\n") == 0, "it has disconnected")
+        self.press("p")
+        self.shows("[\u2801-\u28ff]")
+        self.press("C-c")
+        self.ended(130)
+        for port in "number", "block":
+            self.assertEqual(senders.ctl("connectors", "Source0:" + port).count("\n"), 0)
 
     def test_a_component_in_the_context_of_another_one(self):
         for words in (["rtec", "Sensor0.rtc", "attach", "Motor0.rtc"], ["rtact", "-e", "1", "--wait", "Motor0.rtc"]):
@@ -343,6 +384,8 @@ class End(Terminal):
     def test_marks_of_rtkeep(self):
         """What a running rtkeep says of a component stands beside what has changed."""
         world = World("these", "Motor:Kept0", "ConsoleIn:Left0", "ConsoleIn:Free0", "--context", "kept.host_cxt/%n.rtc")
+        names = ["/localhost:%d/kept.host_cxt/%s.rtc" % (Server.port, name) for name in ("Kept0", "Left0", "Free0")]
+        self.addCleanup(running.run, ["rtdel"] + names, self.home)
         self.addCleanup(world.close)
         self.tmux("resize-window", "-x", "160", "-y", "40")
         place = "/localhost:%d/kept.host_cxt" % Server.port

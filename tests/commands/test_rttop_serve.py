@@ -167,7 +167,7 @@ class Robot(Served):
                 self.assertEqual(self.status(), 200)
             World.robot.ctl("reset")
             eventually(lambda: World.robot.count("get_component_state") >= 20, "looks")
-            calls = World.robot.ctl("calls")[1].split()
+            calls = World.robot.ctl("calls").split()
             counts.append(dict(zip(calls[1::2], map(int, calls[::2]))))
             self.stop()
         for counted in counts:

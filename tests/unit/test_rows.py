@@ -7,7 +7,7 @@ from rtshell_lite.top import rows
 
 
 def row(name, **changes):
-    return rows.Row("/robot/" + name, name, "component", None, None, None, None, None, None, None, "")._replace(**changes)
+    return rows.Row("/robot/" + name, name, "component", None, None, None, None, None, None, None, "", {})._replace(**changes)
 
 
 class Arranged(unittest.TestCase):
@@ -70,12 +70,12 @@ class Shown(unittest.TestCase):
 
     def test_wide_lines(self):
         given = [row("A.rtc", path="/h/a.host_cxt/A.rtc", state="Active", rate=50.0, connections=2, since=75.0,
-                     event="Inactive to Active"),
+                     event="Inactive to Active", flow={"a:out": 49.96, "a:other": 10.0}),
                  row("B.rtc", path="/h/B.rtc", state="?", kind="silent", failure=errors.Silent("/h/B.rtc", "no answer"))]
         self.assertEqual([line.rstrip() for line in [rows.wide_head(given)] + list(rows.wide_lines(given, given))],
-                         ["STATE         RATE  CONN  COMPONENT  DIRECTORY      SINCE    LAST EVENT",
-                          "Active          50     2  A.rtc      /h/a.host_cxt     1m    Inactive to Active",
-                          "?                -     -  ?B.rtc     /h                 -    no answer"])
+                         ["STATE         RATE  MEASURED  VALUES/S  CONN  COMPONENT  DIRECTORY      SINCE    LAST EVENT",
+                          "Active          50      50.0      60.0     2  A.rtc      /h/a.host_cxt     1m    Inactive to Active",
+                          "?                -         -         -     -  ?B.rtc     /h                 -    no answer"])
 
     def test_rates(self):
         for given, expected in (
