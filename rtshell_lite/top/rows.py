@@ -62,7 +62,12 @@ def natural(name):
 
 def group(row, kind):
     """The group of GROUPS that a Row is in: the directory or the host of its path."""
-    where = path.parse(row.path)
+    return _group(row.path, kind)
+
+
+@functools.lru_cache(maxsize=4096)
+def _group(words, kind):
+    where = path.parse(words)
     if kind == "directory":
         return str(where.parent())
     hosts = [text.printable(name.id) for name in where.names if name.kind == "host_cxt"]

@@ -77,15 +77,22 @@ class Served(unittest.TestCase):
         self.addCleanup(file.close)
         return file
 
-    def hears(self, file, name, words):
-        """Read events until one of this name has these words; its data."""
-        while True:
+    def hears(self, file, is_so):
+        """Read events until is_so({name of a component: [state, words]}, [connections])."""
+        found = {"boxes": [], "connections": []}
+        now = {}
+        while not is_so({box["name"]: now.get(str(number), [None, ""]) for number, box in enumerate(found["boxes"])},
+                        found["connections"]):
             line = file.readline().decode()
             self.assertTrue(line, "the stream has ended")
-            if line == "event: %s\n" % name:
-                data = next(line for line in iter(file.readline, b"") if line.startswith(b"data: ")).decode()
-                if words in data:
-                    return json.loads(data[len("data: "):])
+            if line.startswith("event: "):
+                data = next(each for each in iter(file.readline, b"") if each.startswith(b"data: "))
+                data = json.loads(data.decode()[len("data: "):])
+                if line == "event: system\n":
+                    found = data
+                    now = data["now"]
+                else:
+                    now.update(data)
 
     def rt(self, *words):
         environment = dict(worlds.ENVIRONMENT, RTCSH_CWD=self.top)
@@ -136,26 +143,28 @@ class Robot(Served):
         """States, connections, components that come and go."""
         self.start("--serve", "127.0.0.1:0")
         file = self.events()
-        found = self.hears(file, "system", '"Motor0"')
-        number = next(place for place, box in enumerate(found["boxes"]) if box["name"] == "Motor0")
+        self.hears(file, lambda states, lines: states.get("Motor0") == ["Inactive", ""] and len(lines) == 4)
+        file = self.events()
         self.rt("rtact", "Motor0.rtc")
         self.addCleanup(self.rt, "rtdeact", "Motor0.rtc")
-        now = self.hears(file, "states", "Inactive to Active")
-        self.assertEqual(now[str(number)][0], "Active")
+        self.hears(file, lambda states, _: states.get("Motor0", [""])[0] == "Active" and
+                   states["Motor0"][1].startswith("Inactive to Active (seen at "))
+        file = self.events()
         self.rt("rtdis", "Hokuyo_AIST0.rtc:ranges")
         self.addCleanup(self.rt, "rtcon", "Hokuyo_AIST0.rtc:ranges", "Clusterer0.rtc:ranges")
-        while len(found["connections"]) != 3:
-            found = self.hears(file, "system", "")
+        self.hears(file, lambda _, lines: len(lines) == 3)
+        file = self.events()
         world = World("these", "ConsoleIn:Late0")
         try:
-            found = self.hears(file, "system", '"Late0"')
+            self.hears(file, lambda states, _: states.get("Late0", [""])[0] == "Inactive")
         finally:
             world.close()
-        now = self.hears(file, "states", "connection refused")
-        self.assertIn("Unknown", [state for state, _ in now.values()])
+        file = self.events()
+        self.hears(file, lambda states, _: states.get("Late0", [""])[0] == "Unknown" and
+                   "connection refused" in states["Late0"][1])
+        file = self.events()
         self.rt("rtdel", "Late0.rtc")
-        while "Late0" in [box["name"] for box in found["boxes"]]:
-            found = self.hears(file, "system", "")
+        self.hears(file, lambda states, _: states and "Late0" not in states)
 
     def test_five_cost_no_more_than_one(self):
         counts = []
@@ -163,7 +172,7 @@ class Robot(Served):
             self.start("--serve", "127.0.0.1:0", "./Sensor0.rtc")
             files = [self.events() for _ in range(browsers)]
             for file in files:
-                self.hears(file, "system", '"Sensor0"')
+                self.hears(file, lambda states, _: "Sensor0" in states)
                 self.assertEqual(self.status(), 200)
             World.robot.ctl("reset")
             eventually(lambda: World.robot.count("get_component_state") >= 20, "looks")
