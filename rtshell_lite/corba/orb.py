@@ -257,6 +257,44 @@ def serve(servant):
     return _orb.serve(servant)
 
 
+# ---- objects that others know by a name, which our own ORB serves ------------------------------------------
+
+
+def listen(host=None, port=0):
+    """Serve at this address, "" for all of this host and 0 for any port, before anything is served; returns the port.
+    Without a host, settings say where. Raises Usage where RTSHELL_ORB asks for another ORB, Failed where the port
+    is taken.
+    """
+    start()
+    from rtshell_lite.corba.iiop import client, server
+
+    if _orb is not client:
+        raise errors.Usage("only the builtin ORB serves components; unset RTSHELL_ORB, and RTCTREE_ORB_ARGS")
+    if host is None:
+        return None
+    try:
+        return server.listen(host, port)
+    except errors.Usage:
+        raise errors.Failed(f"{printable(host)}:{port}", "cannot listen there; does another program?")
+
+
+def publish(servant, host, key=None):
+    """Let others call a servant, after `listen`, by its `reference`, which has this host in it; returns a function
+    that ends that. `key`: octets that others know it by. A coroutine of a servant is awaited for its answer.
+    """
+    from rtshell_lite.corba.iiop import server
+
+    servant.reference, withdraw = server.serve(servant, host, key)
+    return withdraw
+
+
+def own_servant(ref):
+    """The servant that `publish` made a reference to, or None where it is of another process, or withdrawn."""
+    from rtshell_lite.corba.iiop import server
+
+    return server.servant(ref)
+
+
 # ---- values ------------------------------------------------------------------------------------------------
 
 struct = idl.struct

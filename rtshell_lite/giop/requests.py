@@ -4,7 +4,7 @@ no socket.
 
 import struct
 
-from rtshell_lite.giop import marshal, messages, operations
+from rtshell_lite.giop import idl, marshal, messages, operations
 
 # kinds of messages; messages.py has the others
 REQUEST = 0
@@ -17,6 +17,17 @@ MAYBE = 2
 _ANSWER = struct.Struct("<4s4BIIII")
 _LOCATED = struct.Struct("<4s4BIII")
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in "><"]
+
+
+class Thrown(Exception):
+    """An exception that an operation of ours raises: one of its IDL by its name (CosNaming.NamingContext.NotFound) and
+    its members, or one of CORBA by its name alone (BAD_PARAM).
+    """
+
+    def __init__(self, name, *members):
+        super().__init__(name)
+        self.name = name
+        self.members = members
 
 
 class Request:
@@ -104,6 +115,20 @@ def failed(request, name, completed=NO):
     out = answer(request, messages.SYSTEM_EXCEPTION)
     operations.writer(marshal.TEXT)(out, f"IDL:omg.org/CORBA/{name}:1.0")
     return sized(out + b"\0" * (-len(out) % 4) + struct.pack("<II", 0, completed))
+
+
+def thrown(request, interface, exception):
+    """A Reply with a Thrown."""
+    if "." not in exception.name:
+        return failed(request, exception.name)
+    type_id = idl.id_of(exception.name)
+    _, _, raised = idl.operation(interface, request.operation)
+    if type_id not in raised:
+        return failed(request, "UNKNOWN", MAYBE)
+    out = answer(request, messages.USER_EXCEPTION)
+    operations.writer(marshal.TEXT)(out, type_id)
+    operations.writer(idl.known(type_id))(out, idl.struct(exception.name)(*exception.members))
+    return sized(out)
 
 
 def needs_key(request):

@@ -194,7 +194,7 @@ class Served(unittest.TestCase):
 
     def serve(self, servant):
         found, withdraw = self.serving.call(server.serve, servant)
-        address = ior.address(found)
+        address = ior.address(found.text())
         self.at = address.port
         return address.key, withdraw
 

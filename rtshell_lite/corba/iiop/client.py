@@ -92,7 +92,8 @@ def serve(servant):
     """
     from rtshell_lite.corba.iiop import server
 
-    return server.serve(servant)
+    reference, withdraw = server.serve(servant)
+    return reference.text(), withdraw
 
 
 # ---- values ------------------------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ MOST_NEW = 200  # connections that are accepted in a second; others wait
 MOST_ASKED = (
     500  # questions that need no servant, such as _non_existent, of a connection that has called none
 )
+MOST_TASKS = 200  # answers that are awaited, as they need answers of others
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * messages.LARGEST  # of all messages that are still coming
 # octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
@@ -40,23 +41,44 @@ PAUSE = (
 _ENDPOINT = re.compile(r"giop:tcp:(\[[^]]*\]|[^:,]*):(\d{0,5})(?:,|\Z)")
 
 
-def serve(servant):
-    """Let others call a servant while the loop of this thread runs: the stringified reference to it, and a
-    function that ends that.
+def serve(servant, host="", key=None):
+    """Let others call a servant while the loop of this thread runs: the Reference to it, and a function that ends
+    that.
 
-    The reference has no host unless the user has set one. Raises Usage.
+    The reference has this `host`, unless the user has set one; `key`: octets that others know it by. Raises Usage.
     """
     here = loop.current()
     if here.server is None:
         here.server = Server(here, *_setting("endPoint"))
     server = here.server
-    key = binascii.hexlify(os.urandom(12))
+    key = key or binascii.hexlify(os.urandom(12))
     type_id = idl.id_of(servant.interface)
     server.objects[key] = servant, type_id
     own_host, _ = _setting("endPoint")
-    host, port = _setting("endPointPublish")
-    profiles = references.at(host or own_host, port or server.port, key).profiles
-    return references.Reference(type_id.encode(), profiles).text(), lambda: server.objects.pop(key, None)
+    published, port = _setting("endPointPublish")
+    profiles = references.at(published or own_host or host, port or server.port, key).profiles
+    return references.Reference(type_id.encode(), profiles, type_id), lambda: server.objects.pop(key, None)
+
+
+def listen(host, port):
+    """Serve at this address, "" for all of this host, 0 for any port, before anything is served; returns the port.
+    Raises Usage.
+    """
+    here = loop.current()
+    here.server = Server(here, host, port)
+    return here.server.port
+
+
+def servant(ref):
+    """The servant of ours that a reference denotes, or None."""
+    server = loop.current().server
+    if server is None or ref is None:
+        return None
+    found, _ = server.objects.get(ref.address.key, (None, None))
+    own = getattr(found, "reference", None)
+    if own is None or own.address[1:] != ref.address[1:]:
+        return None
+    return found
 
 
 def _setting(name):
@@ -180,6 +202,7 @@ class Server:
         self.callers = set()
         self.second = time.monotonic()  # since when new connections are counted
         self.new = 0  # how many
+        self.tasks = set()  # type: set  # of servants that ask others before they answer
         self.listening = listening.socket_at(host, port)
         if self.listening is None:
             raise errors.Usage(errors.BAD_ENDPOINT)
@@ -190,6 +213,8 @@ class Server:
 
     def end(self):
         """Take no calls any more."""
+        for task in list(self.tasks):
+            task.close()
         for caller in list(self.callers):
             self.close(caller)
         self.listening.close()
@@ -353,7 +378,7 @@ class Server:
         elif kind == requests.LOCATE:
             answer = requests.located(request, int(request.key in self.objects))
         else:
-            answer = self.called(request)
+            answer = self.called(caller, request)
             caller.has_called |= request.key in self.objects and request.operation not in _ASKED
         caller.asked += 1
         request.data = None  # its caller keeps the request
@@ -361,8 +386,8 @@ class Server:
             return answer
         return None
 
-    def called(self, request):
-        """Call the servant: the answer."""
+    def called(self, caller, request):
+        """Call the servant: the answer, or None where that is to come."""
         servant, interface = self.objects.get(request.key, (None, None))
         if servant is None:
             return requests.failed(request, "OBJECT_NOT_EXIST")
@@ -385,14 +410,39 @@ class Server:
                 arguments.append(bytes(value) if octets else value)
         except (ValueError, struct.error, IndexError, RecursionError):
             return requests.failed(request, "MARSHAL")
-        out = requests.answer(request)
         try:
             result = _result(servant, interface, request.operation, arguments)
-            for write, value in zip(writers, result if len(writers) > 1 else [result]):
-                write(out, value)
-        except Exception:
-            return requests.failed(request, "UNKNOWN", requests.MAYBE)
-        return requests.sized(out)
+            if not hasattr(result, "send"):
+                return _written(request, writers, result)
+        except Exception as e:
+            return _raised(request, interface, e)
+        if len(self.tasks) >= MOST_TASKS:
+            result.close()
+            return requests.failed(request, "NO_RESOURCES")
+        caller.last = None  # which the task keeps
+        self.tasks.add(
+            loop.Task(self.loop, self._answer_later(caller, request, interface, writers, result), self, None)
+        )
+        return None
+
+    async def _answer_later(self, caller, request, interface, writers, coroutine):
+        """Send the answer of a servant that has to ask others for it."""
+        try:
+            answer = _written(request, writers, await coroutine)
+        except Exception as e:
+            answer = _raised(request, interface, e)
+        if caller not in self.callers or not request.is_answered:
+            return
+        try:
+            caller.send(answer)
+        except OSError:
+            return self.close(caller)
+        if caller.out:
+            self._watch(caller)
+
+    def ended(self, task):
+        """A task of a servant has ended; called by it."""
+        self.tasks.discard(task)
 
 
 _ASKED = ("_is_a", "_non_existent")  # which need no servant
@@ -404,3 +454,21 @@ def _result(servant, interface, operation, arguments):
     if operation == "_non_existent":
         return False
     return getattr(servant, operation)(*arguments)
+
+
+def _written(request, writers, result):
+    """The answer with a result."""
+    out = requests.answer(request)
+    for write, value in zip(writers, result if len(writers) > 1 else [result]):
+        write(out, value)
+    return requests.sized(out)
+
+
+def _raised(request, interface, exception):
+    """The answer with what a servant has raised."""
+    try:
+        if isinstance(exception, requests.Thrown):
+            return requests.thrown(request, interface, exception)
+    except (ValueError, struct.error, KeyError):
+        pass  # members of another type
+    return requests.failed(request, "UNKNOWN", requests.MAYBE)
