@@ -172,7 +172,7 @@ class Recorder:
             attachment = self._attachments.pop(0)
             self.writer.attach(*attachment)
             if self.incidents is not None:
-                self.incidents.attached = attachment
+                self.incidents.attached[attachment[2]] = attachment
         self.writer.write(
             [(channel, message.received, message.little, message.data) for channel, message in batch]
         )

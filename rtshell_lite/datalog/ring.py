@@ -45,7 +45,7 @@ class Parts:
         self._is_single = limits.seconds is None and limits.octets is None
         self._looked = 0.0
         self._is_said = False
-        self._attached = None  # the last attachment
+        self._attached = {}  # the last attachment of each media type
         self._number = 0
         if not self._is_single:
             self._take_over()
@@ -83,7 +83,8 @@ class Parts:
         return self._writer.add(channel)
 
     def attach(self, *args):
-        self._attached = args
+        _, _, media_type, _ = args
+        self._attached[media_type] = args
         self._writer.attach(*args)
 
     def sync(self):
@@ -109,8 +110,8 @@ class Parts:
         name = self._writer.name
         self._parts.append(Part(name, os.path.getsize(name), self._begun, now))
         self._begin(now)
-        if self._attached:  # what describes the system is in each part
-            self._writer.attach(*self._attached)
+        for attachment in self._attached.values():  # what describes the system is in each part
+            self._writer.attach(*attachment)
 
     def _remove_old(self):
         """Remove the parts that a ring need not hold, or that are more than are to be kept."""
@@ -240,7 +241,7 @@ class Incidents:
         self._after = int(after * 1e9)
         self._done = done
         self._pending = []
-        self.attached = None  # what is attached to each file, as of Writer.attach
+        self.attached = {}  # by media type: what is attached to each file, as of Writer.attach
 
     def trigger(self, words, moment=None):
         """Something has happened, now or at a moment; within the future of another incident it is one more cause of that."""
@@ -273,8 +274,8 @@ class Incidents:
             incident.name = self._free_name(incident)
             incident.writer = writer.Writer(incident.name, list(channels), incident.first)
             incident.writer.describe("trigger", _told(incident))
-            if self.attached:
-                incident.writer.attach(*self.attached)
+            for attachment in self.attached.values():
+                incident.writer.attach(*attachment)
             incident.messages = ring.past(incident.first, incident.last)
         taken = []
         size = 0

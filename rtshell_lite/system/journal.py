@@ -1,7 +1,7 @@
 """What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the whole system.
 
-Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as rtcryo writes it: at the start, and after
-changes.
+Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as rtcryo writes it, with another one for what
+details.py keeps: at the start, and after changes.
 """
 
 import json
@@ -110,10 +110,12 @@ class Journal:
         self._looked = now
         self._number += 1
         try:
-            data = await describe(self._tops)
+            profile, more = await describe(self._tops)
         except errors.Error:
             return  # the next change shows it
-        self._work.attach(int(time.time() * 1e9), "system-%d.rtsys" % self._number, "application/xml", data)
+        moment = int(time.time() * 1e9)
+        self._work.attach(moment, "system-%d.rtsys" % self._number, "application/xml", profile)
+        self._work.attach(moment, "components-%d.json" % self._number, "application/json", more)
 
 
 def _ignore(line):
@@ -121,11 +123,12 @@ def _ignore(line):
 
 
 async def describe(tops):
-    """The RtsProfile of the system below some Paths, as octets of XML. Raises errors.Error."""
-    from rtshell_lite.system import capture
+    """(the RtsProfile of the system below some Paths, as octets of XML; its details.dump). Raises errors.Error."""
+    from rtshell_lite.system import capture, details
 
-    found = await capture.capture(tops, True)
+    found = await capture.capture(tops, True, with_states=True, with_snapshots=True)
     profile = found.profile
     profile.id = "RTSystem:rtlog:recorded:0"
     profile.creation_date = profile.update_date = time.strftime("%Y-%m-%dT%H:%M:%S")
-    return rtsprofile.dump(profile, rtsprofile.XML).encode("utf-8", "surrogateescape")
+    written = rtsprofile.dump(profile, rtsprofile.XML).encode("utf-8", "surrogateescape")
+    return written, details.dump(found.found)
