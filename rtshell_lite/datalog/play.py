@@ -29,10 +29,10 @@ class Range:
         else:
             self.end = end
 
-    def entries(self, log):
-        """The entries. Raises errors.Failed where there are none."""
-        first = self._first(log)
-        entries = log.entries(first)
+    def entries(self, log, first=None):
+        """The entries, from number `first` on if that is given. Raises errors.Failed where there are none."""
+        begin = self._first(log)
+        entries = log.entries(begin if first is None else max(begin, first))
         if self.end is None:
             return entries
         if self.by_index:
@@ -110,27 +110,6 @@ def channel(log, port, name, place):
             where, f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here"
         )
     return number
-
-
-async def due(entries, rate, cycle=None, seconds=math.inf):
-    """The entries, each when it is due: `rate` times as fast as they were recorded, the first at once.
-
-    With `cycle` (seconds) entries are due at multiples of it; after `seconds` there are no more. If the clock
-    was set back while recording, nothing is added.
-    """
-    begun = time.monotonic()
-    last = None
-    elapsed = 0
-    for entry in entries:
-        if last is not None:
-            elapsed += max(0, entry.received - last)
-        last = entry.received
-        moment = elapsed / 1e9 / rate
-        if cycle:
-            moment = math.ceil(moment / cycle) * cycle
-        if not await _waited(begun, moment, seconds):
-            return
-        yield entry
 
 
 async def portions(entries, count, cycle, seconds=math.inf):

@@ -14,7 +14,7 @@ import tools
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
-from rtshell_lite.datalog import decode, export, logfile, play, recorder, records, tables, textlog, writer
+from rtshell_lite.datalog import decode, export, logfile, pace, play, recorder, records, tables, textlog, writer
 from rtshell_lite.net import loop
 try:
     import omniORB
@@ -63,9 +63,15 @@ class Playing(Case):
     def test_pace(self):
         """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
         entries = [records.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]
-        for how, expected in [(lambda: play.due(entries, 2), [0, .05, .1, .15]),
-                              (lambda: play.due(entries, 1, .15), [0, .15, .3, .3]),
-                              (lambda: play.due(entries, 1, None, .15), [0, .1]),
+        chosen = mock.Mock(entries=lambda log, first: iter(entries))
+
+        def paced(*how):
+            return pace.Pace(None, chosen, *how).entries()
+
+        for how, expected in [(lambda: paced(2), [0, .05, .1, .15]),
+                              (lambda: paced(1, .15), [0, .15, .3, .3]),
+                              (lambda: paced(1, None, .15), [0, .1]),
+                              (lambda: paced(10, None, .035, True), [0, .01, .02, .03, .03]),
                               (lambda: play.portions(entries, 3, .1), [0, 0, 0, .1])]:
             waited, begun = tools.waited_for_processor(os.getpid()), time.monotonic()
             times = loop.run(self.times(how(), begun))

@@ -1,0 +1,130 @@
+"""When the entries of a log are due, while somebody pauses, steps, jumps, or has it begin again."""
+
+import math
+import time
+
+from rtshell_lite.net import loop
+
+JUMP = 5.0  # seconds
+SET_BACK = (
+    1e9  # ns; an entry that is so much earlier than the one before came after the clock had been set back
+)
+
+
+class Pace:
+    """Plays the entries of a play.Range of a Log, `rate` times as fast as they came, the first at once.
+
+    cycle      seconds, at multiples of which entries are due, or None
+    seconds    after which there are no more
+    is_looped  again and again
+
+    `position` is when the last entry came (ns since the epoch), `count` how many entries were due, `is_elsewhere` whether
+    the last one does not follow the one before.
+    """
+
+    def __init__(self, log, chosen, rate=1.0, cycle=None, seconds=math.inf, is_looped=False):
+        self._log = log
+        self._chosen = chosen
+        self.rate = rate
+        self._cycle = cycle
+        self._seconds = seconds
+        self._is_looped = is_looped
+        self.position = None
+        self.count = 0
+        self.is_elsewhere = True
+        self.is_paused = False
+        self._steps = 0
+        self._target = None  # ns since the epoch, to jump to
+        self._bell = loop.Bell()
+        self._origin = None  # (time.monotonic(), ns since the epoch) that belong together
+        self._due = 0.0  # when the last entry was due, by time.monotonic()
+        self._is_over = False
+
+    # ---- what somebody does --------------------------------------------------------------------------------
+
+    def pause(self):
+        """Pause, or go on."""
+        self.is_paused = not self.is_paused
+        self._origin = None
+        self._bell.ring()
+
+    def step(self):
+        """Play one entry, and pause."""
+        self.is_paused = True
+        self._steps += 1
+        self._bell.ring()
+
+    def jump(self, seconds):
+        """Go on so much later, or earlier if it is negative."""
+        if self.position is not None:
+            self._target = self.position + int(seconds * 1e9)
+            self._bell.ring()
+
+    # ---- what is due ---------------------------------------------------------------------------------------
+
+    async def entries(self):
+        """Each entry when it is due."""
+        end = time.monotonic() + self._seconds
+        first = None
+        while not self._is_over:
+            self.is_elsewhere = True
+            is_empty = True
+            async for entry in self._from(first, end):
+                is_empty = False
+                yield entry
+                self.is_elsewhere = False
+            first = None
+            if self._target is not None:
+                self._origin = None
+                first = self._number_at(self._target)
+                self._target = None
+            elif is_empty or not self._is_looped:
+                return
+
+    def _number_at(self, moment):
+        number = self._log.since(moment)
+        if number is None:
+            return max(self._log.count - 1, 0)
+        return number
+
+    async def _from(self, first, end):
+        is_begin = True
+        for entry in self._chosen.entries(self._log, first):
+            if is_begin and self._origin is not None:
+                self._origin = self._due, entry.received  # once more from the beginning
+            is_begin = False
+            if not await self._is_due(entry, end):
+                return
+            self.position = entry.received
+            self.count += 1
+            yield entry
+
+    async def _is_due(self, entry, end):
+        """Wait until an entry is due; False where somebody wants another one, or the end comes before."""
+        while self._target is None:
+            now = time.monotonic()
+            if self._steps:
+                self._steps -= 1
+                self._origin = None
+                return True
+            if self.is_paused and now < end:
+                await self._bell.wait(min(end - now, loop.FOREVER))
+                continue
+            self._schedule(entry, now)
+            if self._due <= min(now, end):
+                return True
+            if now >= end:
+                self._is_over = True
+                return False
+            await self._bell.wait(min(self._due, end) - now)
+        return False
+
+    def _schedule(self, entry, now):
+        """Find out when an entry is due."""
+        if self._origin is None or self.position and entry.received < self.position - SET_BACK:
+            self._origin = now, entry.received
+        begun, first = self._origin
+        elapsed = (entry.received - first) / 1e9 / self.rate
+        if self._cycle:
+            elapsed = math.ceil(elapsed / self._cycle) * self._cycle
+        self._due = begun + elapsed

@@ -1,0 +1,151 @@
+"""A recording that is played as components, from its beginning to its end."""
+
+import time
+
+from rtshell_lite import errors, notes, path
+from rtshell_lite.corba import orb, servants
+from rtshell_lite.net import loop
+from rtshell_lite.play import bindings, nameserver, recording, stage
+from rtshell_lite.robot import search, tree
+
+HERE = "127.0.0.1"
+DISCARD = 9  # a port that nobody is asked at
+ELSEWHERE = "192.0.2.1"  # of no host (RFC 5737): what faces it is this host's usual address
+SLICE = 1000  # entries that are looked at before others go on
+LOOK = 0.02  # seconds between two looks whether somebody is connected
+
+
+class Show:
+    """Plays decode.Channels of a log as components.
+
+    prefix     Names below which they are bound
+    server     address of the name server; None for the first of RTCTREE_NAMESERVERS
+    serve      (host or "", port) of a name server of our own instead, or None
+    only       shell patterns for the out ports that send
+    is_absolute  the timestamps in the data stay
+    """
+
+    def __init__(self, channels, prefix=(), server=None, serve=None, only=(), is_absolute=False):
+        self._channels = channels
+        self._log = channels.log
+        self._prefix = prefix
+        self._server = server
+        self._serve = serve
+        self._only = search.patterns(only, ())
+        self._is_absolute = is_absolute
+        self._recording = recording.Recording(self._log)
+        self._scene = 0
+        self._stage = None
+        self._failed = set()  # channels whose values cannot be sent
+
+    async def run(self, pace, begin):
+        """Bind the components, play what a pace.Pace says, and end them; begin(): awaited when they can be asked."""
+        host, server = await self._listen()
+        async with loop.Group() as tasks:
+            self._stage = stage.Stage(self._recording, host, tasks)
+            bound = bindings.Bindings(server)
+            try:
+                self._stage.show(self._recording.scenes[0])
+                await self._bind(bound)
+                await begin()
+                await self._play(pace)
+                await self._stage.sent()
+            finally:
+                await loop.finish(self._end(bound))
+                tasks.cancel()
+
+    async def _end(self, bound):
+        await bound.clear()
+        await self._stage.leave()
+        self._stage.close()
+
+    async def _listen(self):
+        """Take calls: (this host's address for references, the Node of the name server)."""
+        if self._serve is None:
+            orb.listen()
+            server = tree.name_server(self._server or tree.servers()[0])
+            return await _facing(*server.endpoint), server
+        host, port = self._serve
+        port = orb.listen(host, port)
+        host = host or await _facing(ELSEWHERE, DISCARD)
+        nameserver.Names(host)
+        return host, tree.name_server(f"[{host}]:{port}" if ":" in host else f"{host}:{port}")
+
+    async def _bind(self, bound):
+        for where in self._stage.components:
+            names = self._prefix + path.parse(where).names
+            await bound.bind(names, self._stage.components[where].reference)
+        count = len(self._stage.components)
+        what = "1 component is" if count == 1 else f"{count} components are"
+        notes.note(f"{what} bound in {bound.server}")
+
+    def is_played(self, number):
+        """Whether the values of a channel are sent."""
+        port = self._recording.channels.get(number)
+        if port is None:
+            return False
+        names = [str(port), str(port).rpartition("/")[2], port.port]
+        return not self._only or any(match(name) for match in self._only for name in names)
+
+    async def connected(self):
+        """Wait until somebody is connected with each port that is played."""
+        ports = [port for number, port in self._stage.outs.items() if self.is_played(number)]
+        while not all(port.carriers for port in ports):
+            await loop.sleep(LOOK)
+
+    # ---- playing -------------------------------------------------------------------------------------------
+
+    async def _play(self, pace):
+        async for entry in pace.entries():
+            if pace.is_elsewhere:
+                await self._seek(entry.received)
+            self._take(entry)
+
+    async def _seek(self, moment):
+        """Have everything be as it was right before a moment."""
+        self._scene = self._recording.scene_at(moment)
+        scene = self._recording.scenes[self._scene]
+        self._stage.show(scene)
+        first = self._log.since(scene.moment)
+        if first is None:
+            return
+        for count, entry in enumerate(self._log.entries(first)):
+            if entry.received >= moment:
+                return
+            if entry.channel in self._recording.events:
+                self._report(entry)
+            if count % SLICE == 0:
+                await loop.sleep(0)
+
+    def _take(self, entry):
+        scenes = self._recording.scenes
+        while self._scene + 1 < len(scenes) and scenes[self._scene + 1].moment <= entry.received:
+            self._scene += 1
+            self._stage.show(scenes[self._scene])
+        if entry.channel in self._recording.events:
+            self._report(entry)
+        elif entry.channel in self._stage.outs and self.is_played(entry.channel):
+            self._send(entry)
+
+    def _report(self, entry):
+        report = self._recording.report(entry)
+        if report is None:
+            return
+        following = self._recording.scenes[self._scene + 1 : self._scene + 2]
+        self._stage.take(report, following[0] if following else None)
+
+    def _send(self, entry):
+        moment = None
+        if not self._is_absolute:
+            moment = int(time.time() * 1e9)
+        try:
+            self._stage.outs[entry.channel].write(lambda little: self._channels.data(entry, little, moment))
+        except errors.Failed as e:
+            if entry.channel not in self._failed:
+                self._failed.add(entry.channel)
+                notes.fail(e)
+
+
+async def _facing(host, port):
+    """This host's address that faces another one."""
+    return await loop.on_thread(servants.own_address, host, port) or HERE

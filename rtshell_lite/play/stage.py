@@ -1,0 +1,323 @@
+"""The components of a recording, as they were at a moment of it."""
+
+from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
+from rtshell_lite.play import carriers
+from rtshell_lite.play import component as parts
+from rtshell_lite.play import ports as port_kinds
+from rtshell_lite.play import recording as recordings
+from rtshell_lite.play.component import wire
+from rtshell_lite.robot import ports
+from rtshell_lite.system import capture
+from rtshell_lite.xmlprofile import model
+
+IDENTITY = ("type_name", "description", "version", "vendor", "category")
+OBSERVERS = "sdo.service.consumer.available_services"  # of which a recording has none
+LOOK = 0.01  # seconds between two looks whether values have been sent
+RATE = 1000.0  # Hz of contexts of which nothing is known
+CONFIGURATION = "conf."  # how properties begin that say what the configuration is
+_DATA = "dataport."
+
+
+class Stage:
+    """Components by their paths, as text, and the out ports of channels: {number: OutPort}."""
+
+    def __init__(self, recording, host, tasks):
+        """`host`: our address in references; `tasks`: a loop.Group in which ports send."""
+        self._recording = recording
+        self._host = host
+        self._tasks = tasks
+        self._scene = None
+        self.components = {}
+        self.outs = {}
+        self._recorded = {}  # by id, as on the wire: the Ports of a connector of the recording
+        for scene in recording.scenes:
+            for where, described in recordings.by_path(scene).items():
+                if where not in self.components:
+                    self.components[where] = self._component(scene, where, described)
+            for where, described in recordings.by_path(scene).items():
+                self._add_members(scene, self.components[where], described)
+        self._add_outs()
+        for each in self.components.values():
+            each.publish(host)
+
+    # ---- building ------------------------------------------------------------------------------------------
+
+    def _component(self, scene, where, described):
+        known = scene.details.get(where, {})
+        identity = {key: recordings.text_in(known, key) for key in IDENTITY}
+        if not known:
+            identity = _identity(described.id)
+        pairs = [
+            pair for pair in recordings.pairs_in(known, "properties") if not pair[0].startswith(CONFIGURATION)
+        ]
+        pairs = [(name, "" if name == OBSERVERS else value) for name, value in pairs]
+        pairs.append(("rtlog.recording", self._recording.log.where))
+        made = parts.Component(described.instance_name, identity, pairs, parts.Configuration({}, ""))
+        made.tasks = self._tasks
+        made.contexts = _contexts(made, known, described)
+        types = _data_types(scene.profile, where)
+        about = {recordings.text_in(port, "name"): port for port in recordings.dicts_in(known, "ports")}
+        for port in described.data_ports + described.service_ports:
+            name = ports.short_name(port.name, described.instance_name)
+            is_service = port in described.service_ports
+            made.ports.append(self._port(made, name, is_service, about.get(name, {}), types.get(name)))
+        return made
+
+    def _port(self, owner, name, is_service, known, seen):
+        """A port; `seen`: its kind and its data type as connections show them, or None."""
+        kind = recordings.text_in(known, "type")
+        properties = dict(recordings.pairs_in(known, "properties"))
+        if is_service:
+            interfaces = [
+                each
+                for each in known.get("interfaces", ())
+                if len(each) == 3 and each[2] in ("Provided", "Required")
+            ]
+            return port_kinds.ServicePort(
+                owner, name, properties or {"port.port_type": "CorbaPort"}, interfaces
+            )
+        if kind not in ports.DATA:
+            kind = (seen or ("DataInPort", ""))[0]
+        return port_kinds.KINDS[kind](owner, name, _properties(kind, properties, (seen or ("", ""))[1]))
+
+    def _add_members(self, scene, composite, described):
+        """Make a component a composite, if it has members."""
+        locate = capture.locator(scene.profile)
+        members = [self._located(locate, one.component) for one in described.participants]
+        members = [member for member in members if member is not None and member is not composite]
+        if members and composite.organisation is None:
+            composite.organisation = parts.Organisation(composite)
+        for member in members:
+            if member not in composite.organisation.members:
+                composite.organisation.members.append(member)
+                member.organisations.append(composite.organisation)
+                if composite.contexts:
+                    _take_part(composite.contexts[0], member)
+        self._share_ports(composite, members)
+        for context, one in zip(composite.contexts, described.execution_contexts):
+            for target in one.participants:
+                other = self._located(locate, target)
+                if other is not None and other is not composite:
+                    _take_part(context, other)
+
+    def _share_ports(self, composite, members):
+        """Have a composite show the ports of its members that it exports, MEMBER.port."""
+        shown = {f"{member.instance_name}.{port.name}": port for member in members for port in member.ports}
+        composite.ports = [shown.get(port.name, port) for port in composite.ports]
+
+    def _located(self, locate, target):
+        described = locate(target)
+        if described is None:
+            return None
+        return self.components.get(capture.shown_path(described))
+
+    def _add_outs(self):
+        """Find the out ports of the channels, or make those that no profile has."""
+        for number, source in self._recording.channels.items():
+            where = str(source.object())
+            type_id = self._recording.log.channels[number].type_id
+            if where not in self.components:
+                made = self._component(self._recording.scenes[0], where, _unknown(source))
+                self.components[where] = made
+            owner = self.components[where]
+            for at, port in enumerate(owner.ports):
+                if port.name != source.port:
+                    continue
+                if not isinstance(port, port_kinds.OutPort):
+                    port = owner.ports[at] = port_kinds.OutPort(
+                        owner, source.port, _properties("DataOutPort", {}, type_id)
+                    )
+                self.outs[number] = port
+                break
+            else:
+                port = port_kinds.OutPort(owner, source.port, _properties("DataOutPort", {}, type_id))
+                owner.ports.append(port)
+                self.outs[number] = port
+
+    # ---- what changes --------------------------------------------------------------------------------------
+
+    def show(self, scene):
+        """Have everything be as a Scene says: connections, contexts, configuration, states."""
+        self._scene = scene
+        for where, described in recordings.by_path(scene).items():
+            self._set(self.components[where], scene.details.get(where, {}), described)
+        wanted = self._connectors(scene)
+        for connector_id in set(self._recorded) - set(wanted):
+            self._drop(connector_id)
+        for connector_id, (connector, ends) in wanted.items():
+            if connector_id not in self._recorded:
+                self._join(connector_id, connector, ends)
+        if not scene.profile.components:
+            for port in self.outs.values():
+                port.component.contexts[0].set_state(port.component, "Active")
+
+    def _set(self, owner, known, described):
+        sets = {one.id: {} for one in described.configuration_sets}
+        for one in described.configuration_sets:
+            sets[one.id].update((item.name, item.data) for item in one.configuration_data)
+        owner.configuration.sets = sets
+        owner.configuration.active = described.active_configuration_set
+        about = {str(one.get("handle")): one for one in recordings.dicts_in(known, "contexts")}
+        for number, (context, one) in enumerate(zip(owner.contexts, described.execution_contexts)):
+            context.rate = one.rate
+            context.running = about.get(str(number), {}).get("running") is not False
+        states = known.get("states")
+        if not isinstance(states, dict):
+            states = {}
+        for handle, context in _handles(owner):
+            state = states.get(str(handle))
+            if state not in parts.STATES:
+                state = "Active" if any(port in self.outs.values() for port in owner.ports) else "Inactive"
+            context.set_state(owner, state)
+
+    def _connectors(self, scene):
+        """{id as on the wire: (model's connector, its Ports)} of a Scene, as far as its ports are here."""
+        locate = capture.locator(scene.profile)
+        found = {}
+        for connector in scene.profile.connectors:
+            ends = [self._end(locate, end) for end in connector.ends]
+            if ends and None not in ends:
+                found[wire(connector.connector_id)] = connector, ends
+        return found
+
+    def _end(self, locate, end):
+        owner = self._located(locate, end)
+        if owner is None:
+            return None
+        name = capture.port_of(end)
+        return next((port for port in owner.ports if port.name == name), None)
+
+    def _join(self, connector_id, connector, ends):
+        properties = [(item.name, item.value or "") for item in connector.properties]
+        profile = orb.struct("RTC.ConnectorProfile")(
+            wire(connector.name), connector_id, [port.reference for port in ends], parts.nvlist(properties)
+        )
+        for port in ends:
+            port.record(profile)
+        self._recorded[connector_id] = ends
+
+    def _drop(self, connector_id):
+        for port in self._recorded.pop(connector_id):
+            port.forget(connector_id)
+
+    def take(self, report, following):
+        """Take a recordings.Report; `following`: the next Scene, which shows what has been connected, or None."""
+        owner = self.components.get(report.path)
+        if owner is None:
+            return
+        state = recordings.STATES.get(report.event)
+        if report.kind == "RTC_STATUS" and state:
+            for handle, context in _handles(owner):
+                if str(handle) == report.subject:
+                    context.set_state(owner, state)
+        elif report.event in ("EC_STARTUP", "EC_SHUTDOWN"):
+            for handle, context in _handles(owner):
+                if str(handle) == report.subject:
+                    context.running = report.event == "EC_STARTUP"
+        elif report.event == "CFG_ACTIVATE_SET" and report.subject in owner.configuration.sets:
+            owner.configuration.active = report.subject
+        elif report.event in ("PORT_CONNECT", "PORT_DISCONNECT") and following is not None:
+            self._connect_as(following, owner, report.event == "PORT_CONNECT")
+
+    def _connect_as(self, following, owner, is_new):
+        """Connect, or disconnect, the ports of a component as the next Scene has them."""
+        wanted = self._connectors(following)
+        for connector_id, (connector, ends) in wanted.items():
+            is_its = any(port.component is owner for port in ends)
+            if is_new and is_its and connector_id not in self._recorded:
+                self._join(connector_id, connector, ends)
+        for connector_id, ends in list(self._recorded.items()):
+            is_its = any(port.component is owner for port in ends)
+            if not is_new and is_its and connector_id not in wanted:
+                self._drop(connector_id)
+
+    # ---- the end -------------------------------------------------------------------------------------------
+
+    async def sent(self):
+        """Wait until all values have been sent, or who should get them is gone."""
+        while any(carrier.is_busy() for port in self.outs.values() for carrier in port.carriers.values()):
+            await loop.sleep(LOOK)
+
+    async def leave(self):
+        """Disconnect all that others have connected, as components do when they end."""
+        owned = [port for each in self.components.values() for port in each.ports]
+        joined = [(port, connector_id) for port in owned for connector_id in port.carriers]
+        await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
+
+    def close(self):
+        for each in self.components.values():
+            each.close()
+
+
+def _unknown(source):
+    """A model.Component of which only a path with an out port is known."""
+    context = model.ExecutionContext(id="0", kind="PERIODIC", rate=RATE)
+    return model.Component(
+        id="RTC::::",
+        path_uri=str(source.object()).lstrip("/"),
+        instance_name=source.instance,
+        execution_contexts=[context],
+    )
+
+
+def _identity(component_id):
+    """What the id of a component in an RtsProfile says: RTC:vendor:category:type:version."""
+    words = (component_id.split(":") + [""] * 5)[:5]
+    _, vendor, category, type_name, version = words
+    return dict(vendor=vendor, category=category, type_name=type_name, version=version)
+
+
+def _contexts(owner, known, described):
+    about = {str(one.get("handle")): one for one in recordings.dicts_in(known, "contexts")}
+    made = []
+    for number, one in enumerate(described.execution_contexts):
+        kind = one.kind.upper().replace("-", "_")
+        if kind not in parts.KINDS:
+            kind = "OTHER"
+        properties = recordings.pairs_in(about.get(str(number), {}), "properties")
+        made.append(parts.Context(owner, kind, one.rate, properties))
+    return made
+
+
+def _handles(owner):
+    """(handle, Context) of all contexts of a component."""
+    yield from enumerate(owner.contexts)
+    yield from enumerate(owner.participating, parts.FIRST_PARTICIPATING)
+
+
+def _take_part(context, member):
+    if context not in member.participating:
+        member.participating.append(context)
+        context.members.append([member, "Inactive"])
+
+
+def _data_types(profile, where):
+    """{short name of a port: (its kind, its data type)} as the connections of a profile show them."""
+    locate = capture.locator(profile)
+    found = {}
+    for connector in profile.data_port_connectors:
+        for kind, end in (("DataOutPort", connector.source), ("DataInPort", connector.target)):
+            described = end and locate(end)
+            if described is not None and capture.shown_path(described) == where:
+                found[capture.port_of(end)] = kind, connector.data_type
+    return found
+
+
+def _properties(kind, known, type_id):
+    """The properties of a data port: those that are known, without ways of transport that a recording lacks."""
+    found = dict(known)
+    found.setdefault("port.port_type", kind)
+    found.setdefault("dataport.data_type", type_id)
+    if kind == "DataOutPort":
+        found.setdefault("dataport.subscription_type", "flush,new,periodic")
+    else:
+        found.setdefault("dataport.subscription_type", "Any")
+    offered = [word.strip() for word in found.get("dataport.interface_type", "").split(",")]
+    usable = [word for word in offered if word in carriers.INTERFACES]
+    found["dataport.interface_type"] = ",".join(usable or ["corba_cdr"])
+    found["dataport.dataflow_type"] = "push,pull"
+    for name in [name for name in found if name.startswith(_DATA + "interface_option.")]:
+        if name[len(_DATA + "interface_option.") :] not in usable:
+            del found[name]
+    return found

@@ -1,0 +1,231 @@
+"""Name server and components of recordings, as others call them, in one loop with who calls."""
+import unittest
+
+from loops import wait_for
+from rtshell_lite import errors
+from rtshell_lite.corba import orb, session
+from rtshell_lite.giop.requests import Thrown
+from rtshell_lite.net import loop
+from rtshell_lite.play import component, nameserver, ports
+
+HOST = "127.0.0.1"
+PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"), ("dataport.subscription_type", "flush")]
+PULL = [("dataport.dataflow_type", "pull"), ("dataport.interface_type", "corba_cdr")]
+
+
+def name(*words):
+    return orb.naming_name(tuple(word.partition(".")[::2]) for word in words)
+
+
+class Names(unittest.TestCase):
+    def run_with_server(self, work):
+        """Run work(ask), ask(operation, …) being a call of the root context of a name server."""
+        async def main():
+            port = orb.listen(HOST, 0)
+            nameserver.Names(HOST)
+            root = orb.context(orb.corbaloc("w", f"{HOST}:{port}", "NameService", 0))
+
+            async def ask(operation, *args, of=root):
+                return await orb.call("w", of, operation, *args)
+
+            await work(ask, root)
+        wait_for(main(), timeout=30)
+
+    def refused(self, why):
+        return self.assertRaisesRegex(errors.Refused, why)
+
+    def test_names(self):
+        async def work(ask, root):
+            await ask("bind_new_context", name("a.cxt"))
+            await ask("bind", name("a.cxt", "x.rtc"), root)
+            with self.refused("AlreadyBound"):
+                await ask("bind", name("a.cxt", "x.rtc"), root)
+            await ask("rebind", name("a.cxt", "x.rtc"), root)
+            found = await ask("resolve", name("a.cxt", "x.rtc"))
+            self.assertTrue(orb.same(found, root))
+            inner = orb.context(await ask("resolve", name("a.cxt")))
+            listed, more = await ask("list", 10, of=inner)
+            self.assertEqual([(one.binding_name[0].id, one.binding_name[0].kind, one.binding_type._n) for one in listed],
+                             [("x", "rtc", "nobject")])
+            self.assertIsNone(more)
+            for operation, names, why in (("resolve", ("b",), "NotFound"), ("resolve", ("a.cxt", "y"), "NotFound"),
+                                          ("resolve", ("a.cxt", "x.rtc", "z"), "NotFound"), ("resolve", (), "InvalidName"),
+                                          ("unbind", ("q",), "NotFound"), ("bind_new_context", ("a.cxt",), "AlreadyBound")):
+                with self.refused(why):
+                    await ask(operation, name(*names))
+            with self.refused("NotFound"):  # a context is no object
+                await ask("rebind", name("a.cxt"), root)
+            with self.refused("NotEmpty"):
+                await ask("destroy", of=inner)
+            await ask("unbind", name("a.cxt", "x.rtc"))
+            await ask("destroy", of=inner)
+            with self.assertRaises(errors.Gone):
+                await ask("list", 1, of=inner)
+        self.run_with_server(work)
+
+    def test_many_names(self):
+        async def work(ask, root):
+            for number in range(25):
+                await ask("bind", name("n%d" % number), root)
+            listed, more = await ask("list", 10)
+            more = orb.narrow(more, "CosNaming.BindingIterator")
+            found = [one.binding_name[0].id for one in listed]
+            while True:
+                are_there, listed = await ask("next_n", 7, of=more)
+                if not are_there:
+                    break
+                found += [one.binding_name[0].id for one in listed]
+            self.assertEqual(found, ["n%d" % number for number in range(25)])
+            self.assertEqual((await ask("next_one", of=more))[0], 0)
+            await ask("destroy", of=more)
+            for _ in range(nameserver.MOST_ITERATORS + 5):
+                _, last = await ask("list", 0)
+            self.assertEqual(len(await ask("next_n", 1, of=orb.narrow(last, "CosNaming.BindingIterator"))), 2)
+        self.run_with_server(work)
+
+    def test_of_another_server(self):
+        """The caller may go on there."""
+        async def work(ask, root):
+            far = orb.corbaloc("w", f"{HOST}:1", "NameService", 0)
+            await ask("bind_context", name("far"), orb.context(far))
+            with self.refused("CannotProceed"):
+                await ask("resolve", name("far", "x"))
+        self.run_with_server(work)
+
+    def test_spelling(self):
+        for text, pairs in (("a.b/c", [("a", "b"), ("c", "")]), (r"a\.b", [("a.b", "")]), (".b", [("", "b")]), (".", [("", "")]),
+                            (r"x\/y.z\\", [("x/y", "z\\")])):
+            self.assertEqual(nameserver.parsed(text), pairs)
+        for text in ("", "a/", "/a", "a.b.c", "a\\", "a.", "\\x"):
+            with self.assertRaises(Thrown, msg=text):
+                nameserver.parsed(text)
+
+
+class Connecting(unittest.TestCase):
+    """Ports of two components, one of which is called as another process would."""
+
+    def run_with_components(self, work):
+        async def main():
+            orb.listen(HOST, 0)
+            async with loop.Group() as tasks:
+                made = []
+                for kind, instance in ((ports.OutPort, "a"), (ports.InPort, "b")):
+                    owner = component.Component(instance, {}, [], component.Configuration({}, ""))
+                    owner.tasks = tasks
+                    owner.contexts.append(component.Context(owner))
+                    owner.ports.append(kind(owner, "p", {"port.port_type": "Data" + kind.__name__}))
+                    owner.publish(HOST)
+                    made.append(owner.ports[0])
+                await work(*made)
+                tasks.cancel()
+        wait_for(main(), timeout=30)
+
+    @staticmethod
+    def profile(ends, properties, connector_id="i"):
+        return orb.struct("RTC.ConnectorProfile")("n", connector_id, [port.reference for port in ends], orb.nvlist(properties))
+
+    @staticmethod
+    async def ask(port, operation, *args):
+        ref = orb.narrow(port.reference, "RTC.PortService")
+        return await orb.call("w", ref, operation, *args)
+
+    def test_push_and_leave(self):
+        async def work(out, into):
+            for ends in ((out, into), (into, out)):
+                result, made = await self.ask(ends[0], "connect", self.profile(ends, PUSH, ""))
+                self.assertEqual(result._n, "RTC_OK")
+                taken = []
+                into.carriers[made.connector_id].served.take = lambda _, data: taken.append(data) or True
+                for number in range(200):
+                    out.write(lambda little, number=number: b"%d" % number)
+                while len(taken) < 200:
+                    await loop.sleep(0.01)
+                self.assertEqual(taken, [b"%d" % number for number in range(200)])
+                result, _ = await self.ask(out, "connect", self.profile(ends, PUSH))
+                self.assertEqual(result._n, "PRECONDITION_NOT_MET")  # a double
+                self.assertEqual((await self.ask(ends[1], "disconnect", made.connector_id))._n, "RTC_OK")
+                self.assertEqual((out.connectors, into.connectors, out.carriers, into.carriers), ({}, {}, {}, {}))
+        self.run_with_components(work)
+
+    def test_pull(self):
+        async def work(out, into):
+            result, made = await self.ask(out, "connect", self.profile([out], PULL))
+            far = orb.from_text("w", dict(orb.properties(made.properties))["dataport.corba_cdr.outport_ior"])
+            far = orb.narrow(far, "OpenRTM.OutPortCdr")
+            self.assertEqual((await orb.call("w", far, "get"))[0]._n, "BUFFER_EMPTY")
+            out.write(lambda little: b"1")
+            for _ in range(2):  # the last is read back
+                status, data = await orb.call("w", far, "get")
+                self.assertEqual((status._n, bytes(data)), ("PORT_OK", b"1"))
+        self.run_with_components(work)
+
+    def test_what_cannot_be(self):
+        async def work(out, into):
+            for ends, properties, result in (
+                    ([], PUSH, "BAD_PARAMETER"), ([out, out], PUSH, "BAD_PARAMETER"), ([into], PUSH, "BAD_PARAMETER"),
+                    ([out], PUSH, "BAD_PARAMETER"), ([out, into], [], "BAD_PARAMETER"),
+                    ([out, into], PUSH[:1] + [("dataport.interface_type", "shared_memory")], "BAD_PARAMETER"),
+                    ([out, into], PUSH + [("dataport.serializer.cdr.endian", "middle")], "UNSUPPORTED"),
+                    ([out, into], PUSH + [("dataport.marshaling_type", "x")], "RTC_ERROR")):
+                found, _ = await self.ask(out, "connect", self.profile(ends, properties))
+                self.assertEqual(found._n, result, properties)
+            for operation in ("disconnect", "notify_disconnect"):
+                self.assertEqual((await self.ask(out, operation, "x"))._n, "BAD_PARAMETER")
+            self.assertEqual((out.connectors, into.connectors, out.coming), ({}, {}, set()))
+        self.run_with_components(work)
+
+    def test_one_that_hangs_is_left(self):
+        """It delays nobody else."""
+        async def work(out, into):
+            session.current().timeout = 0.5
+            wait = loop.Wait()
+            hung = component.Component("h", {}, [], component.Configuration({}, ""))
+            hung.get = None
+
+            class Hung:
+                interface = "OpenRTM.InPortCdr"
+
+                async def put(self, data):
+                    await wait
+
+            servant = Hung()
+            orb.publish(servant, HOST)
+            more = [("dataport.corba_cdr.inport_ior", servant.reference.text())]
+            result, _ = await self.ask(out, "connect", self.profile([out], PUSH + more, "h"))
+            self.assertEqual(result._n, "RTC_OK")
+            out.write(lambda little: b"1")
+            while out.connectors:
+                await loop.sleep(0.01)
+            wait.done()
+        self.run_with_components(work)
+
+    def test_states(self):
+        async def work(out, into):
+            owner = out.component
+            context = orb.narrow(owner.contexts[0].reference, "RTC.ExecutionContextService")
+            other = into.component.reference
+
+            async def ask(operation, *args):
+                return (await orb.call("w", context, operation, *args))._n
+
+            for state, answers in (("Inactive", ["RTC_ERROR"] + ["PRECONDITION_NOT_MET"] * 2),
+                                   ("Active", ["PRECONDITION_NOT_MET", "RTC_ERROR", "PRECONDITION_NOT_MET"]),
+                                   ("Error", ["PRECONDITION_NOT_MET"] * 2 + ["RTC_ERROR"])):
+                owner.contexts[0].set_state(owner, state)
+                self.assertEqual(await ask("get_component_state", owner.reference), state.upper() + "_STATE")
+                found = [await ask(word + "_component", owner.reference) for word in ("activate", "deactivate", "reset")]
+                self.assertEqual(found, answers)
+            self.assertEqual(await ask("get_component_state", other), "CREATED_STATE")
+            self.assertEqual(await ask("activate_component", other), "BAD_PARAMETER")
+            node = orb.narrow(owner.reference, "OpenRTM.DataFlowComponent")
+            with self.assertRaisesRegex(errors.Refused, "NotAvailable"):
+                configuration = await orb.call("w", node, "get_configuration")
+                await orb.call("w", orb.narrow(configuration, "SDOPackage.Configuration"), "get_active_configuration_set")
+            for operation in ("get_status", "get_service_profile"):
+                with self.assertRaisesRegex(errors.Refused, "InvalidParameter"):
+                    await orb.call("w", node, operation, "x")
+        self.run_with_components(work)
+
+
+if __name__ == "__main__":
+    unittest.main()
