@@ -19,10 +19,11 @@ class Pace:
     is_looped  again and again
 
     `position` is when the last entry came (ns since the epoch), `count` how many entries were due, `is_elsewhere` whether
-    the last one does not follow the one before.
+    the last one does not follow the one before. Raises errors.Failed where there is no entry in the range.
     """
 
     def __init__(self, log, chosen, rate=1.0, cycle=None, seconds=math.inf, is_looped=False):
+        chosen.entries(log)
         self._log = log
         self._chosen = chosen
         self.rate = rate

@@ -63,7 +63,7 @@ class Playing(Case):
     def test_pace(self):
         """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
         entries = [records.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]
-        chosen = mock.Mock(entries=lambda log, first: iter(entries))
+        chosen = mock.Mock(entries=lambda log, first=None: iter(entries))
 
         def paced(*how):
             return pace.Pace(None, chosen, *how).entries()
