@@ -38,13 +38,15 @@ class Followed:
     error  why it is absent, or None
     """
 
+    # as they are at first, here: an object with few attributes of its own takes a third of the memory
+    shown = subscription = error = None
+    is_hung = is_ending = False
+    heard = asked = 0.0
+    dead = None  # the identity of its object that is gone
+
     def __init__(self, path):
         self.path = path
         self.where = str(path)
-        self.shown = self.subscription = self.error = None
-        self.is_hung = self.is_ending = False
-        self.heard = self.asked = 0.0
-        self.dead = None  # the identity of its object that is gone
 
     @property
     def is_there(self):

@@ -10,7 +10,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import tree
 from rtshell_lite.text import candidates, from_wire, printable, shell_word, to_wire, unescaped
 
-# One configuration set: `values` an OrderedDict of texts in the component's order, `active` True for the one
+# One configuration set: `values` a dict of texts in the component's order, `active` True for the one
 # in use.
 Set = collections.namedtuple("Set", "id description values active")
 
@@ -61,7 +61,7 @@ class Configuration:
         return Set(
             set_id,
             from_wire(raw.description),
-            collections.OrderedDict(orb.properties(raw.configuration_data)),
+            dict(orb.properties(raw.configuration_data)),
             set_id == self.active,
         )
 

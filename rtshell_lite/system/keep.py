@@ -63,6 +63,15 @@ class Kept(presence.Followed):
     drives    Kepts that it executes, by the file; `drivers` those that execute it
     """
 
+    changed = looking = frozenset()  # type: frozenset
+    state = "absent"
+    restarts = 0
+    last = ""
+    is_busy = is_paused = has_exited = has_been_there = False
+    has_failed = False  # since the last attempt to activate it; among the failures of `trial`
+    known = None  # the identity of the object that it was before the file was read again
+    due = 0.0
+
     def __init__(self, site, keeper):
         super().__init__(site.path)
         self.where = site.where
@@ -71,23 +80,13 @@ class Kept(presence.Followed):
         chosen = policy.of(site.component, keeper.options.policy)
         self.trial = policy.Trial(chosen)
         self.repairs = policy.Trial(chosen)
-        self.changed = self.looking = set()
         self.settled = {}
         self.hands = {}
         self.said = {}
-        self.state = "absent"
         self.since = time.time()
-        self.restarts = 0
-        self.last = ""
         self.drives, self.drivers = [], []
-        self.is_busy = self.is_paused = self.has_exited = self.has_been_there = False
-        self.has_failed = (
-            False  # since the last attempt to activate it; that is among the failures of `trial`
-        )
         # False for one whose state is nobody's business here
         self.is_started = site.component.property(policy.PREFIX + STATE) != "any"
-        self.known = None  # the identity of the object that it was before the file was read again
-        self.due = 0.0
 
     @property
     def is_usable(self):
@@ -189,7 +188,7 @@ class Kept(presence.Followed):
 
     def vanished(self, seen):
         self.site.error = self.error  # tasks that are at work go on with what they have, and fail
-        self.changed = set()
+        self.changed = frozenset()
         self.has_exited = seen == "has exited"
         self.become("absent")
         self.keeper.happened(self, seen)
@@ -242,8 +241,7 @@ class Keeper(presence.Presence):
         self._site_of = sites.finder(self._locate, listed)
         super().__init__([Kept(site, self) for site in listed], options.look)
         # by the ids of their Sites and model.Components
-        self._kept_of = {id(kept.site): kept for kept in self.followed}
-        self._kept_of.update((id(kept.site.component), kept) for kept in self.followed)
+        self._kept_of = {id(key): kept for kept in self.followed for key in (kept.site, kept.site.component)}
         self._connections = reconnect.Connections(profile, self._site_of, self._kept_at)
         self._is_ending = False
         earlier = {kept.where: kept for kept in before.followed} if before else {}
@@ -274,6 +272,10 @@ class Keeper(presence.Presence):
         self._is_ending = True
         while any(kept.is_busy for kept in self.followed):
             await loop.sleep(TICK)
+        unseen = [kept for kept in self.followed if kept.is_there and kept.site.found is None]
+        for kept in unseen:
+            kept.looking = {WHOLE}
+        await session.each(unseen, self._look, lambda kept: kept.place)
         here = [kept for kept in self.followed if kept.is_usable and kept.is_started]
         for result in await self._carry_out(
             planned.actions, transitions.DEACTIVATE, here, lambda kept: plan.GONE
@@ -349,7 +351,7 @@ class Keeper(presence.Presence):
         """Look at components again, where they have changed, and bring them to what the file says."""
         for kept in batch:
             kept.looking = kept.changed
-            kept.changed = set()
+            kept.changed = frozenset()
         try:
             there = [kept for kept in batch if kept.is_there]
             answers = await session.each(there, self._look, lambda kept: kept.place)

@@ -1,7 +1,7 @@
 """How often what fails is tried again: restart policies, as those of systemd."""
 
 import collections
-import random
+import os
 import time
 
 from rtshell_lite import errors
@@ -85,7 +85,8 @@ class Trial:
         delay = 0.0
         if len(self.failures) > 1:
             delay = min(self.policy.most, self.policy.first * 2 ** min(len(self.failures) - 2, 20))
-        self.until = now + delay * random.uniform(1, 1.25)
+        jitter = os.urandom(1)[0] / 1020  # at most a quarter; `random` would take 300 kB
+        self.until = now + delay * (1 + jitter)
 
     def why_given_up(self):
         """In words."""

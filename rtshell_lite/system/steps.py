@@ -284,7 +284,8 @@ class Values(_Configuring):
 
     def __init__(self, site, set_id, values):
         super().__init__(site, set_id, "configuration set")
-        self.values = self.setting = values
+        self.values = values
+        self.setting = tuple(values.items())
         self.active_before = None  # the set that was active, and has to be again
         present = (self._present(site.found) if site.found else None) or {}
         changed = [

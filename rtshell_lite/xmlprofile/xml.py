@@ -7,12 +7,12 @@ files or a DTD.
 
 import codecs
 import re
+import sys
 from xml.parsers import expat
 
 from rtshell_lite import errors
 from rtshell_lite.text import safe
 from rtshell_lite.xmlprofile import escape, fields, model, names, values, version01
-from rtshell_lite.xmlprofile.yaml import reader as yaml_reader, scalars, writer as yaml_writer
 
 MOST_BYTES = 16 << 20
 MOST_ELEMENTS = (
@@ -254,7 +254,7 @@ def _attributes(node, table, fail):
 
 def _value(node, field, text, fail):
     try:
-        return values.from_text(field, escape.unspelt(text))
+        return values.from_text(field, sys.intern(escape.unspelt(text)))  # most are there many times
     except ValueError as e:
         fail(node, f"{field.local}: {e}")
 
@@ -279,6 +279,8 @@ def _keep_element(found, cls, node):
         and key not in foreign.keys
         and not names.is_own_key(cls, key)
     ):
+        from rtshell_lite.xmlprofile.yaml import reader as yaml_reader, scalars  # few files need it
+
         try:
             foreign.keys[key] = scalars.plain(yaml_reader.parse(node.text(), "")[1])
             return
@@ -353,6 +355,8 @@ class _Writer:
             self.child(field, value, indent + "    ")
         for item in foreign.elements:
             self.lines.append(indent + "    " + self.foreign(item))
+        if foreign.keys:
+            from rtshell_lite.xmlprofile.yaml import writer as yaml_writer  # few files need it
         for key, data in sorted(foreign.keys.items()):
             item = fields.ForeignElement(
                 names.clark(names.YAML_KEY), {"name": key}, [yaml_writer.write(data)]

@@ -11,6 +11,7 @@ import shutil
 import signal
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -325,6 +326,71 @@ class Storm(unittest.TestCase):
         if worlds.Server.process.poll() is None:
             return
         worlds.Server.start_again()
+
+
+# rtkeep, killed at its call number N: before it is sent where N is odd, else as soon as it is answered
+KILLED = """
+import os, runpy, signal, sys
+from rtshell_lite.corba import orb
+number, call, made = int(sys.argv[1]), orb.call, 0
+async def counted(*args, **more):
+    global made
+    made += 1
+    here = made
+    if here == number and number % 2:
+        os.kill(os.getpid(), signal.SIGKILL)
+    try:
+        return await call(*args, **more)
+    finally:
+        if here == number:
+            os.kill(os.getpid(), signal.SIGKILL)
+orb.call = counted
+sys.argv = sys.argv[2:]
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""
+
+
+class Steps(unittest.TestCase):
+    """kill -9 of rtkeep at each of its calls: run again, it ends the same way, with nothing twice and nothing half."""
+
+    def test_killed_at_each_call(self):
+        directory = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, directory, True)
+        for words in (["ConsoleIn:In0", "ConfigSample:Set0"], ["ConsoleOut:Out0", "--flavour", "cpp2"]):
+            world = worlds.World("these", *words)
+            self.addCleanup(world.close)
+        self.ends = Robot.ends(0, 0)
+        self.directory, self.file = directory, os.path.join(directory, "robot.rtsys")
+        self.well("rtcon", "-i", "straight0", *map(str, self.ends))
+        self.well("rtcryo", "--all", "-o", self.file, "127.0.0.1:%d" % worlds.Server.port)
+        every = 1 if running.THOROUGH else 9
+        number = 1
+        while self.is_killed_at(number):
+            number += every
+        self.assertGreater(number, 30, "calls were counted")
+        print("killed at %d calls" % number)
+
+    def well(self, *words):
+        done = running.run(list(words), self.directory, XDG_RUNTIME_DIR=self.directory)
+        self.assertEqual(done.status, 0, done)
+
+    def is_killed_at(self, number):
+        """Break all, run an rtkeep that is killed at a call, then another one; whether the first made so many calls."""
+        self.well("rtdeact", *[name(kind, 0) for kind in ("In", "Out", "Set")])
+        self.well("rtdis", "--ensure", *map(str, self.ends))
+        self.well("rtconf", name("Set", 0), "-s", "mode1", "set", "int_param0=%d" % number)
+        self.well("rtec", name("In", 0), "rate", "500")
+        command = [sys.executable, "-c", KILLED, str(number), os.path.join(worlds.COMMANDS, "rtkeep"), "--once", self.file]
+        first = subprocess.run(command, cwd=self.directory, env=running.environment(XDG_RUNTIME_DIR=self.directory),
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if first.returncode == 0:
+            return False
+        self.assertEqual(first.returncode, -signal.SIGKILL, first.stdout)
+        self.well("rtkeep", "--once", self.file)
+        self.well("rtcheck", self.file)
+        for port, in (ask(ports.find([end])) for end in self.ends):
+            self.assertEqual([connector.id for connector in port.connectors], ["straight0"], "killed at call %d" % number)
+        return True
 
 
 if __name__ == "__main__":

@@ -283,7 +283,7 @@ def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
-    modules = ["compat/test_real"] if args.real else [] if args.accept else [
+    modules = ["compat/test_real", "compat/test_real_keep"] if args.real else [] if args.accept else [
         module for module in test_modules() if not args.all or version == FULL[0] or not says(module, "ONCE")]
     jobs = module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, modules)
     if args.real:
