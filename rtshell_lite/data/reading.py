@@ -46,10 +46,10 @@ class Reader(Connection):
     ours; `name` is the connector's name.
 
     Removing a push connector may end the component: with the subscription "new" its publisher may be using
-    what is deleted. On this host the component calls us itself, in its own cycle ("flush"): deliver() returns
-    at once. We leave by being no more, and its next call finds that out: OBJECT_NOT_EXIST, upon which it
-    removes the connector between two calls. Over a network a slow link must not slow the component: "new",
-    and the connector is removed right after a value has come.
+    what is deleted. So we leave by being no more, and its next call finds that out: OBJECT_NOT_EXIST, upon which it
+    removes the connector itself, between two writes. On this host the component calls us in its own cycle
+    ("flush"): deliver() returns at once. Over a network a slow link must not slow the component: "new".
+    With "periodic" the connector is removed right after a value has come.
     """
 
     kind = "DataOutPort"
@@ -189,18 +189,19 @@ class Reader(Connection):
             self.stopped = time.monotonic()
             self.count_then = self.count
             self.ended.ring()
-        if self._is_flush():
+        if self._finds_out():
             self._withdraw()
 
-    def _is_flush(self):
-        """Whether the component calls us in its own cycle."""
-        return (
-            self.dataflow == "push" and self.agreed.get("dataport.subscription_type", "").lower() == "flush"
-        )
+    def _subscription(self):
+        return self.agreed.get("dataport.subscription_type", "").lower()
+
+    def _finds_out(self):
+        """Whether the component removes the connector once its calls are answered OBJECT_NOT_EXIST."""
+        return self.dataflow == "push" and self._subscription() in ("flush", "new")
 
     async def leave(self, connector):
         self.stop()
-        if not self._is_flush() or not await self._is_forgotten(connector):
+        if not self._finds_out() or not await self._is_forgotten(connector):
             await super().leave(connector)
 
     async def _is_forgotten(self, connector):
@@ -239,7 +240,7 @@ class Reader(Connection):
         publisher has nothing to do until the next one. Ports are closed a few at a time: all share the wait
         since stop(), and a value that came before this call is too old.
         """
-        if self._is_flush():
+        if self._finds_out():
             return True
         if self.dataflow == "push":
             if self.count == self.count_then:
@@ -279,7 +280,7 @@ class Reader(Connection):
     def _is_too_heavy(self):
         """Whether a full queue of the largest values would take too much of the component's memory."""
         is_too_heavy = self.heaviest * self.room > BUFFER_BYTES and "dataport.buffer.length" not in self.user
-        return is_too_heavy and not self._is_flush() and self.failure is None
+        return is_too_heavy and self._subscription() != "flush" and self.failure is None
 
     async def _reopen(self):
         """Replace the connector by one with a shorter buffer, now that the size of values is known."""

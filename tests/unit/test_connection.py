@@ -21,7 +21,7 @@ LIMIT = 10.0  # seconds that anything may take
 def idle_reader():
     """The part of a push Reader that closes it, for a port that sends nothing."""
     reader = reading.Reader.__new__(reading.Reader)
-    reader.dataflow, reader.agreed, reader.served = "push", {"dataport.subscription_type": "new"}, None
+    reader.dataflow, reader.agreed, reader.served = "push", {"dataport.subscription_type": "periodic"}, None
     reader.first, reader.last, reader.count, reader.heaviest = 0.0, 0.0, 0, 0
     reader.renew()
     return reader
