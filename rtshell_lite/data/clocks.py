@@ -16,10 +16,20 @@ def is_stamped(port):
 
 
 def seconds(message):
-    """The seconds in the time that a reading.Message begins with; 0 where a component sets no time, as many do."""
+    """The time that a reading.Message begins with, in s since 1970; 0 where a component sets none, as many do."""
     if len(message.data) < 8:
         return 0
-    return struct.unpack_from("<L" if message.little else ">L", message.data)[0]
+    whole, nanoseconds = struct.unpack_from("<LL" if message.little else ">LL", message.data)
+    if not whole:
+        return 0
+    return whole + nanoseconds / 1e9
+
+
+def distance(received, stamp):
+    """When a value came that is stamped with a time, in words. In s since 1970."""
+    if received >= stamp:
+        return f"stamped {received - stamp:.3f} s before it came here"
+    return f"stamped {stamp - received:.3f} s after it came here"
 
 
 def difference(received, stamp):

@@ -31,7 +31,7 @@ def versions():
             f"rtshell_lite {rtshell_lite.__version__}, {ours}, Python %d.%d.%d" % sys.version_info[:3],
             f"{platform.system()} {platform.release()} {platform.machine()}",
             f"clock: {time.strftime('%Y-%m-%d %H:%M:%S', time.gmtime(now))} UTC, {now:.6f} s since the epoch; "
-            "with --measure, a finding says how far the clocks of components are off",
+            "with --measure, the clocks of components are compared with it",
             _first_line("/proc/uptime", "seconds up, seconds idle: "),
         ]
     )

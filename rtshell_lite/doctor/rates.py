@@ -186,6 +186,7 @@ def _finding(watched, spent, missed):
         return ok("rate", where, "rate not measured: nothing is written to " + name)
     kept = watched.count / spent
     watched.snapshot.written = (watched.port, kept)
+    watched.snapshot.stamp = watched.stamp
     if watched.count + 1 >= ENOUGH * watched.rate * (spent - missed):  # one more may have been on its way
         return ok("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz (writes to {name})")
     return warn(

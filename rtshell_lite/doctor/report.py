@@ -4,8 +4,10 @@ import base64
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.data import clocks
 from rtshell_lite.doctor import host
 from rtshell_lite.doctor.finding import LEVELS, Finding, counted, sorted_by_level
+from rtshell_lite.robot import ports
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.views import live_graph, page
 from rtshell_lite.xmlprofile import rtsprofile
@@ -108,14 +110,15 @@ def _leave_out_values(snapshots):
 def _sections(seen, environment):
     """[(heading, text)]"""
     found = []
-    ports = set()
+    numbers = set()
     if seen is not None:
         found.append(("Name servers, and what is bound", "\n".join(_bound(seen.visits))))
         found.append(("Managers", "\n".join(_managers(seen.managers))))
-        ports = _ports(seen.visits)
+        numbers = _ports(seen.visits)
+        found.append(("Clocks of others against this host's", "\n".join(_clocks(seen.snapshots))))
     found.append(("Versions and clock", host.versions()))
     if environment:
-        found += host.surroundings(ports)
+        found += host.surroundings(numbers)
     return found
 
 
@@ -142,6 +145,14 @@ def _managers(answers):
         yield f"{node.path}: {counted(len(slaves), 'slave')}, {counted(len(components), 'component')}"
         for child in slaves + components:
             yield f"  {child.kind}  {child.name}  {_addresses(child)}"
+
+
+def _clocks(snapshots):
+    """Where values were measured whose components stamp them."""
+    for each in snapshots:
+        if each.stamp is not None:
+            port = ports.short_name(each.written[0].name, each.node.path.instance)
+            yield f"{each.where}  at %s:%s: a value of {port} was {clocks.distance(*each.stamp)}" % each.node.endpoint
 
 
 def _ports(visits):

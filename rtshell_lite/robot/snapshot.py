@@ -37,6 +37,7 @@ class Snapshot:
                    `of_tools` (Port, Connector) of the connectors that are a tool's, where these were set
                    apart
     written        (Port, values that it writes a second) of the out port that was measured, or None
+    stamp          (when a value came, the time in it), in s since 1970, of that port, or None
     owned          component.Contexts of its own; `participating` those of others that execute it, too. Those
                    of another process that does not answer have only their reference
     states         its states in `contexts`
@@ -53,7 +54,7 @@ class Snapshot:
     answered = False
     error = None
     ports = refusing = dropped = of_tools = owned = participating = states = organisations = composites = ()
-    configuration = profile = written = None
+    configuration = profile = written = stamp = None
     members, names = {}, {}  # type: dict, dict
 
     def __init__(self, node, others=(), rest=0):

@@ -53,6 +53,13 @@ Each component is asked once:
   1 get_profile
   1 is_running
 
+With --measure, clocks are compared where values have times:
+
+  $ mock senders 50 8 --context s.host_cxt/%n.rtc
+  $ rtdoctor -q --measure --report a.html ../s.host_cxt > now
+  $ grep -o 'Source0.rtc  at 127.0.0.1:[0-9]*: a value of number was stamped [0-9.]* s before it came here' a.html | sed 's/1:[0-9]*/1:PORT/; s/[0-9.]* s /N s /'
+  Source0.rtc  at 127.0.0.1:PORT: a value of number was stamped N s before it came here
+
 What others are not to see:
 
   $ rtdoctor -q --report a.html --no-values --no-environment > now
