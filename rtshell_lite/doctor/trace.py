@@ -23,14 +23,22 @@ FEW = 4  # values from which on it is known whether they change
 MANY = 20  # values from which on it is known whether a stage thins them
 LATE = 0.15  # seconds, beside CYCLES of its context, that a stage may take with a value
 CYCLES = 3
-LEAST = 0.5  # seconds that a component is waited for
+LEAST = 0.5  # seconds that a component is waited for, and for which a port's silence means something
+SHORTEST = (
+    1 / 3
+)  # of the seconds asked for, in which all ports are measured, however long it took to find them
+LONGEST = 2  # times those seconds, in which they have to be found
+UNANSWERED = "it has not answered in this time"
 BUSY = 4  # times what other stages take, before it is the one that is late
+MOST_SLOWER = 3  # times: what a busy host is allowed
 
 CERTAIN = "certain"
 PROBABLE = "probable"
 
-# What is wrong at a Stage: in words, CERTAIN or PROBABLE.
-Fault = collections.namedtuple("Fault", "words sure")
+# What is wrong at a Stage: in words; CERTAIN or PROBABLE; whether it is only that values are fewer or later, which
+# a busy host does to every stage.
+Fault = collections.namedtuple("Fault", "words sure is_slight")
+Fault.__new__.__defaults__ = (False,)
 
 # A connection from a Watch to the in port `port` of a Stage. `joined`: the in port knows of it, too.
 Link = collections.namedtuple("Link", "watch stage port joined")
@@ -100,8 +108,7 @@ class Stage:
         self.node = node
         self.where = str(node.path)
         self.depth = depth  # connections from where the trace began
-        # the errors.Error why it could not be asked
-        self.error = errors.Silent(self.where, "it has not answered in this time")
+        self.error = errors.Silent(self.where, UNANSWERED)  # why it could not be asked
         self.state = None
         self.contexts = []  # component.Contexts; None if unknown, as in a recording
         self.watches = []
@@ -123,23 +130,32 @@ class Trace:
         self.links = []
         self.silent = []  # Far ends that do not answer
         self.gap = None  # the path of the component to which no way leads
-        self._end = 0.0  # when measuring ends, by time.monotonic()
+        self.is_cut = False  # whether there was no time to follow all connections
         self._following = self._measuring = None  # loop.Groups
 
     async def follow(self, start, seconds):
-        """Follow the connections from a ports.Port and measure, for `seconds` in all."""
+        """Follow the connections from a ports.Port and measure, for `seconds` in all; for longer, where a busy machine
+        needs most of them to follow.
+        """
         now = session.current()
         patience = now.timeout
         now.timeout = min(patience, max(LEAST, seconds / 3))  # to follow, and to find out who is silent
-        self._end = time.monotonic() + seconds
+        end = time.monotonic() + seconds
         try:
             async with loop.Group() as self._measuring:
-                async with loop.Group() as self._following:
-                    self._enter(tree.Node(start.node.path, "component", start.node.ref), 0, start)
-                    await loop.sleep(seconds)
-                    self._following.cancel()
+                async with loop.background(self._give_up(LONGEST * seconds)):
+                    async with loop.Group() as self._following:
+                        self._enter(tree.Node(start.node.path, "component", start.node.ref), 0, start)
+                await loop.sleep(max(seconds * SHORTEST, end - time.monotonic()))
+                self._measuring.cancel()
         finally:
             now.timeout = patience
+
+    async def _give_up(self, seconds):
+        """Follow no further after some seconds."""
+        await loop.sleep(seconds)
+        self.is_cut = True
+        self._following.cancel()
 
     # ---- following ----
 
@@ -190,12 +206,17 @@ class Trace:
         self._measuring.start(self._measure(watch), orb.endpoint(port.ref))
 
     async def _measure(self, watch):
+        """Take the values of a Watch until this task is cancelled."""
+        watch.failure = errors.Silent(watch.name, UNANSWERED)
         try:
             async with reading.Reader(watch.port, watch.take, name="rtshell_lite") as reader:
                 begun = time.monotonic()
-                await loop.sleep(max(0.0, self._end - begun))
-                watch.seconds = time.monotonic() - begun
-                watch.failure = reader.failure
+                watch.failure = None
+                try:
+                    await loop.Wait()
+                finally:
+                    watch.seconds = time.monotonic() - begun
+                    watch.failure = reader.failure
         except errors.Error as e:
             watch.failure = e
 
@@ -297,17 +318,20 @@ class Trace:
         return [link for link in self.links if link.stage is stage]
 
     def culprit(self):
-        """(path of a component, Fault) of the first that does not pass values on; None if all do.
+        """(path of a component, Fault) of the first that does not pass values on, or of the first that does so slowly;
+        None if all do.
 
         What hangs or is dead explains why those around it seem to stop values.
         """
-        first = next(((stage, fault) for stage, fault in self._faults() if fault is not None), None)
+        found = [(stage, fault) for stage, fault in self._faults() if fault is not None]
+        first = min(found, key=lambda each: each[1].is_slight, default=None)
         if first is None and self.gap is not None:
-            first = self.in_order()[-1], Fault(f"no connection leads on from it to {self.gap}", CERTAIN)
+            sure = PROBABLE if self.is_cut else CERTAIN
+            first = self.in_order()[-1], Fault(f"no connection leads on from it to {self.gap}", sure)
         silent = self._silent()
         if silent is not None:
             if first is None or first[1].sure == PROBABLE or self._is_before(silent.depth, first[0].depth):
-                return silent.where, Fault(silent.why, CERTAIN)
+                return silent.where, Fault(silent.why, _sure_of(silent))
         return first and (first[0].where, first[1])
 
     def _faults(self):
@@ -351,11 +375,11 @@ class Trace:
 
     def _fault_of_values(self, stage, feeding):
         for watch in stage.watches:
-            fault = _fault_of(watch, [link.watch for link in feeding])
+            fault = _fault_of(watch, [link.watch for link in feeding], self._slower())
             if fault is not None:
                 return fault
         if stage.delay is not None and stage.delay > self._latest(stage):
-            return Fault(f"values come out {stage.delay:.3g} s after they came in", PROBABLE)
+            return Fault(f"values come out {stage.delay:.3g} s after they came in", PROBABLE, True)
         return None
 
     def _latest(self, stage):
@@ -363,7 +387,17 @@ class Trace:
         others = sorted(each.delay for each in self.stages.values() if each.delay is not None)
         usual = others[len(others) // 2]
         rate = stage.rate or max([watch.rate for watch in stage.watches] or [0]) or 1
-        return max(LATE + CYCLES / rate, BUSY * usual if others[1:] else 0)
+        return max(self._slower() * (LATE + CYCLES / rate), BUSY * usual if others[1:] else 0)
+
+    def _slower(self):
+        """How many times slower all stages are than their contexts claim, as far as the first values tell: 1 to
+        MOST_SLOWER.
+        """
+        for stage in self.in_order():
+            measured = max([watch.rate for watch in stage.watches] or [0])
+            if measured:
+                return min(max(stage.rate / measured, 1.0), MOST_SLOWER)
+        return 1.0
 
     def _full_buffer(self, stage, feeding):
         """A Fault if values find the buffer of its in port full."""
@@ -392,15 +426,23 @@ async def _bound(near):
     return [node for node in walked if node.kind == "component" and node.ref is not None]
 
 
-def _fault_of(watch, feeding):
-    """The Fault that the values of a Watch show beside those of the Watches `feeding` its component, or None."""
+def _sure_of(failure):
+    """How sure it is, by an errors.Error or a Far, that something does not answer."""
+    return PROBABLE if failure.why == UNANSWERED else CERTAIN
+
+
+def _fault_of(watch, feeding, slower):
+    """The Fault that the values of a Watch show beside those of the Watches `feeding` its component, or None; `slower`:
+    how busy the host is, see Trace._slower.
+    """
     if watch.failure is not None:
-        return Fault(f"{watch.name} could not be measured: {watch.failure.why}", CERTAIN)
+        return Fault(f"{watch.name} could not be measured: {watch.failure.why}", _sure_of(watch.failure))
     fed = [each for each in feeding if each.count]
     if not watch.count:
         if not feeding:
-            return Fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", CERTAIN)
-        if fed:
+            sure = CERTAIN if watch.seconds >= LEAST else PROBABLE
+            return Fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", sure)
+        if fed and (watch.seconds >= LEAST or watch.seconds * fed[0].rate >= FEW):
             return Fault(f"values come in ({fed[0].rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
         return None
     if watch.flow.total.disordered and not any(each.flow.total.disordered for each in fed):
@@ -410,8 +452,8 @@ def _fault_of(watch, feeding):
     if watch.count >= FEW and not watch.changes and any(each.changes for each in fed):
         return Fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
     rate = min([each.rate for each in fed if each.count >= MANY] or [0])
-    if watch.count > 1 and watch.rate < THINNED * rate:
-        return Fault(f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE)
+    if watch.count > 1 and watch.rate < THINNED / min(slower, 2) * rate:
+        return Fault(f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE, True)
     return None
 
 

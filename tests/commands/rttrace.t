@@ -7,7 +7,7 @@ world: these ConsoleOut:Apart0
 
 Values and times differ from run to run; what stays is who is named:
 
-  $ trace() { rttrace -t 1 "$@" > out; code=$?; tail -n +2 out | sed -n 's/^\([A-Z][a-z]*\) .*yes  .*\/\(.*\)/\1 \2/p'; grep -v -e ' Hz ' -e ^STATE out; return $code; }
+  $ trace() { rttrace -t 2 "$@" > out; code=$?; tail -n +2 out | sed -n 's/^\([A-Z][a-z]*\) .*yes  .*\/\(.*\)/\1 \2/p'; grep -v -e ' Hz ' -e ^STATE out; return $code; }
   $ trace Link0.rtc:out
   Active Link0.rtc:out
   Active Link1.rtc:out
@@ -37,7 +37,7 @@ A connection is made to each port on the way, and removed:
 On a recording, with the connections that it had:
 
   $ trace_log() { rttrace --from chain.mcap "$@" | sed -n '/^-/s/.* yes  .*host_cxt//p; /^no stage/p'; }
-  $ rtlog -q --events -t 1 -f chain.mcap .
+  $ rtlog -q --events -t 2 -f chain.mcap .
   $ trace_log Link0.rtc:out
   /Link0.rtc:out
   /Link1.rtc:out
@@ -47,7 +47,7 @@ On a recording, with the connections that it had:
   /Link0.rtc:out
   /Link1.rtc:out
   no stage stops, holds, thins, delays or disorders the values
-  $ trace_log Link0.rtc:out --to Link1.rtc:in -t 0.7
+  $ trace_log Link0.rtc:out --to Link1.rtc:in -t 1.5
   /Link0.rtc:out
   /Link1.rtc:out
   no stage stops, holds, thins, delays or disorders the values
@@ -92,7 +92,7 @@ Where it cannot begin or end:
   rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no such port: nothing (its ports: out)
   [3]
   $ rttrace Link0.rtc
-  rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no port specified (see --help)
+  rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/Link0.rtc:out (see --help)
   [2]
   $ rttrace MyServiceProvider0.rtc:MyService
   rttrace: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not a data port (it is a CorbaPort)
