@@ -131,6 +131,10 @@ class NoEntry(NotFound):
     """{}: no such path; did you mean the name server {}?"""
 
 
+class NoServer(NotFound):
+    """{}: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone"""
+
+
 class Ambiguous(Error):
     """{}: {}; which one?"""  # what was typed, what it may mean
 

@@ -25,6 +25,7 @@ PROTOCOLS = ("iiop", "ssliop", "diop", "shmiop", "htiop")
 MANAGER_PORT = 2810  # corba.master_manager
 # objects that are reached without a name server, in the place of a server
 REFERENCES = ("corbaloc:", "IOR:")
+KINDS = (".rtc", ".mgr", "_cxt", ".cxt")  # of the names of components, managers and naming contexts
 # after its groups: the address, and the rest with the key
 CORBALOC = r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(.+))?\Z"
 ANY = ("*", "**")
@@ -273,8 +274,15 @@ def _server(element, text):
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:
+        if has_kind(host) or has_kind(address.partition(":")[0]):
+            raise errors.NoServer(text)
         raise errors.BadPath(text, _why_no_server(address))
     return address
+
+
+def has_kind(name):
+    """Whether a name has one of the kinds that OpenRTM gives to components, managers and naming contexts."""
+    return name.endswith(KINDS)
 
 
 def _why_no_server(address):

@@ -31,22 +31,33 @@ def parse(words, formatters=False):
 
 
 async def find(targets, kind):
-    """A Found, or an errors.Error, for each Target, in parallel. Raises Usage for a component without a port,
-    which lists those of the `kind` (DataInPort or DataOutPort).
+    """A Found, or an errors.Error, for each Target, in parallel. Raises what `need_ports` raises.
 
     A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
     meant = await lookup.paths([target.word for target in targets])
-    for path in meant:
-        if path.port is None:
-            there = [ports.label(port) for port in await ports.offered(path) if port.type == kind]
-            raise errors.Usage(f"{path!s}: no port specified{ports.choices(there)}")
+    await need_ports(meant, kind)
     targets = [target._replace(path=path) for target, path in zip(targets, meant)]
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
     return [
         known if isinstance(known, errors.Error) else _named(target, known)
         for target, known in zip(targets, listed)
     ]
+
+
+async def need_ports(meant, kind):
+    """Raise Usage for a component without a port, which lists those of the `kind` (DataInPort or DataOutPort);
+    what prevents asking, if it cannot be asked.
+    """
+    for path in meant:
+        if path.port is None:
+            (listed,) = await tree.on_components([path], ports.ports)
+            if isinstance(listed, errors.Error):
+                raise listed
+            there = [
+                ports.label(port) for port in listed if isinstance(port, ports.Port) and port.type == kind
+            ]
+            raise errors.Usage(f"{path!s}: no port specified{ports.choices(there)}")
 
 
 def _named(target, known):

@@ -17,7 +17,18 @@ import os
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
-from rtshell_lite.path import ANY, ROOT, Name, Path, elements, is_absolute, parse, split_address
+from rtshell_lite.path import (
+    ANY,
+    REFERENCES,
+    ROOT,
+    Name,
+    Path,
+    elements,
+    has_kind,
+    is_absolute,
+    parse,
+    split_address,
+)
 from rtshell_lite.robot import tree
 from rtshell_lite.text import printable
 
@@ -57,7 +68,14 @@ async def _path(word, may_be_server=None):
         path = await _single(path)
     if word.startswith("rtcloc"):
         await _check_category(path, word)
+    if path.server and _is_no_server(path.server):
+        raise errors.NoServer(path)
     return path
+
+
+def _is_no_server(server):
+    """Whether a path begins with the name of something that a name server has."""
+    return has_kind(server) and not server.startswith(REFERENCES) and server not in tree.servers()
 
 
 # ---- relative paths ----------------------------------------------------------------------------------------
@@ -103,7 +121,7 @@ def _is_address(word):
     RTCTREE_NAMESERVERS.
     """
     host, port = split_address(word)
-    if host in ("", ".", "..") or _has_kind(word.partition(":")[0]):
+    if host in ("", ".", "..") or has_kind(word.partition(":")[0]):
         return False
     known = [split_address(address) for address in tree.servers()]
     if port is None:
@@ -129,7 +147,7 @@ def _may_be_host(first, rest):
 def _may_be_dotted(first, rest):
     host, port = split_address(first)
     is_host = port is not None and host not in ("", ".", "..")
-    return is_host and "\\" not in host and not _has_kind(host)
+    return is_host and "\\" not in host and not has_kind(host)
 
 
 def explained(word, error):
@@ -145,12 +163,7 @@ def explained(word, error):
 def is_path(word):
     """Whether a word that may be a file is a path in the RTC Tree by its looks."""
     names = elements(word)
-    return is_absolute(word) or names[-1] in (".", "..") or _is_address(names[0]) or _has_kind(names[-1])
-
-
-def _has_kind(name):
-    """Whether a name has one of the kinds that OpenRTM gives to components, managers and naming contexts."""
-    return name.endswith((".rtc", ".mgr", "_cxt", ".cxt"))
+    return is_absolute(word) or names[-1] in (".", "..") or _is_address(names[0]) or has_kind(names[-1])
 
 
 # ---- patterns ----------------------------------------------------------------------------------------------

@@ -139,7 +139,7 @@ While somebody records to it nobody else does; reading it is fine:
 
 In the two other forms of rtshell: text, and simpkl, which is only read:
 
-  $ rtlog -l text -i -e 2 -f t.log Source0.rtc:number.numbers; tr '\t' '|' < t.log | sed 's/[0-9]\{5,\}/N/g; s/data=[0-9]*/data=N/g'
+  $ rtlog -l text -i -e 2 -f t.log Source0.rtc:number.numbers; tr '\t' '|' < t.log | sed 's/data=[0-9]*/data=N/g; s/[0-9]\{5,\}/N/g'
   rtlog: Recording 2 entries.
   N.N|('numbers', RTC.TimedLong(tm=RTC.Time(sec=N, nsec=N), data=N))
   N.N|('numbers', RTC.TimedLong(tm=RTC.Time(sec=N, nsec=N), data=N))

@@ -20,6 +20,26 @@ The words of find, patterns in paths, a directory for its components:
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
   [3]
 
+A path that begins with what a name server has, in a working directory that is the root:
+
+  $ RTCSH_CWD=/ rtcat ConsoleIn0.rtc
+  rtcat: /ConsoleIn0.rtc: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  [3]
+  $ RTCSH_CWD=/ rtls test.host_cxt
+  rtls: /test.host_cxt: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  [3]
+  $ RTCSH_CWD=/ rtprint test.host_cxt/ConsoleIn0.rtc:out
+  rtprint: /test.host_cxt/ConsoleIn0.rtc:out: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  [3]
+  $ rtlog -q /ConsoleIn0.rtc:out; rtplot /ConsoleIn0.rtc
+  rtlog: /ConsoleIn0.rtc:out: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  rtplot: /ConsoleIn0.rtc: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  [3]
+  $ RTSHELL_FIND=1 RTCSH_CWD=/ rtls ConsoleIn0.rtc; RTSHELL_FIND=1 rtplot ConsoleIn0.rtc
+  ConsoleIn0.rtc
+  rtplot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  [2]
+
 A component in the place of a port:
 
   $ rtcon ConsoleIn0.rtc ConsoleOut0.rtc
@@ -34,6 +54,9 @@ A component in the place of a port:
   $ rtprint ConsoleOut0.rtc
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified (see --help)
   [2]
+  $ rtprint Nothing0.rtc
+  rtprint: /localhost:$PORT/test.host_cxt/Nothing0.rtc: no such path
+  [3]
   $ rtcat ConsoleIn0.rtc:
   rtcat: ConsoleIn0.rtc:: no port after the colon
   [2]
