@@ -155,7 +155,7 @@ def explained(word, error):
     import re
 
     is_missing = type(error) is errors.NotFound and error.where == str(parse(word))
-    if not is_missing or _has_kind(word) or not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
+    if not is_missing or has_kind(word) or not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
         return error
     return errors.NoEntry(error.where, "/" + word)
 
