@@ -127,13 +127,18 @@ def play_within(words):
 
 
 def play_interrupt(words):
-    """interrupt SECONDS COMMAND...: press Ctrl-C after that long; the command must be gone soon, long before the timeout."""
+    """interrupt SECONDS COMMAND...: press Ctrl-C after that long; the command must be gone soon, long before the timeout.
+
+    What it was ready to run and was not let does not count: Python would be interrupted while it starts.
+    """
     import subprocess
+    begun = time.monotonic()
     process = subprocess.Popen(words[1:], preexec_fn=hear_ctrl_c)
-    try:
-        process.wait(float(words[0]))
+    while process.poll() is None and time.monotonic() - begun - waited_for_processor(process.pid) < float(words[0]):
+        time.sleep(0.01)
+    if process.returncode is not None:
         sys.stdout.write("ended before Ctrl-C\n")
-    except subprocess.TimeoutExpired:
+    else:
         process.send_signal(signal.SIGINT)
         try:
             process.wait(UNWINDING)
