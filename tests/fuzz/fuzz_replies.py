@@ -18,6 +18,7 @@ import time
 
 import fuzz
 import relay
+import tools
 from mock_components import giop  # which fuzz makes findable
 
 RECORDED = os.path.join(fuzz.DATA, "replies.json")
@@ -28,8 +29,8 @@ COMMANDS = [["rtls", "-lR"], ["rtls", "-l", DIRECTORY], ["rtls", DIRECTORY], ["r
             ["rtconf", "-l", DIRECTORY + "/ConfigSample0.rtc", "list"], ["rtec", DIRECTORY + "/ConsoleIn0.rtc"],
             ["rtdis", "--dry-run", DIRECTORY + "/ConsoleIn0.rtc"], ["rtact", DIRECTORY + "/ConsoleIn0.rtc"],
             ["rtcryo", "."], ["rtdoctor", "."], ["rtdoc", DIRECTORY + "/ConfigSample0.rtc"],
-            ["rtcall", DIRECTORY + "/ConsoleIn0.rtc", "get_component_profile"],
-            ["rtcall", "--json", DIRECTORY + "/ConsoleIn0.rtc", "get_ports"],
+            ["rtcall", "--limit", "1", DIRECTORY + "/ConsoleIn0.rtc", "get_component_profile"],
+            ["rtcall", "--limit", "1", "--json", DIRECTORY + "/ConsoleIn0.rtc", "get_ports"],
             ["rtmgr", "--loaded", DIRECTORY + "/manager.mgr"], ["rtdel", "--dry-run", "-z", DIRECTORY]]
 TIMEOUT = 0.3  # seconds that a command waits for an answer
 LIMIT = 4.0  # seconds for a whole command: several questions may be asked one after the other, and machines are shared
@@ -187,12 +188,14 @@ class Replies(fuzz.Target):
             raise fuzz.Refused(said)
 
     def _run(self, words, robot):
-        """The exit status of a command, its output, how long it took, by how much its process has grown meanwhile."""
+        """The exit status of a command, its output, how many seconds it took but for those in which it waited for a
+        processor, by how much its process has grown meanwhile.
+        """
         if not self.child:
             self.child = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--child"], stdin=subprocess.PIPE,
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=dict(
                                               os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb))
-        begun = time.monotonic()
+        begun = time.monotonic() - tools.waited_for_processor(self.child.pid)
         timer = threading.Timer(5 * LIMIT, self.child.send_signal, [signal.SIGABRT])  # faulthandler tells where it hangs
         timer.start()
         try:
@@ -210,7 +213,8 @@ class Replies(fuzz.Target):
             self._end()
             return OMNIORBS if status == -signal.SIGSEGV and IN_STUB.search(said) else "of the process: %d" % status, said, 0, 0
         answer = json.loads(answer.decode())
-        return answer["status"], answer["said"], time.monotonic() - begun, answer["grown"]
+        seconds = time.monotonic() - tools.waited_for_processor(self.child.pid) - begun
+        return answer["status"], answer["said"], seconds, answer["grown"]
 
     def _end(self):
         if self.child:
