@@ -38,7 +38,6 @@ PROBABLE = "probable"
 # What is wrong at a Stage: in words; CERTAIN or PROBABLE; whether it is only that values are fewer or later, which
 # a busy host does to every stage.
 Fault = collections.namedtuple("Fault", "words sure is_slight")
-Fault.__new__.__defaults__ = (False,)
 
 # A connection from a Watch to the in port `port` of a Stage. `joined`: the in port knows of it, too.
 Link = collections.namedtuple("Link", "watch stage port joined")
@@ -327,17 +326,17 @@ class Trace:
         first = min(found, key=lambda each: each[1].is_slight, default=None)
         if first is None and self.gap is not None:
             sure = PROBABLE if self.is_cut else CERTAIN
-            first = self.in_order()[-1], Fault(f"no connection leads on from it to {self.gap}", sure)
+            first = self.in_order()[-1], _fault(f"no connection leads on from it to {self.gap}", sure)
         silent = self._silent()
         if silent is not None:
             if first is None or first[1].sure == PROBABLE or self._is_before(silent.depth, first[0].depth):
-                return silent.where, Fault(silent.why, _sure_of(silent))
+                return silent.where, _fault(silent.why, _sure_of(silent))
         return first and (first[0].where, first[1])
 
     def _faults(self):
         for stage in self.in_order():
             if stage.error is None:
-                yield stage, self._fault(stage)
+                yield stage, self._fault_at(stage)
 
     def _silent(self):
         """The Far that data reaches first, None if all answer."""
@@ -358,17 +357,17 @@ class Trace:
             ]
             stage.delay = min([delay for delay in delays if delay is not None], default=None)
 
-    def _fault(self, stage):
+    def _fault_at(self, stage):
         feeding = self.feeding(stage)
         if stage.contexts is None:
             return self._fault_of_values(stage, feeding)
         if not any(context.running for context in stage.contexts):
-            return Fault("its execution context is stopped", CERTAIN)
+            return _fault("its execution context is stopped", CERTAIN)
         if stage.state != "Active":
-            return Fault(f"it is {stage.state}", CERTAIN)
+            return _fault(f"it is {stage.state}", CERTAIN)
         cut = [link for link in feeding if not link.joined]
         if cut:
-            return Fault(
+            return _fault(
                 f"{ports.label(cut[0].port)} does not know its connection with {cut[0].watch.name}", CERTAIN
             )
         return self._full_buffer(stage, feeding) or self._fault_of_values(stage, feeding)
@@ -379,7 +378,7 @@ class Trace:
             if fault is not None:
                 return fault
         if stage.delay is not None and stage.delay > self._latest(stage):
-            return Fault(f"values come out {stage.delay:.3g} s after they came in", PROBABLE, True)
+            return _fault(f"values come out {stage.delay:.3g} s after they came in", PROBABLE, is_slight=True)
         return None
 
     def _latest(self, stage):
@@ -404,7 +403,7 @@ class Trace:
         for link in feeding:
             policy = buffers.refusal(link.port)
             if policy and stage.rate and stage.rate < THINNED * max(link.watch.rate, self._written(link)):
-                return Fault(
+                return _fault(
                     f"{ports.label(link.port)} {buffers.POLICIES[policy]} ({policy}): it executes at {stage.rate:g} Hz",
                     PROBABLE,
                 )
@@ -426,6 +425,10 @@ async def _bound(near):
     return [node for node in walked if node.kind == "component" and node.ref is not None]
 
 
+def _fault(words, sure, is_slight=False):
+    return Fault(words, sure, is_slight)
+
+
 def _sure_of(failure):
     """How sure it is, by an errors.Error or a Far, that something does not answer."""
     return PROBABLE if failure.why == UNANSWERED else CERTAIN
@@ -436,24 +439,26 @@ def _fault_of(watch, feeding, slower):
     how busy the host is, see Trace._slower.
     """
     if watch.failure is not None:
-        return Fault(f"{watch.name} could not be measured: {watch.failure.why}", _sure_of(watch.failure))
+        return _fault(f"{watch.name} could not be measured: {watch.failure.why}", _sure_of(watch.failure))
     fed = [each for each in feeding if each.count]
     if not watch.count:
         if not feeding:
             sure = CERTAIN if watch.seconds >= LEAST else PROBABLE
-            return Fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", sure)
+            return _fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", sure)
         if fed and (watch.seconds >= LEAST or watch.seconds * fed[0].rate >= FEW):
-            return Fault(f"values come in ({fed[0].rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
+            return _fault(f"values come in ({fed[0].rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
         return None
     if watch.flow.total.disordered and not any(each.flow.total.disordered for each in fed):
-        return Fault(
+        return _fault(
             f"{watch.flow.total.disordered} values of {watch.name} are older than the one before", CERTAIN
         )
     if watch.count >= FEW and not watch.changes and any(each.changes for each in fed):
-        return Fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
+        return _fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
     rate = min([each.rate for each in fed if each.count >= MANY] or [0])
     if watch.count > 1 and watch.rate < THINNED / min(slower, 2) * rate:
-        return Fault(f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE, True)
+        return _fault(
+            f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE, is_slight=True
+        )
     return None
 
 
