@@ -200,7 +200,7 @@ async def call(where, ref, operation, *args, seconds=None):
     """
     if ref is None:
         raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
-    here = endpoint(ref)
+    here = _orb.address(ref)[1:3]
     place = loop.current().running.place
     now = session.current()
     if now.is_over():

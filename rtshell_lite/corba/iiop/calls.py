@@ -53,14 +53,15 @@ class Request:
         self.call = call
         self.resume = resume
         self.ref = call.ref
+        timeout = session.current().timeout
         if isinstance(call.operation, operations.Schema):
-            self._of_schema(call)
+            self._of_schema(call, timeout)
         else:
             self.name = call.operation
             self.operation = operations.operation(call.ref.interface, self.name)
             self.is_oneway = self.is_once = False
             self.is_idempotent = failures.may_repeat(self.name)
-            self.seconds = max(call.seconds or 0, session.current().timeout)
+            self.seconds = max(call.seconds or 0, timeout)
         self.sent = None  # type: float
         self.retried = 0
         self._forwards = 0
@@ -72,13 +73,13 @@ class Request:
         """(host, port) of the process that is asked."""
         return self.ref.address[1:3]
 
-    def _of_schema(self, call):
+    def _of_schema(self, call, timeout):
         self.name = call.operation.name
         self.operation = call.operation.operation
         self.is_oneway = call.operation.is_oneway
         self.is_once = True
         self.is_idempotent = False
-        self.seconds = call.seconds or session.current().timeout
+        self.seconds = call.seconds or timeout
 
     @property
     def max_reply(self):

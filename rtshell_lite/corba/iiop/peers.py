@@ -167,13 +167,21 @@ class Peers:
         tasks: that takes half of the time of a call.
         """
         peer = self.known[endpoint]
-        if self._asked or len(peer.waiting) > 1 or peer.connection is None or not peer.connection.is_quiet:
+        connection = peer.connection
+        if self._asked or len(peer.waiting) > 1 or connection is None or not connection.is_quiet:
             return
-        if not self.loop.is_one_awaited():
+        if endpoint in connections.of_one_reply or not self.loop.is_one_awaited():
             return
-        self._changed.discard(peer)
-        self._send(peer)
-        if peer.connection is not None and peer.connection.is_quiet:
+        self._asked.add(peer)
+        try:
+            connection.send(peer.waiting.popleft())
+            connection.flush()
+        except OSError as e:
+            self._lose(peer, e)
+            return
+        self._begin_checking()
+        if connection.is_quiet and connection.requests:
+            self._changed.discard(peer)
             self._take(peer, True)
 
     def _send_all(self):
@@ -205,8 +213,8 @@ class Peers:
                 self._watch(peer)
         except OSError as e:
             self._lose(peer, e)
-        if self._asked and self._checking is None:
-            self._checking = self.loop.call_later(self._tick, self._check)
+        if self._asked:
+            self._begin_checking()
 
     def _connect(self, peer):
         peer.connection = connections.kept(peer.endpoint)
@@ -347,6 +355,10 @@ class Peers:
 
     # ---- what does not come ----
 
+    def _begin_checking(self):
+        if self._checking is None:
+            self._checking = self.loop.call_later(self._tick, self._check)
+
     def _check(self):
         """Fail what has waited too long."""
         self._checking = None
@@ -354,7 +366,7 @@ class Peers:
         for peer in list(self._asked):
             self._check_one(peer, now)
         if self._asked:
-            self._checking = self.loop.call_later(self._tick, self._check)
+            self._begin_checking()
 
     def _check_one(self, peer, now):
         is_over = self.session.is_over()
