@@ -11,7 +11,7 @@ _looking_up = {}  # type: dict  # {host: LookUp}
 
 
 class LookUp:
-    """The places of a host: `found` is a list as of getaddrinfo, an OSError, or None for not yet.
+    """The places of a host: `found` is a list as of getaddrinfo, an OSError, or None while pending.
 
     Names that others resolve may take long, and nothing can interrupt that: once `begin` is called, a thread
     asks, unless too many are asking already. All who want the same name share it.

@@ -225,7 +225,7 @@ async def create(node, argument, wait=None):
 
 
 async def _same_name(node, created, name):
-    """What a creation has come to that returned a new component under a name that was there before.
+    """Why create returned an existing name: what became of it.
 
     A Python factory keeps the last name that it was given, makes another component of that name, and lists it
     nowhere.

@@ -121,7 +121,7 @@ async def _roll_back(outcomes):
             outcome.status = UNDONE
             outcome.error = None
         else:
-            outcome.fail(failure or errors.Refused(outcome.step.where, "is as it was made"), STUCK)
+            outcome.fail(failure or errors.Refused(outcome.step.where, "is still there"), STUCK)
 
 
 def _levels(outcomes):
@@ -324,7 +324,7 @@ async def _judge(outcome, failure):
             outcome.status = DONE
             outcome.error = None
             return
-        why = failure or errors.Refused(outcome.step.where, "was said to be done, but is not so")
+        why = failure or errors.Refused(outcome.step.where, "reported success, but nothing changed")
     except errors.Error as e:
         e = next((site.error for site in outcome.step.sites if sites.is_gone(site.error)), e)
         if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent):

@@ -122,7 +122,7 @@ class _Targets:
         alike = self._alike.get((target.component_id, target.instance_name), [])
         if len(alike) > 1 and not target.property(capture.PATH_ID):
             paths = " or ".join(capture.shown_path(each) for each in alike)
-            self.problems.append(f"{called} may be {paths} (the property {capture.PATH_ID} tells)")
+            self.problems.append(f"{called} may be {paths} (the property {capture.PATH_ID} decides)")
             return []
         actions = self._actions[id(component)]
         found = [action.number for action in actions if target.id in ("", action.context)]

@@ -185,9 +185,9 @@ class Map:
         word = word.strip("/")
         top = path.parse("/" + word)
         if top.server is None:
-            raise errors.Usage(f"a map knows no . or ..: {printable(word)}")
+            raise errors.Usage(f"--map does not accept . or ..: {printable(word)}")
         if top.port is not None:
-            raise errors.Usage(f"a map knows no ports: {printable(word)}")
+            raise errors.Usage(f"--map does not accept ports: {printable(word)}")
         try:
             below = path.parse("/x/" + word)
         except errors.BadPath:

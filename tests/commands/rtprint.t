@@ -144,7 +144,7 @@ Wrong usage:
   rtprint: argument -n/--number: invalid int value: 'all' (see --help)
   [2]
   $ rtprint --raw --field data ConsoleIn0.rtc:out
-  rtprint: --raw knows no fields (see --help)
+  rtprint: --raw and --field exclude each other (see --help)
   [2]
   $ rtprint --field tm --field data ConsoleIn0.rtc:out
   rtprint: --field: only one (see --help)

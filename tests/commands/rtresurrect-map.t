@@ -61,14 +61,14 @@ What cannot be meant:
   rtresurrect: /localhost:x: x is not a TCP port (1 to 65535)
   [2]
   $ rtresurrect --map $O/ConsoleIn0.rtc=$O/ConsoleIn0.rtc:out a.xml
-  rtresurrect: a map knows no ports: localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc:out (see --help)
+  rtresurrect: --map does not accept ports: localhost:$PORT/old.host_cxt/arm.cxt/ConsoleIn0.rtc:out (see --help)
   [2]
 
   $ rtcheck --map ..=other a.xml
-  rtcheck: a map knows no . or ..: .. (see --help)
+  rtcheck: --map does not accept . or ..: .. (see --help)
   [2]
   $ rtcheck --map old.host_cxt=x/.. a.xml
-  rtcheck: a map knows no . or ..: x/.. (see --help)
+  rtcheck: --map does not accept . or ..: x/.. (see --help)
   [2]
 
 What is elsewhere can be checked, started, stopped and examined with the same file:

@@ -42,8 +42,7 @@ STATED = [re.match("(.*) (<-|->) (.*)$", words).groups() for lines in invocation
 # What is done before the examples of a command, or before one line.
 PREPARED = {command: lines[0] for command, lines in invocations.stated("prepared").items()}
 PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
-PREPARED["until rtfind -q --state active / -n Motor0.rtc; do sleep 1; done"] = "rtact Motor0.rtc"  # in README.md
-PREPARED["until grep -q Active robot/localhost/*/Motor0.rtc/state; do sleep 0.1; done"] = "rtact Motor0.rtc"
+PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is not Active"'] = "rtact Motor0.rtc"  # in README.md
 # Things that mocks do not have, and what stands for them. All hosts are this one.
 NAMES = [
     ("arm.host_cxt", CONTEXT), ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
@@ -62,7 +61,6 @@ NAMES = [
 ]
 # Statuses other than 0.
 STATUS = {line: int(what) for line, arrow, what in STATED if arrow == "->"}
-STATUS["""rtls -l | while read -r state ports in out svc name; do [ "$state" = Error ] && rtreset "$name"; done"""] = 1  # no Error
 STATUS["rtstodot --text --live --broken"] = 1  # nothing is
 STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0.rtc:in -t 10"] = 1  # they are not connected
 ENDLESS, ASKING = ([command for command, lines in invocations.stated("examples").items() if word in lines]

@@ -93,13 +93,13 @@ class Reports(unittest.TestCase):
 
     def test_failed_undoing_is_reported(self):
         self.check([Switch("a", undoes=False), Switch("b", False, False), Switch("c")],
-                   [(apply.STUCK, "a: is as it was made"), (apply.FAILED, "b: was said to be done, but is not so"),
+                   [(apply.STUCK, "a: is still there"), (apply.FAILED, "b: reported success, but nothing changed"),
                     (apply.UNDONE, None)], True)
 
     def test_an_interruption_while_it_was_undone(self):
         self.check([Switch("a"), Switch("b", False, True, KeyboardInterrupt), Switch("c", False, False)],
                    [(apply.DONE, None), (apply.STUCK, "b: interrupted while it was undone"),
-                    (apply.FAILED, "c: was said to be done, but is not so")], True)
+                    (apply.FAILED, "c: reported success, but nothing changed")], True)
 
     def test_a_look_that_fails_twice_leaves_it_uncertain(self):
         lost = errors.Refused("a", "no answer to that")

@@ -101,7 +101,7 @@ class Making(unittest.TestCase):
     def test_the_property_tells_which(self):
         twins = [component("A"), component("A")]
         twins[1].path_uri = "other/A.rtc"
-        self.refused("A (RTC:A:b:T:1) may be /h/A.rtc or /other/A.rtc (the property COMPONENT_PATH_ID tells)",
+        self.refused("A (RTC:A:b:T:1) may be /h/A.rtc or /other/A.rtc (the property COMPONENT_PATH_ID decides)",
                      twins, order("A"))
         condition = order("A")
         condition.target.properties = [model.Property(name=capture.PATH_ID, value="other/A.rtc")]
