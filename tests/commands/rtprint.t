@@ -100,7 +100,7 @@ Figures, each second and at the end. The sender is a Python process beside other
   [0-9]+ values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s, age [0-9.e+]+ ms.* (re)
   all in all: [0-9]+ values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s, age [0-9.e+]+ ms.* (re)
   $ rtprint -n 50 --stats Source0.rtc:number.n ConsoleIn0.rtc:out.silent
-  all in all: n: 50 values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ kB/s, age [0-9.e+]+ ms.* (re)
+  all in all: n: 50 values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ k?B/s, age [0-9.e+]+ ms.* (re)
   all in all: silent: no values
   $ rtprint -n 30 --stats --json Source0.rtc:number | python3 -c 'import json, sys
   > for line in sys.stdin: found = json.loads(line); print(sorted(found), found["total"], found["values"], found["bytes"])'
