@@ -21,12 +21,14 @@ def below(pattern):
 def banned():
     """[(a pattern, what is written instead)]: the rows of the table in docs/words.md."""
     rows = re.findall(r"^\| `(.+?)` \| (.+?) \|$", read("docs/words.md"), re.MULTILINE)
-    return [(re.compile(r"\b(?:%s)\b" % re.sub(" ", r"\\s+", pattern.replace("¦", "|")), re.IGNORECASE), better) for pattern, better in rows]
+    words = [(re.sub(" ", r"\\s+", pattern.replace("¦", "|")), better) for pattern, better in rows]
+    return [(re.compile(r"\b(?:%s)\b" % pattern, re.IGNORECASE), better) for pattern, better in words]
 
 
 def papers():
     """(where, text) of everything that is read by people who use it."""
-    for path in ["README.md", "CHANGELOG.md"] + below("docs/*.md") + below("docs/*.txt") + below("man/man[17]/*") + below("mock_components/tour"):
+    papers = [path for pattern in ("docs/*.md", "docs/*.txt", "man/man[17]/*", "mock_components/tour") for path in below(pattern)]
+    for path in ["README.md", "CHANGELOG.md"] + papers:
         if path != os.path.join("docs", "words.md"):
             yield path, re.sub(r"\\fB|\\fR|\\fI|\\&", "", read(path))
     for path in below("bin/rt*") + below("rtshell_lite/**/*.py"):
