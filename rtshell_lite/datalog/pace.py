@@ -6,6 +6,8 @@ import time
 from rtshell_lite.net import loop
 
 JUMP = 5.0  # seconds
+ROUND = 0.1  # seconds that a log takes at least that is played again and again: it may have one moment only
+RUN = 16  # entries that are late, after which others go on
 SET_BACK = (
     1e9  # ns; an entry that is so much earlier than the one before came after the clock had been set back
 )
@@ -39,6 +41,8 @@ class Pace:
         self._bell = loop.Bell()
         self._origin = None  # (time.monotonic(), ns since the epoch) that belong together
         self._due = 0.0  # when the last entry was due, by time.monotonic()
+        self._begun = 0.0  # when the first entry was due
+        self._late = 0
         self._is_over = False
 
     # ---- what somebody does --------------------------------------------------------------------------------
@@ -91,8 +95,9 @@ class Pace:
     async def _from(self, first, end):
         is_begin = True
         for entry in self._chosen.entries(self._log, first):
-            if is_begin and self._origin is not None:
-                self._origin = self._due, entry.received  # once more from the beginning
+            if is_begin and self._origin is not None:  # once more from the beginning
+                self._begun = max(self._due, self._begun + ROUND)
+                self._origin = self._begun, entry.received
             is_begin = False
             if not await self._is_due(entry, end):
                 return
@@ -113,6 +118,7 @@ class Pace:
                 continue
             self._schedule(entry, now)
             if self._due <= min(now, end):
+                await self._let_others()
                 return True
             if now >= end:
                 self._is_over = True
@@ -120,8 +126,16 @@ class Pace:
             await self._bell.wait(min(self._due, end) - now)
         return False
 
+    async def _let_others(self):
+        """Let others go on where entry after entry is late."""
+        self._late += 1
+        if self._late % RUN == 0:
+            await loop.sleep(0)
+
     def _schedule(self, entry, now):
         """Find out when an entry is due."""
+        if self._origin is None:
+            self._begun = now
         if self._origin is None or self.position and entry.received < self.position - SET_BACK:
             self._origin = now, entry.received
         begun, first = self._origin

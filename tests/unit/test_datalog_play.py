@@ -80,6 +80,26 @@ class Playing(Case):
             for taken, due in zip(times, expected):
                 self.assertTrue(due <= taken < due + 0.2 + waited, (times, expected))
 
+    def test_a_moment_again_and_again(self):
+        """It takes some time, and others go on."""
+        chosen = mock.Mock(entries=lambda log, first=None: iter([records.Entry(0, START, 0, True, b"", None)] * 40))
+
+        async def play_it():
+            beats = []
+
+            async def beat():
+                while True:
+                    beats.append(1)
+                    await loop.sleep(0)
+
+            async with loop.background(beat()):
+                times = await self.times(pace.Pace(None, chosen, 1, None, .15, True).entries(), time.monotonic())
+            return len(times), len(beats)
+
+        count, beats = loop.run(play_it())
+        self.assertEqual(count, 80)
+        self.assertGreater(beats, 4)
+
 
 @unittest.skipUnless(omniORB, "omniORBpy is not installed")
 class Timestamps(Case):
