@@ -132,7 +132,7 @@ class NoEntry(NotFound):
 
 
 class NoServer(NotFound):
-    """{}: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone"""
+    """{}: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone"""
 
 
 class Ambiguous(Error):

@@ -274,8 +274,6 @@ def _server(element, text):
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:
-        if has_kind(host) or has_kind(address.partition(":")[0]):
-            raise errors.NoServer(text)
         raise errors.BadPath(text, _why_no_server(address))
     return address
 
@@ -287,6 +285,8 @@ def has_kind(name):
 
 def _why_no_server(address):
     host, _, port = address.partition(":")
+    if has_kind(host):
+        return "it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone"
     if host and port and ":" not in port and not address.startswith("["):
         return f"{port} is not a TCP port (1 to 65535)"
     if address.count(":") > 1 and not address.strip("0123456789abcdefABCDEF:."):

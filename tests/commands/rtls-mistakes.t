@@ -23,17 +23,17 @@ The words of find, patterns in paths, a directory for its components:
 A path that begins with what a name server has, in a working directory that is the root:
 
   $ RTCSH_CWD=/ rtcat ConsoleIn0.rtc
-  rtcat: /ConsoleIn0.rtc: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  rtcat: /ConsoleIn0.rtc: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone
   [3]
   $ RTCSH_CWD=/ rtls test.host_cxt
-  rtls: /test.host_cxt: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  rtls: /test.host_cxt: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone
   [3]
   $ RTCSH_CWD=/ rtprint test.host_cxt/ConsoleIn0.rtc:out
-  rtprint: /test.host_cxt/ConsoleIn0.rtc:out: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  rtprint: /test.host_cxt/ConsoleIn0.rtc:out: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone
   [3]
   $ rtlog -q /ConsoleIn0.rtc:out; rtplot /ConsoleIn0.rtc
-  rtlog: /ConsoleIn0.rtc:out: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
-  rtplot: /ConsoleIn0.rtc: no such path: one begins with a name server; RTSHELL_FIND=1 finds a component by its name alone
+  rtlog: /ConsoleIn0.rtc:out: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone
+  rtplot: /ConsoleIn0.rtc: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone
   [3]
   $ RTSHELL_FIND=1 RTCSH_CWD=/ rtls ConsoleIn0.rtc; RTSHELL_FIND=1 rtplot ConsoleIn0.rtc
   ConsoleIn0.rtc
