@@ -17,6 +17,9 @@ from rtshell_lite.robot import component, composites, ports, search, tree
 
 SEEK = 1.0  # seconds between two looks for components
 AGAIN = 10.0  # seconds until one that did not answer is asked again
+# values a second that a component may send, beyond which it does not call us in its own cycle: each would cost it 0.1 ms
+FAST = 1000
+SUBSCRIPTION = "dataport.subscription_type"
 
 
 class Choice:
@@ -143,19 +146,21 @@ class Flight:
                 self._due[orb.identity(node.ref)] = None
                 self.components[str(node.path)] = node.path
                 listed, about = known
-                readers += [
-                    reader for reader in [await self._reader(port, about) for port in listed] if reader
-                ]
+                found = [await self._reader(port, about, _is_fast(listed, about)) for port in listed]
+                readers += [reader for reader in found if reader]
         self.readers += readers
         return readers
 
-    async def _reader(self, port, about):
+    async def _reader(self, port, about, is_fast):
         """The Reader for a Port; None where it is not wanted, or read already."""
         identity = orb.identity(port.ref)
         if identity in self._read or not self._choice.takes(port):
             return None
+        properties = self._properties
+        if is_fast and not ports.offer_without(port, SUBSCRIPTION, "new"):
+            properties = dict({SUBSCRIPTION: "new"}, **properties)
         try:
-            reader = reading.Reader(port, None, self._dataflow, self._properties, "rtlog")
+            reader = reading.Reader(port, None, self._dataflow, properties, "rtlog")
             reader.deliver = self._choice.thinned(port, await self._take(port, about))
         except errors.Error as e:
             notes.fail(e)
@@ -260,6 +265,12 @@ async def channel_of(channels, port, about):
     except errors.Failed:
         type_id = port.properties.get("dataport.data_type", "")
         return await channels.add(port, f"{label} ({type_id})", about)
+
+
+def _is_fast(listed, about):
+    """Whether a component with these Ports may send many values."""
+    count = sum(port.type == "DataOutPort" for port in listed)
+    return count * float(dict(about).get("rate", 0)) > FAST
 
 
 async def _ports(node):
