@@ -151,8 +151,9 @@ def _clocks(snapshots):
     """Where values were measured whose components stamp them."""
     for each in snapshots:
         if each.stamp is not None:
+            host, number = each.node.endpoint
             port = ports.short_name(each.written[0].name, each.node.path.instance)
-            yield f"{each.where}  at %s:%s: a value of {port} was {clocks.distance(*each.stamp)}" % each.node.endpoint
+            yield f"{each.where}  at {host}:{number}: a value of {port} was {clocks.distance(*each.stamp)}"
 
 
 def _ports(visits):

@@ -7,12 +7,14 @@ import shutil
 import signal
 import socket
 import subprocess
+import tempfile
 import unittest
 import urllib.error
 import urllib.request
 
 import browser
 import processes
+import running
 import worlds
 from worlds import Server, World, eventually
 
@@ -40,13 +42,15 @@ def tearDownModule():
 class Served(unittest.TestCase):
     """An rttop --serve."""
 
-    def start(self, *words, timeout="1"):
+    def setUp(self):
+        self.home = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.home)
+
+    def start(self, *words):
         self.top = "/localhost:%d/test.host_cxt" % Server.port
-        environment = dict(worlds.ENVIRONMENT, RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD=self.top,
-                           RTSHELL_TIMEOUT=timeout)
-        self.process = subprocess.Popen(["rttop" if shutil.which("rttop") else os.path.join(COMMANDS, "rttop"), "-r", "5"] +
-                                        list(words), env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE)
+        more = {"RTCTREE_NAMESERVERS": "localhost:%d" % Server.port, "RTCSH_CWD": self.top, "RTSHELL_TIMEOUT": "1"}
+        self.process = running.start(["rttop", "-r", "5"] + list(words), self.home, more, stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(self.stop)
         self.address = self.process.stdout.readline().decode().strip()
 
@@ -271,6 +275,22 @@ class Browsers(Served):
         self.process.send_signal(signal.SIGINT)
         page.wait("document.getElementById('live').textContent.startsWith('not live since')")
         page.close()
+
+    def test_whatever_a_robot_says_stays_text(self):
+        """Components all of whose strings are hostile, among them <script>; also when one changes, and when it dies."""
+        world = World("hostile", "--context", "h.host_cxt/%n.rtc")
+        self.addCleanup(running.run, ["rtdel", "-z", "/localhost:%d/h.host_cxt" % Server.port], self.home)
+        try:
+            self.start("--serve", "127.0.0.1:0")
+            page = self.open()
+            page.wait("data.boxes.some((box) => (box.path || '').includes('h.host_cxt') && box.parts.length)")
+            number = page.run("data.boxes.findIndex((box) => (box.path || '').includes('h.host_cxt') && box.parts.length)")
+            page.run("select(%d)" % number)
+            self.assertIn("<script", page.run(DETAILS))
+        finally:
+            world.close()
+        page.wait("data.boxes.some((box) => (box.path || '').includes('h.host_cxt') && box.state === 'Unknown')")
+        self.assertEqual(page.run("[document.querySelectorAll('script').length, document.images.length]"), [2, 0])
 
     def test_a_phone(self):
         self.start("--serve", "0.0.0.0:0")

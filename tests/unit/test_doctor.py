@@ -10,8 +10,8 @@ import worlds
 from rtshell_lite import errors, path
 from loops import asynchronous, wait_for
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import (components, connections, finding, limits, local, profile, rates, references, remedies, servers, started,
-                                 waiting)
+from rtshell_lite.doctor import (components, connections, finding, limits, local, profile, rates, references, remedies, report, servers,
+                                 started, waiting)
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.xmlprofile import model
 
@@ -237,6 +237,17 @@ class Rates(unittest.TestCase):
         self.assertIn("5 minutes behind", rates._clock(watched)[0].message)
         watched.stamp = (1000.0, 950.0)
         self.assertEqual(rates._clock(watched), [])
+
+    def test_clocks_in_reports(self):
+        node = tree.Node(path.parse("/robot/100%s.rtc"), "component")
+        node._endpoint = ("robot%d", 4000)
+        seen = snapshot.Snapshot(node)
+        self.assertEqual(list(report._clocks([seen])), [])
+        seen.written = (ports.Port(node, "100%s.out", "DataOutPort", {}, [], [], None, None), 50.0)
+        for stamp, words in ((999.5, "0.500 s before it came here"), (1002.25, "2.250 s after it came here")):
+            seen.stamp = (1000.0, stamp)
+            self.assertEqual(list(report._clocks([seen])),
+                             ["/robot/100%s.rtc  at robot%d:4000: a value of out was stamped " + words])
 
 
 if __name__ == "__main__":
