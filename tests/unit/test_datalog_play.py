@@ -71,7 +71,7 @@ class Playing(Case):
         for how, expected in [(lambda: paced(2), [0, .05, .1, .15]),
                               (lambda: paced(1, .15), [0, .15, .3, .3]),
                               (lambda: paced(1, None, .15), [0, .1]),
-                              (lambda: paced(10, None, .035, True), [0, .01, .02, .03, .03]),
+                              (lambda: paced(10, None, .105, True), [0, .01, .02, .03, .1]),
                               (lambda: play.portions(entries, 3, .1), [0, 0, 0, .1])]:
             waited, begun = tools.waited_for_processor(os.getpid()), time.monotonic()
             times = loop.run(self.times(how(), begun))
