@@ -80,6 +80,32 @@ class Playing(Case):
             for taken, due in zip(times, expected):
                 self.assertTrue(due <= taken < due + 0.2 + waited, (times, expected))
 
+    def test_pausing_stepping_jumping(self):
+        """Whoever watches says what comes next."""
+        self.write([(0, START + i * 10 ** 9, True, b"") for i in range(40)])
+
+        async def play_it(log):
+            paced = pace.Pace(log, play.Range(None, None, True), 1000)
+            came = []
+            async for entry in paced.entries():
+                came.append((entry.number, paced.is_elsewhere))
+                if len(came) == 1:
+                    paced.step()
+                    paced.step()
+                elif len(came) == 3:
+                    paced.jump(pace.JUMP)
+                    paced.pause()
+                elif entry.number == 20 and len(came) < 30:
+                    paced.jump(-pace.JUMP)
+            return came
+
+        with logfile.load(self.name) as log:
+            came = loop.run(play_it(log))
+        expected = list(range(3)) + list(range(7, 21)) + list(range(15, 21)) + list(range(15, 21)) + list(range(15, 40))
+        numbers = [number for number, _ in came]
+        self.assertEqual(numbers, expected)
+        self.assertEqual([number for number, is_elsewhere in came if is_elsewhere], [0, 7, 15, 15, 15])
+
     def test_a_moment_again_and_again(self):
         """It takes some time, and others go on."""
         chosen = mock.Mock(entries=lambda log, first=None: iter([records.Entry(0, START, 0, True, b"", None)] * 40))

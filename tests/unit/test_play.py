@@ -1,5 +1,8 @@
 """Name server and components of recordings, as others call them, in one loop with who calls."""
+import os
+import termios
 import unittest
+from unittest import mock
 
 from loops import wait_for
 from rtshell_lite import errors
@@ -7,6 +10,7 @@ from rtshell_lite.corba import orb, session
 from rtshell_lite.giop.requests import Thrown
 from rtshell_lite.net import loop
 from rtshell_lite.play import component, nameserver, ports
+from rtshell_lite.views import playing
 
 HOST = "127.0.0.1"
 PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"), ("dataport.subscription_type", "flush")]
@@ -225,6 +229,35 @@ class Connecting(unittest.TestCase):
                 with self.assertRaisesRegex(errors.Refused, "InvalidParameter"):
                     await orb.call("w", node, operation, "x")
         self.run_with_components(work)
+
+
+class Keys(unittest.TestCase):
+    def test_keys_and_the_line(self):
+        """The terminal is as before in the end."""
+        keyboard, terminal = os.openpty()
+        self.addCleanup(os.close, keyboard)
+        self.addCleanup(os.close, terminal)
+        before = termios.tcgetattr(terminal)
+        done, written = [], []
+        pace = mock.Mock(position=1700000000 * 10 ** 9, count=7, rate=2.0, is_paused=True)
+        pace.pause.side_effect = lambda: done.append("pause")
+        pace.step.side_effect = lambda: done.append("step")
+        pace.jump.side_effect = done.append
+
+        async def main():
+            async with loop.background(playing.attend(pace, written.append)):
+                while not written:
+                    await loop.sleep(0.01)
+                self.assertFalse(termios.tcgetattr(terminal)[3] & termios.ICANON)
+                os.write(keyboard, b" .<x>")
+                while len(done) < 4:
+                    await loop.sleep(0.01)
+
+        with mock.patch.object(playing, "_is_ours", lambda: True), mock.patch("sys.stdin", mock.Mock(fileno=lambda: terminal)):
+            wait_for(main(), timeout=30)
+        self.assertEqual(done, ["pause", "step", -5.0, 5.0])
+        self.assertRegex(written[0], r"\(1700000000\.000000000\)  7 entries  x2  paused\x1b\[K\r\Z")
+        self.assertEqual((written[-1], termios.tcgetattr(terminal)), ("\n", before))
 
 
 if __name__ == "__main__":
