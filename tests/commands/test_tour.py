@@ -2,6 +2,7 @@
 import os
 import pty
 import re
+import select
 import shutil
 import signal
 import subprocess
@@ -95,6 +96,32 @@ class Tour(unittest.TestCase):
                 self.assertEqual(termios.tcgetattr(terminal), before)
                 os.close(terminal)
                 self.assertEqual(sorted(os.listdir(self.top)), [".venv-tour", "bin", "mock_components", "rtshell_lite"])
+
+    def test_a_shell_to_play_in(self):
+        """rtcwd changes its directory; in bash and zsh, TAB completes."""
+        self.needs_omninames()
+        for shell, typed in ("bash", b"rtls Brok\t"), ("zsh", b"rtls Brok\t"), ("dash", b"rtls Broken0.rtc "):
+            if not shutil.which(shell):
+                continue
+            environment = dict(self.environment, SHELL=shutil.which(shell), HOME=self.top, TERM="dumb")
+            child, terminal = pty.fork()
+            if child == 0:
+                os.execvpe("sh", self.words + ["--shell"], environment)
+            talk = [("Leave with exit", b"rtcwd ../plant.host_cxt && rtpwd | tr a-z A-Z\n"),
+                    ("PLANT.HOST_CXT", b"rtcwd ../test.host_cxt\n" + typed + b"| tr a-z A-Z\n"), ("BROKEN0.RTC", b"exit\n")]
+            said = ""
+            while select.select([terminal], [], [], worlds.LIMIT)[0]:
+                try:
+                    said += os.read(terminal, 10000).decode("utf-8", "replace")
+                except OSError:
+                    break
+                if talk and talk[0][0] in said:
+                    (heard, keys), *talk = talk
+                    said = said.partition(heard)[2]
+                    os.write(terminal, keys)
+            os.close(terminal)
+            os.waitpid(child, 0)
+            self.assertEqual(talk, [], (shell, said))
 
     @unittest.skipUnless((3, 7) <= sys.version_info[:2] <= (3, 13), "the tour refuses this Python")
     def test_another_python_means_another_environment(self):

@@ -1,4 +1,4 @@
-"""Words that readers stumble over: they stand in no help, message, manual page or paper. Which ones, and why, is in docs/words.md."""
+"""Words that readers stumble over: no help, message, manual page or paper has them. Which ones, and why, is in docs/words.md."""
 import ast
 import glob
 import os
