@@ -162,3 +162,18 @@ def pairs_in(known, key):
         for each in value
         if isinstance(each, list) and len(each) == 2 and all(isinstance(word, str) for word in each)
     ]
+
+
+def interfaces_in(known):
+    """The (instance, type, polarity) texts of the interfaces of a port in a dict of JSON."""
+    value = known.get("interfaces")
+    if not isinstance(value, list):
+        return []
+    return [
+        tuple(each)
+        for each in value[: ports.MOST_PARTS]
+        if isinstance(each, list)
+        and len(each) == 3
+        and all(isinstance(word, str) for word in each)
+        and each[2] in ("Provided", "Required")
+    ]

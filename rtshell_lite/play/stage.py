@@ -69,11 +69,7 @@ class Stage:
         kind = recordings.text_in(known, "type")
         properties = dict(recordings.pairs_in(known, "properties"))
         if is_service:
-            interfaces = [
-                each
-                for each in known.get("interfaces", ())
-                if len(each) == 3 and each[2] in ("Provided", "Required")
-            ]
+            interfaces = recordings.interfaces_in(known)
             return port_kinds.ServicePort(
                 owner, name, properties or {"port.port_type": "CorbaPort"}, interfaces
             )

@@ -9,8 +9,9 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.giop.requests import Thrown
 from rtshell_lite.net import loop
-from rtshell_lite.play import component, nameserver, ports
+from rtshell_lite.play import component, nameserver, ports, recording, stage
 from rtshell_lite.views import playing
+from rtshell_lite.xmlprofile import model
 
 HOST = "127.0.0.1"
 PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"), ("dataport.subscription_type", "flush")]
@@ -229,6 +230,32 @@ class Connecting(unittest.TestCase):
                 with self.assertRaisesRegex(errors.Refused, "InvalidParameter"):
                     await orb.call("w", node, operation, "x")
         self.run_with_components(work)
+
+
+class Hostile(unittest.TestCase):
+    def test_details_of_any_form(self):
+        """What is not of the form is left out."""
+        junk = (None, 1, "x", [], {}, [1], [[1, 2]], [[1, 2, "Provided"]], [{"name": 1}], [None], [["a", "b", "c"]])
+        profile = model.RtsProfile(components=[model.Component(
+            id="a", path_uri="h/a.rtc", instance_name="a", data_ports=[model.DataPort(name="d")],
+            service_ports=[model.ServicePort(name="s")], execution_contexts=[model.ExecutionContext(id="0", kind="?", rate=1.0)])])
+
+        async def main():
+            orb.listen(HOST, 0)
+            async with loop.Group() as tasks:
+                for value in junk:
+                    port = {"name": "s", "type": value, "properties": value, "interfaces": value}
+                    for details in ({"ports": value, "contexts": value, "properties": value, "states": value, "type_name": value},
+                                    {"ports": [port], "contexts": [{"handle": 0, "kind": value, "running": value, "properties": value}],
+                                     "states": {"0": value}}):
+                        scene = recording.Scene(0, profile, {"/h/a.rtc": details})
+                        shown = stage.Stage(mock.Mock(scenes=[scene], channels={}, log=mock.Mock(where="f")), HOST, tasks)
+                        shown.show(scene)
+                        owner = orb.narrow(shown.components["/h/a.rtc"].reference, "OpenRTM.DataFlowComponent")
+                        found = await orb.call("w", owner, "get_component_profile")
+                        self.assertEqual([each.name for each in found.port_profiles], ["a.d", "a.s"])
+                        shown.close()
+        wait_for(main(), timeout=30)
 
 
 class Keys(unittest.TestCase):
