@@ -21,7 +21,7 @@ PART = 3  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name])
                         for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL"))
-LARGEST = 850 * 1000  # octets
+LARGEST = 900 * 1000  # octets
 TOOLS = {"rtshell_lite/idl_stubs/generate.py", "rtshell_lite/idl_stubs/tabulate.py", "rtshell_lite/shell/documentation.py",
          "rtshell_lite/shell/manpages.py"}  # they write generated files
 REPORTING = {"rtsh", "rtdoctor"}  # that nobody listens is what their commands say, or a finding
