@@ -17,7 +17,8 @@ from rtshell_lite.robot import component, composites, ports, search, tree
 
 SEEK = 1.0  # seconds between two looks for components
 AGAIN = 10.0  # seconds until one that did not answer is asked again
-# values a second that a component may send, beyond which it does not call us in its own cycle: each would cost it 0.1 ms
+# values a second that a component may send, beyond which it does not call us in its own cycle: each would
+# cost it 0.1 ms
 FAST = 1000
 SUBSCRIPTION = "dataport.subscription_type"
 

@@ -44,7 +44,8 @@ class Table:
         self.channels = channels
         self.columns = {name: place for place, name in enumerate(HEAD)}
         self._is_ns = is_ns
-        # by channel: its name as a cell; _Numbers, or None; [(column, function, sort)], None where it has no such form
+        # by channel: its name as a cell; _Numbers, or None; [(column, function, sort)], None where it has no
+        # such form
         self._plans = {}
         # by channel and lengths of its sequences: the places of its cells; None: as they come
         self._places = {}

@@ -35,8 +35,8 @@ MOST_SLOWER = 3  # times: what a busy host is allowed
 CERTAIN = "certain"
 PROBABLE = "probable"
 
-# What is wrong at a Stage: in words; CERTAIN or PROBABLE; whether it is only that values are fewer or later, which
-# a busy host does to every stage.
+# What is wrong at a Stage: in words; CERTAIN or PROBABLE; whether it is only that values are fewer or later,
+# which a busy host does to every stage.
 Fault = collections.namedtuple("Fault", "words sure is_slight")
 
 # A connection from a Watch to the in port `port` of a Stage. `joined`: the in port knows of it, too.
