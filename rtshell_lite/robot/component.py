@@ -2,12 +2,12 @@
 What changes states is in `transitions`.
 """
 
-import collections
 import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.net import loop
+from rtshell_lite.records import record
 from rtshell_lite.text import from_wire
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
@@ -18,13 +18,11 @@ MOST_CONTEXTS = 64
 MOST_MEMBERS = 1000
 
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
-Profile = collections.namedtuple(
-    "Profile", "instance_name type_name description version vendor category parent properties"
-)
+Profile = record("Profile", "instance_name type_name description version vendor category parent properties")
 
 # RTC::ExecutionContextProfile and more of its interface. `rate` in Hz, `owner` and `participants` are
 # references.
-Context = collections.namedtuple("Context", "handle ref kind rate running owner participants properties")
+Context = record("Context", "handle ref kind rate running owner participants properties")
 
 
 async def until(reached, seconds):
@@ -78,7 +76,7 @@ async def profile(node, brief=False):
             parent,
         )
     ]
-    return Profile._make(texts + [orb.properties(raw.properties[:1] if brief else raw.properties)])
+    return Profile(*texts, orb.properties(raw.properties[:1] if brief else raw.properties))
 
 
 async def instance_name(node, ref):

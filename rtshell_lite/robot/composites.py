@@ -8,6 +8,7 @@ import collections
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import liveness, orb
+from rtshell_lite.records import record
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
@@ -16,7 +17,7 @@ DEFAULT_NAME = "CompositeRTC"  # of a composite
 
 # One organisation: `members` are (instance name, reference), an errors.Error in the place of a name that is
 # not known.
-Organisation = collections.namedtuple("Organisation", "id ref members")
+Organisation = record("Organisation", "id ref members")
 COMPOSITE = "PeriodicECSharedComposite"
 EXPORTED = (
     "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
@@ -116,7 +117,7 @@ async def _path_text(places, name, ref, node):
 # ---- changing ----------------------------------------------------------------------------------------------
 
 # A member to add or to remove, and its ports to export or to hide; `node` is None for one that is gone.
-Member = collections.namedtuple("Member", "instance node ports")
+Member = record("Member", "instance node ports")
 
 
 async def member(path, must_live=True):

@@ -7,12 +7,13 @@ import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.records import record
 from rtshell_lite.robot import tree
 from rtshell_lite.text import candidates, from_wire, printable, shell_word, to_wire, unescaped
 
 # One configuration set: `values` a dict of texts in the component's order, `active` True for the one
 # in use.
-Set = collections.namedtuple("Set", "id description values active")
+Set = record("Set", "id description values active")
 
 
 def hidden(set_id):

@@ -1,9 +1,8 @@
 """Execution contexts: rate, start and stop, participants (OMG RTC 1.1, 5.2.2.5)."""
 
-import collections
-
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.records import record
 from rtshell_lite.robot import component
 from rtshell_lite.text import shell_word
 
@@ -11,7 +10,7 @@ SETTLE_TIME = 2.0  # seconds: a component joins and leaves at the context's next
 
 # One line of rtec: `index` as -e counts, a component.Context, the component's state in it, names of owner and
 # participants.
-Entry = collections.namedtuple("Entry", "index context state owner participants")
+Entry = record("Entry", "index context state owner participants")
 
 
 async def entries(node, only=None):

@@ -8,6 +8,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.path import Name
+from rtshell_lite.records import record
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
 
@@ -51,7 +52,7 @@ class Places:
 
 # The port at an end of a connection: its reference; its ports.Port, whose `node` is None if its component is
 # bound nowhere, or None and the errors.Error `error`.
-End = collections.namedtuple("End", "ref port error")
+End = record("End", "ref port error")
 
 
 async def far_ends(near, silent=None):

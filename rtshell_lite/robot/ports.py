@@ -1,20 +1,18 @@
 """Ports of components and their connectors, and why ports do not match. connectors.py changes them."""
 
-import collections
-import re
-
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
+from rtshell_lite.records import record
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import cut, from_wire, printable
 
 # One port. `name` is the full name (ConsoleIn0.out), `type` DataInPort, DataOutPort, CorbaPort or Port,
 # `properties` a dict, `owner` the reference of its component or None, `node` the Node it was found on.
-Port = collections.namedtuple("Port", "node name type properties interfaces connectors ref owner")
+Port = record("Port", "node name type properties interfaces connectors ref owner")
 # polarity: Provided or Required
-Interface = collections.namedtuple("Interface", "instance_name type_name polarity")
+Interface = record("Interface", "instance_name type_name polarity")
 # ports: references; properties: pairs
-Connector = collections.namedtuple("Connector", "id name ports properties")
+Connector = record("Connector", "id name ports properties")
 
 DATA = ("DataInPort", "DataOutPort")
 # Properties of connections unless the user gives others; the data type is the first port's.
@@ -72,7 +70,8 @@ async def ports(node, brief=False):
 
 # How the connectors of tools are called: ours, and those of rtshell, whose components are named like their
 # connectors
-TOOLS = r"rtshell_lite|rt(?:print|inject|log|mount)\Z|rt(?:print_reader|inject_writer|log_recorder|log_player)[0-9]"
+TOOLS = ("rtprint", "rtinject", "rtlog", "rtmount")
+NUMBERED_TOOLS = ("rtprint_reader", "rtinject_writer", "rtlog_recorder", "rtlog_player")  # those of rtshell
 # these join two ports
 CORBA_INTERFACES = ("", "corba_cdr", "corba_any", "data_service", "direct", "shared_memory", "csp_channel")
 
@@ -83,7 +82,12 @@ def is_of_tool(connector):
     Its name shows that. A connector of one port alone is a tool's, too, if a CORBA interface carries its
     data: only other transports, such as ROS and DDS, connect one port alone.
     """
-    return bool(re.match(TOOLS, connector.name)) or len(connector.ports) == 1 and transport(connector) == ""
+    name = connector.name
+    if name.startswith("rtshell_lite") or name in TOOLS:
+        return True
+    if any(name.startswith(tool) and name[len(tool) :][:1].isdecimal() for tool in NUMBERED_TOOLS):
+        return True
+    return len(connector.ports) == 1 and transport(connector) == ""
 
 
 def transport(connector):

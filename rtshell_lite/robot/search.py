@@ -1,18 +1,16 @@
 """Finding objects in the RTC Tree: by name, kind and state."""
 
-import collections
-import re
-
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.path import ROOT
+from rtshell_lite.records import record
 from rtshell_lite.robot import component, tree
 
 POLL = 0.5  # seconds between two searches of --wait
 
 # What to find: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty:
 # all), `state` in lower case or None, `depth` levels or None.
-Wanted = collections.namedtuple("Wanted", "names kinds state depth")
+Wanted = record("Wanted", "names kinds state depth")
 
 # What a node of a kind may turn out to be.
 CAN_BE = {"component": {"component", "silent", "zombie"}, "manager": {"manager", "silent", "zombie"}}
@@ -22,12 +20,16 @@ def patterns(exact, any_case):
     """Functions for shell patterns, in which `*` is any text and `?` any character,
     on the whole of a name.
     """
+    import re
+
     return [re.compile(_expression(p), re.DOTALL).match for p in exact] + [
         re.compile(_expression(p), re.DOTALL | re.IGNORECASE).match for p in any_case
     ]
 
 
 def _expression(pattern):
+    import re
+
     parts = {"*": ".*", "?": "."}
     return "".join(parts.get(c) or re.escape(c) for c in pattern) + r"\Z"
 

@@ -1,11 +1,11 @@
 """Transitions between the states of a component, and in which of its execution contexts they are made."""
 
-import collections
 import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
+from rtshell_lite.records import record
 from rtshell_lite.robot import component, search, tree
 from rtshell_lite.text import printable, shell_word
 
@@ -13,14 +13,14 @@ JITTER = 0.03  # seconds that a cycle of an execution context may come late
 
 # What a transition is called, the operation that asks for it, the state it leads to, the state it starts
 # from.
-Transition = collections.namedtuple("Transition", "name command operation target source")
+Transition = record("Transition", "name command operation target source")
 ACTIVATE = Transition("activate", "rtact", "activate_component", "Active", "Inactive")
 DEACTIVATE = Transition("deactivate", "rtdeact", "deactivate_component", "Inactive", "Active")
 RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 
 # A component in one of its execution contexts: the number of the context as -e counts, its reference, whether
 # it is the component's own, and the component's state there.
-Placement = collections.namedtuple("Placement", "index ref is_own state")
+Placement = record("Placement", "index ref is_own state")
 
 
 async def change_all(paths, transition, index=None, wait=None, dry_run=False):
