@@ -164,6 +164,33 @@ class Flow:
             setattr(stretch, what, max(0, getattr(stretch, what) + number))
 
 
+SPANS = 4096  # of Counts, at most
+
+
+class Counts:
+    """How many values came when: `spans` is {number of a span of time: values}. Spans are `width` ns long, and twice as
+    long whenever there are more than SPANS with values.
+    """
+
+    def __init__(self):
+        self.width = 10**6
+        self.spans = {}
+
+    def add(self, moment):
+        """Count a value that came at a moment, in ns since 1970."""
+        span = moment // self.width
+        self.spans[span] = self.spans.get(span, 0) + 1
+        if len(self.spans) > SPANS:
+            self._double()
+
+    def _double(self):
+        self.width *= 2
+        before = self.spans
+        self.spans = {}
+        for span, count in before.items():
+            self.spans[span // 2] = self.spans.get(span // 2, 0) + count
+
+
 # ---- the rate of the last seconds --------------------------------------------------------------------------
 
 WINDOW = 2.0  # seconds over which a rate is measured

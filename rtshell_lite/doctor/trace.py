@@ -55,10 +55,12 @@ class Watch:
         self.port = port
         self.name = ports.label(port)
         self.flow = statistics.Flow()
+        self.counts = statistics.Counts()
         self.changes = 0  # values that differed from the one before
         self.arrivals = collections.OrderedDict()  # by timestamp in ns: when its value came, ns since 1970
         self.failure = None  # the errors.Error why it could not be measured
         self.seconds = 0.0  # for which it was
+        self.until = 0  # when that ended, ns since 1970
         self._is_stamped = clocks.is_stamped(port)
         self._last = None
 
@@ -71,7 +73,10 @@ class Watch:
             seconds, nanoseconds = struct.unpack_from(order + "LL", data)
             stamp = seconds * 10**9 + nanoseconds
             data = data[STAMP:]
+        before = self.count
         self.flow.add(message.received, bytes(message.data), stamp)
+        if self.count > before:  # it is not the same one again
+            self.counts.add(message.received)
         if self._last is not None and data != self._last:
             self.changes += 1
         self._last = bytes(data)
@@ -215,6 +220,7 @@ class Trace:
                     await loop.Wait()
                 finally:
                     watch.seconds = time.monotonic() - begun
+                    watch.until = int(time.time() * 1e9)
                     watch.failure = reader.failure
         except errors.Error as e:
             watch.failure = e

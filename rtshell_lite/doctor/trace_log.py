@@ -140,3 +140,4 @@ def _measure(made, log, channels, seconds):
             watch.take(reading.Message(entry.received, entry.data, entry.little))
     for watch in watches.values():
         watch.seconds = min(spent, seconds or spent)
+        watch.until = log.last or 0

@@ -203,11 +203,12 @@ class Rate:
         self._begin = None
         self._count = 0
 
-    def add(self, moment):
+    def add(self, moment, count=1):
+        """Count values that came at a moment; the first call begins the first span."""
         if self._begin is None:
             self._begin = moment
         self.advance(moment)
-        self._count += 1
+        self._count += count
 
     def advance(self, moment):
         """No more values come before `moment`."""
@@ -222,8 +223,10 @@ class Rate:
 class Panel:
     """Series that are drawn over one another."""
 
-    def __init__(self, title):
+    def __init__(self, title, axis=None):
+        """`axis`: (least, greatest) of its axis, None: as its points need."""
         self.title = title
+        self.axis = axis
         self.series = {}  # by name
 
     def add(self, moment, field, value, between=None):
@@ -237,7 +240,9 @@ class Panel:
         return self.series[name]
 
     def bounds(self):
-        """(least, greatest) of the points of all series, apart; None without any."""
+        """(least, greatest) of the axis, or of the points of all series, apart; None without any."""
+        if self.axis is not None:
+            return self.axis
         found = [point[1] for series in self.series.values() for point in series.points]
         if not found:
             return None

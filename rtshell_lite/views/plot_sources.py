@@ -11,6 +11,9 @@ from rtshell_lite.views import plot
 PANELS = 8  # of a log without names of channels
 WINDOWS = 100  # spans of a log for which rates are counted, at most
 FEWEST = 3  # of them
+STEPS = 30  # spans in which values are counted that are known only by their number, at most
+ENOUGH = 10  # values of such a span, or the rate would seem to jump
+PER_SECOND = ", values per second"  # after the name of what has a rate
 SHOWN = (
     "",
     "rate",
@@ -26,7 +29,7 @@ class Source:
         self.field = field
         self._between = between
         if shown == "rate":
-            self.panel = plot.Panel(name + ", values per second")
+            self.panel = plot.Panel(name + PER_SECOND)
             self._rate = plot.Rate(self.panel.named("rate", between), width)
         elif shown == "delay":
             self.panel = plot.Panel(name + ", seconds from timestamp to arrival")
@@ -63,6 +66,31 @@ class Source:
         """No more values come before `moment`."""
         if self._shown == "rate":
             self._rate.advance(moment)
+
+
+def of_counts(measured):
+    """The plot.Picture of how many values came a second, with equal axes; `measured`: (name, statistics.Counts, when
+    counting began and ended in ns since 1970) of each source.
+    """
+    picture = plot.Picture([_counted(*each) for each in measured])
+    most = max([panel.named("rate").greatest or 0 for panel in picture.panels] or [0])
+    for panel in picture.panels:
+        panel.axis = (0.0, most or 1.0)
+    picture.fit()
+    return picture
+
+
+def _counted(name, counts, first, last):
+    """The plot.Panel of the rate of one source."""
+    panel = plot.Panel(name + PER_SECOND)
+    steps = sum(counts.spans.values()) // ENOUGH
+    width = (last - first) // max(FEWEST, min(steps, STEPS))
+    rate = plot.Rate(panel.named("rate"), max(width, 1))
+    rate.add(first, 0)
+    for span in sorted(counts.spans):
+        rate.add(span * counts.width, counts.spans[span])
+    rate.advance(last)
+    return panel
 
 
 # ---- a log -------------------------------------------------------------------------------------------------

@@ -1,7 +1,9 @@
 """A plot.Picture as lines for a terminal: of braille dots, or of ASCII."""
 
 import itertools
+import sys
 
+from rtshell_lite import text
 from rtshell_lite.text import COLOURS, cells, padded, printable
 from rtshell_lite.views import plot
 
@@ -60,6 +62,12 @@ def painter(is_coloured):
     return lambda words, number: f"\x1b[{COLOURS['series %d' % (number % SERIES)]}m{words}\x1b[00m"
 
 
+def on_stdout(picture, height, is_ascii=False):
+    """The lines of a picture as stdout shows them: as wide as the terminal, in braille if it has UTF-8."""
+    is_braille = not is_ascii and (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+    return lines(picture, text.width(), height, is_braille, text.colour_wanted())
+
+
 def lines(picture, width, height, is_braille=True, is_coloured=False):
     """The lines of a picture, `width` columns wide and at most about `height` high."""
     if picture.first is None:
@@ -87,7 +95,7 @@ def _apart(panels, is_apart):
     found = []
     for panel in panels:
         for series in panel.series.values():
-            alone = plot.Panel(panel.title)
+            alone = plot.Panel(panel.title, panel.axis)
             alone.series = {series.name: series}
             found.append(alone)
     return found

@@ -34,6 +34,20 @@ A connection is made to each port on the way, and removed:
   $ ctl @chain connectors Link1:out | wc -l
   1
 
+Plotted, each port on the way, on equal axes:
+
+  $ export COLUMNS=80; rttrace -t 2 --plot Link0.rtc:out > out; sed -n 's/^⠤⠤.*/plot/p; /^no/p; s/.*test.host_cxt.\(.*\), values/\1, values/p' out
+  Link0.rtc:out, values per second
+  plot
+  Link1.rtc:out, values per second
+  plot
+  Link2.rtc:out, values per second
+  plot
+  no stage stops, holds, thins, delays or disorders the values
+  $ rttrace --plot --json Link0.rtc:out
+  rttrace: --plot and --json exclude each other (see --help)
+  [2]
+
 On a recording, with the connections that it had:
 
   $ trace_log() { rttrace --from chain.mcap "$@" | sed -n '/^-/s/.* yes  .*host_cxt//p; /^no stage/p'; }
@@ -58,6 +72,10 @@ On a recording, with the connections that it had:
   rttrace: ports.mcap: no profile of the system is in this log: record it with rtlog --events PATH
   [1]
 
+  $ rttrace --from chain.mcap --plot Link1.rtc:out --to Link2.rtc:in > out; grep -c '^⠤⠤ rate  min [0-9]' out; grep -c '^0 is 20' out
+  2
+  1
+
 What stops it; rtdoctor has the last word:
 
   $ rtdeact --wait 2 Link2.rtc; trace Link0.rtc:out
@@ -73,6 +91,9 @@ What stops it; rtdoctor has the last word:
   Active Link1.rtc:out
   Inactive  stopped         0         0         -         -         -  no      /localhost:$PORT/test.host_cxt/Link2.rtc:out
   /localhost:$PORT/test.host_cxt/Link2.rtc: its execution context is stopped (certain)
+  $ rttrace -t 2 --plot Link1.rtc:out | grep -A1 'Link2.rtc:out, values'
+  /localhost:$PORT/test.host_cxt/Link2.rtc:out, values per second
+  ⠤⠤ rate  min 0  max 0  last 0
   $ rtec Link2.rtc start; rtact --wait 2 Link2.rtc
   $ rtcon Link2.rtc:out Apart0.rtc:in; hang these; trace Link0.rtc:out -t 2.5 2> err | sed 's/within.*/within …/' | grep -v doctor; resume these
   Active Link0.rtc:out

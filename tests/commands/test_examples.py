@@ -62,7 +62,7 @@ NAMES = [
 # Statuses other than 0.
 STATUS = {line: int(what) for line, arrow, what in STATED if arrow == "->"}
 STATUS["rtstodot --text --live --broken"] = 1  # nothing is
-STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0.rtc:in -t 10"] = 1  # they are not connected
+STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0.rtc:in -t 10 --plot"] = 1  # they are not connected
 ENDLESS, ASKING = ([command for command, lines in invocations.stated("examples").items() if word in lines]
                    for word in ("endless", "asking"))
 ELSEWHERE = {  # run by other tests

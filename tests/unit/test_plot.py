@@ -6,7 +6,8 @@ import unittest
 import xml.dom.minidom
 
 from rtshell_lite import errors
-from rtshell_lite.views import plot, plot_svg, plot_text
+from rtshell_lite.data import statistics
+from rtshell_lite.views import plot, plot_sources, plot_svg, plot_text
 
 START = 1700000000 * 10 ** 9
 SECOND = 10 ** 9
@@ -94,6 +95,20 @@ class Series(unittest.TestCase):
             rate.add(START + number * SECOND // 10)
         rate.advance(START + 6 * SECOND)
         self.assertEqual([point[1] for point in series.points], [10, 10, 10, 0, 0, 0])
+
+    def test_rates_of_counts_cover_the_time_and_have_equal_axes(self):
+        fast, slow = statistics.Counts(), statistics.Counts()
+        for number in range(1000):
+            fast.add(START + number * SECOND // 100)
+        for number in range(50):  # half of the time
+            slow.add(START + number * SECOND // 10)
+        measured = [("fast", fast, START, START + 10 * SECOND), ("slow", slow, START, START + 10 * SECOND)]
+        drawn = plot_sources.of_counts(measured + [("none", statistics.Counts(), START, START + 10 * SECOND)])
+        rates = [[round(point[1]) for point in panel.series["rate"].points] for panel in drawn.panels]
+        self.assertEqual((len(rates[0]), set(rates[0])), (30, {99, 102}))  # 33 or 34 values in a third of a second
+        self.assertEqual(rates[1:], [[10, 10, 5, 0, 0], [0, 0, 0]])
+        self.assertEqual([panel.axis for panel in drawn.panels], [(0, drawn.panels[0].series["rate"].greatest)] * 3)
+        self.assertEqual(drawn.last, START + 10 * SECOND)
 
 
 class Axes(unittest.TestCase):

@@ -34,6 +34,17 @@ class Checked(unittest.TestCase):
                 self.assertEqual(found[name], value, name)
 
 
+class Counts(unittest.TestCase):
+    def test_no_value_is_lost_and_little_is_kept(self):
+        counts = statistics.Counts()
+        for number in range(20000):
+            counts.add(BEGIN + number * 10 * MS)
+        self.assertEqual(sum(counts.spans.values()), 20000)
+        self.assertLessEqual(len(counts.spans), statistics.SPANS)
+        self.assertEqual(min(counts.spans), BEGIN // counts.width)
+        self.assertEqual(max(counts.spans), (BEGIN + 199990 * MS) // counts.width)
+
+
 class Figures(Checked):
     def test_all_figures(self):
         found = figures([0, 10, 40, 50], [-1, 9, 37, 50], 6)
