@@ -183,7 +183,7 @@ def _finding(watched, spent, missed):
     where = watched.where
     name = printable(ports.short_name(watched.port.name, watched.snapshot.node.path.instance))
     if watched.count < 2:
-        return ok("rate", where, "rate not measured: nothing is written to " + name)
+        return ok("rate", where, f"rate not measured: nothing is written to {name}" + _tracing(watched))
     kept = watched.count / spent
     watched.snapshot.written = (watched.port, kept)
     watched.snapshot.stamp = watched.stamp
@@ -193,5 +193,25 @@ def _finding(watched, spent, missed):
         "rate",
         where,
         f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
-        remedies.words("load", host=printable(watched.snapshot.node.endpoint[0])),
+        _slow(watched),
     )
+
+
+def _slow(watched):
+    """The Remedy for a component that writes fewer values than it claims cycles."""
+    host = printable(watched.snapshot.node.endpoint[0])
+    if _is_fed(watched):
+        return remedies.words("load or values", host=host, port=shell_word(ports.label(watched.port)))
+    return remedies.words("load", host=host)
+
+
+def _tracing(watched):
+    """How to see whether values come to a component that writes none, '' for one that gets none."""
+    if _is_fed(watched):
+        return f" (rttrace -u {shell_word(ports.label(watched.port))} shows whether values come to it)"
+    return ""
+
+
+def _is_fed(watched):
+    """True if other components may send values to this one."""
+    return any(port.type == "DataInPort" and port.connectors for port in watched.snapshot.ports)

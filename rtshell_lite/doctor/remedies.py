@@ -88,6 +88,8 @@ WORDS = {
     "restart composite": "restart its process, with all members alive (rtcomp cannot remove a dead one); "
     "netstat -ltnp | grep :{port} there names it",
     "load": "look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping {host})",
+    "load or values": "see whether values come to it as often (rttrace -u {port}); if so, look for what takes the time of its host, or "
+    "of the component itself (top there), or what is lost on the way (ping {host})",
     "measure again": "measure it alone: rtec --measure {path}",
     # connections
     "connect again": "disconnect it (rtdis -i {id} {port}), then connect its ends again: rtcon",
