@@ -4,8 +4,6 @@
 Organization::get_owner is never called: a C++ component answers it once, and has no owner from then on.
 """
 
-import collections
-
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import liveness, orb
 from rtshell_lite.records import record
@@ -146,16 +144,14 @@ async def together(members):
     """Live Members, each once with all the ports wanted of it.
     Raises Failed for two that a composite could not distinguish.
     """
-    merged = collections.OrderedDict()  # type: dict
+    merged = {}  # type: dict
     for m in members:
         known = merged.setdefault(m.instance, m)
         if not await _is(m, known.node.ref):
             raise errors.Failed(
                 str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both"
             )
-        merged[m.instance] = known._replace(
-            ports=list(collections.OrderedDict.fromkeys(known.ports + m.ports))
-        )
+        merged[m.instance] = known._replace(ports=list(dict.fromkeys(known.ports + m.ports)))
     return list(merged.values())
 
 
@@ -298,7 +294,7 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
         raise errors.Usage(f"a composite cannot be called {printable(name)}")
     manager.check_argument(argument)
     members = await together([await member(path) for path in adding])
-    leaving = [await member(path, must_live=False) for path in collections.OrderedDict.fromkeys(removing)]
+    leaving = [await member(path, must_live=False) for path in dict.fromkeys(removing)]
     holder = await tree.component(target.object(), or_manager=True)
     if holder.kind == "component" and target.port is not None:
         raise errors.WrongKind(str(target), "component or manager", "port")

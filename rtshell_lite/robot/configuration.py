@@ -2,9 +2,6 @@
 read, set, activate, write to text and back, compare.
 """
 
-import collections
-import re
-
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.records import record
@@ -101,7 +98,7 @@ class Configuration:
         Raises NoSuch and BadValue before anything is changed, Refused.
         """
         self.check_values(values, within)
-        everything = collections.OrderedDict(within.values, **values)
+        everything = dict(within.values, **values)
         raw = orb.struct("SDOPackage.ConfigurationSet")(
             to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items())
         )
@@ -179,7 +176,7 @@ def command(where, set_id, *words):
 
 
 def _changed(within, values):
-    return collections.OrderedDict((n, v) for n, v in values.items() if within.values.get(n) != v)
+    return {name: value for name, value in values.items() if within.values.get(name) != value}
 
 
 # ---- as text -----------------------------------------------------------------------------------------------
@@ -209,15 +206,15 @@ def _spelt(s, more):
     return "".join("\\" + c if c in more else c for c in printable(s))
 
 
-_SET = re.compile(r"\[((?:[^\]\\]|\\.)*)\]( +active)? *\Z")
-_VALUE = re.compile(r"((?:[^=\\]|\\.)*)=(.*)\Z")
+_SET = r"\[((?:[^\]\\]|\\.)*)\]( +active)? *\Z"
+_VALUE = r"((?:[^=\\]|\\.)*)=(.*)\Z"
 
 
 def parsed(lines, file_name):
     """Read what `dumped` wrote: ({set: {name: value}}, active set or '').
     Raises errors.Failed with the line's number.
     """
-    wanted = collections.OrderedDict()  # type: dict
+    wanted = {}  # type: dict
     active = ""
     current = None
     for number, line in enumerate(lines, 1):
@@ -229,7 +226,7 @@ def parsed(lines, file_name):
                 set_id, is_active = _set_line(line)
                 if is_active and active not in ("", set_id):
                     raise ValueError("a second active set")
-                current = wanted.setdefault(set_id, collections.OrderedDict())
+                current = wanted.setdefault(set_id, {})
                 if is_active:
                     active = set_id
             else:
@@ -240,14 +237,18 @@ def parsed(lines, file_name):
 
 
 def _set_line(line):
-    match = _SET.match(line)
+    import re
+
+    match = re.match(_SET, line)
     if not match:
         raise ValueError("not [set] or [set] active")
     return unescaped(match.group(1)), bool(match.group(2))
 
 
 def _take_value(line, values):
-    match = _VALUE.match(line)
+    import re
+
+    match = re.match(_VALUE, line)
     if not match:
         raise ValueError("neither [set] nor name=value")
     if values is None:

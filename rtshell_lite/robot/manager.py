@@ -6,7 +6,6 @@ for everything. So each change is checked.
 
 import itertools
 import posixpath
-import re
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
@@ -56,7 +55,7 @@ async def find(word):
 
 def _is_direct(word):
     """Whether it is a corbaloc of the manager itself, not of what is below another manager."""
-    return word.startswith("corbaloc:") and not re.search(r"/manager/.", word)
+    return word.startswith("corbaloc:") and not word.partition("/manager/")[2]
 
 
 async def _bound(word):
@@ -76,6 +75,8 @@ def check(word):
 
 def _split(word):
     """(address, key) of a corbaloc. Raises BadPath."""
+    import re
+
     match = re.match(CORBALOC, word)
     if not match or split_address(match.group(1))[1] is None:
         raise errors.BadPath(printable(word), "not corbaloc:iiop:HOST[:PORT][/KEY]")
@@ -372,6 +373,8 @@ def meant(word, paths):
     That may be relative to the manager's load path, have ./ or // or a variable of its environment
     ($DIR/Camera.so) in it, and for Python lack .py.
     """
+    import re
+
     exact = sorted({path for path in paths if path == word})
     tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
     whole = {path: _plain(path) for path in paths}
@@ -388,7 +391,10 @@ def meant(word, paths):
 
 def _plain(path):
     """A path without ./, // and .., with / even where it is one of Windows."""
-    return re.sub("^//", "/", posixpath.normpath(path.replace("\\", "/")))
+    plain = posixpath.normpath(path.replace("\\", "/"))
+    if plain.startswith("//"):
+        return plain[1:]
+    return plain
 
 
 async def unload(node, word):

@@ -2,7 +2,6 @@
 found by comparing references.
 """
 
-import collections
 import time
 
 from rtshell_lite import errors
@@ -65,13 +64,13 @@ async def far_ends(near, silent=None):
     own = {orb.identity(port.ref) for port in near}
     silent = silent or {}
     # by identity: its reference, and the Node of a component that is connected with it
-    wanted = collections.OrderedDict()  # type: dict
-    joining = collections.defaultdict(set)  # by identity: ids of the connectors that lead there
+    wanted = {}  # type: dict
+    joining = {}  # type: dict  # by identity: ids of the connectors that lead there
     for port in near:
         for connector in port.connectors:
             for ref in [ref for ref in connector.ports if ref is not None and orb.identity(ref) not in own]:
                 wanted.setdefault(orb.identity(ref), (ref, port.node))
-                joining[orb.identity(ref)].add(connector.id)
+                joining.setdefault(orb.identity(ref), set()).add(connector.id)
     answers = await ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent], joining)
     places = Places()
     ends = {}
