@@ -391,15 +391,19 @@ def profile_file(parser):
 
 def profile_options(parser):
     """How a profile is read: args.form, see `profile_form`, and args.map."""
+    moves(parser, "-m", "--map")
+    profile_form(parser, "the file is")
+
+
+def moves(parser, *names):
+    """args.map: words for relocate.Map."""
     parser.add_argument(
-        "-m",
-        "--map",
+        *names,
         action="append",
         default=[],
         metavar="OLD=NEW",
         help="where things are now (see rtresurrect); may be repeated",
     )
-    profile_form(parser, "the file is")
 
 
 def profile_form(parser, verb):

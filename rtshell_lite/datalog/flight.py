@@ -24,7 +24,7 @@ SUBSCRIPTION = "dataport.subscription_type"
 
 
 class Choice:
-    """Which ports are recorded, and how many of their values.
+    """Which ports are recorded or played, and how many of their values are recorded.
 
     `only` and `without` are shell patterns for ports and types; `every` and `at_most`: {pattern: number}, of which the first
     that fits counts.
@@ -38,10 +38,13 @@ class Choice:
 
     def takes(self, port):
         """Whether a Port is recorded."""
-        names = _names(port)
+        return port.type == "DataOutPort" and self.allows(_names(port))
+
+    def allows(self, names):
+        """Whether what has these names (see `names_of`) is wanted."""
         if self._only and not _fits(self._only, names):
             return False
-        return port.type == "DataOutPort" and not _fits(self._without, names)
+        return not _fits(self._without, names)
 
     def thinned(self, port, deliver):
         """A function that delivers some of the Messages of a Port."""
@@ -58,9 +61,12 @@ class Choice:
 
 
 def _names(port):
+    return names_of(ports.label(port), port.properties.get("dataport.data_type", ""))
+
+
+def names_of(label, type_id):
     """What patterns may fit: the path of a port, the end of it, its name; its type, in all spellings."""
-    label = ports.label(port)
-    dotted = descriptors.dotted(port.properties.get("dataport.data_type", ""))
+    dotted = descriptors.dotted(type_id)
     return [label, label.rpartition("/")[2], label.rpartition(":")[2], dotted, dotted.rpartition(".")[2]]
 
 

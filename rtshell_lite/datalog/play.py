@@ -9,7 +9,7 @@ from rtshell_lite.data import connection, port_arguments, writing
 from rtshell_lite.data.watcher import Watcher
 from rtshell_lite.datalog import decode
 from rtshell_lite.net import loop
-from rtshell_lite.robot import ports
+from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
 
 
@@ -103,13 +103,19 @@ def channel(log, port, name, place):
             "%s (there are: %s)"
             % (printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"),
         )
+    _check_types(log, number, port)
+    return number
+
+
+def _check_types(log, number, port):
+    """Raise errors.Failed where the type of a channel is not that of a Port."""
     recorded = log.channels[number].type_id
     wanted = port.properties.get("dataport.data_type", "")
     if not ports.same_type(recorded, wanted):
         raise errors.Failed(
-            where, f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here"
+            ports.label(port),
+            f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here",
         )
-    return number
 
 
 async def portions(entries, count, cycle, seconds=math.inf):
@@ -147,16 +153,32 @@ class Playing:
             try:
                 if isinstance(target, errors.Error):
                     raise target
-                self._add(place, target, properties)
+                self._add(
+                    channel(self.channels.log, target.port, target.name, place), target.port, properties
+                )
             except errors.Error as e:
                 self.tally.add(e)
 
-    def _add(self, place, target, properties):
+    async def find_ends(self, wanted, properties):
+        """Find the in ports that channels lead to: `wanted` are (number of a channel, Path of a port)."""
+        owners = list(dict.fromkeys(path.object() for _, path in wanted))
+        listed = dict(zip(owners, await tree.on_components(owners, ports.ports)))
+        for number, path in wanted:
+            try:
+                known = listed[path.object()]
+                port = known if isinstance(known, errors.Error) else ports.named(path, known)
+                if isinstance(port, errors.Error):
+                    raise port
+                _check_types(self.channels.log, number, port)
+                self._add(number, port, properties)
+            except errors.Error as e:
+                self.tally.add(e)
+
+    def _add(self, number, port, properties):
         log = self.channels.log
-        number = channel(log, target.port, target.name, place)
         coming = log.counts.get(log.channels[number].name, 0)
         self.sinks.append(
-            (number, writing.Writer(target.port, properties, "rtlog", self.anyway, several=coming != 1))
+            (number, writing.Writer(port, properties, "rtlog", self.anyway, several=coming != 1))
         )
 
     async def play(self, entries, absolute, linger):

@@ -4,9 +4,10 @@ import time
 
 from rtshell_lite import errors, notes, path
 from rtshell_lite.corba import orb, servants
+from rtshell_lite.datalog import flight
 from rtshell_lite.net import loop
 from rtshell_lite.play import bindings, nameserver, recording, stage
-from rtshell_lite.robot import search, tree
+from rtshell_lite.robot import tree
 
 HERE = "127.0.0.1"
 DISCARD = 9  # a port that nobody is asked at
@@ -21,17 +22,17 @@ class Show:
     prefix     Names below which they are bound
     server     address of the name server; None for the first of RTCTREE_NAMESERVERS
     serve      (host or "", port) of a name server of our own instead, or None
-    only       shell patterns for the out ports that send
+    choice     flight.Choice of the out ports that send
     is_absolute  the timestamps in the data stay
     """
 
-    def __init__(self, channels, prefix=(), server=None, serve=None, only=(), is_absolute=False):
+    def __init__(self, channels, prefix=(), server=None, serve=None, choice=None, is_absolute=False):
         self._channels = channels
         self._log = channels.log
         self._prefix = prefix
         self._server = server
         self._serve = serve
-        self._only = search.patterns(only, ())
+        self._choice = choice or flight.Choice()
         self._is_absolute = is_absolute
         self._recording = recording.Recording(self._log)
         self._scene = 0
@@ -84,8 +85,7 @@ class Show:
         port = self._recording.channels.get(number)
         if port is None:
             return False
-        names = [str(port), str(port).rpartition("/")[2], port.port]
-        return not self._only or any(match(name) for match in self._only for name in names)
+        return self._choice.allows(flight.names_of(str(port), self._log.channels[number].type_id))
 
     async def connected(self):
         """Wait until somebody is connected with each port that is played."""

@@ -22,16 +22,21 @@ def read(name, form=None, words=()):
     maps = [Map(word) for word in words]
     profile = capture.read(name, form)
     if maps:
-        _move(profile, maps)
-    for mapping in maps:
-        if not mapping.used:
-            raise errors.Usage(f"--map {printable(mapping.word)}: nothing in the file is there")
+        move(profile, maps)
+    refuse_unused(maps)
     return profile
 
 
-def _move(profile, maps):
+def refuse_unused(maps):
+    """Raise Usage for a Map that has fitted nothing."""
+    for mapping in maps:
+        if not mapping.used:
+            raise errors.Usage(f"--map {printable(mapping.word)}: nothing in the file is there")
+
+
+def move(profile, maps):
     """Change paths, and the names of instances that are bound under another name now,
-    wherever the profile has them.
+    wherever the profile has them. Raises Failed where that is not clear.
     """
     locate = capture.locator(profile)
     targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
