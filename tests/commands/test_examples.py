@@ -45,6 +45,8 @@ PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
 PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is not Active"'] = "rtact Motor0.rtc"  # in README.md
 # Things that mocks do not have, and what stands for them. All hosts are this one.
 NAMES = [
+    ("--map robot=localhost --only '*Image*'", "--only '*Console*'"), ("--serve 2809 --loop", "--serve @FREE@ -t 1"),
+    ("--when-connected replay.host_cxt", "-t 1 replay.host_cxt"),
     ("arm.host_cxt", CONTEXT), ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
     ("localhost=robot2:2810", "localhost:@PORT@=localhost:@PORT@"), ("--manager robot", "--manager /localhost:@PORT@/robot"),
     ("corbaloc:iiop:robot:2810", "corbaloc:iiop:localhost:@MANAGER@"),
@@ -146,7 +148,8 @@ class Robot:
         """The same with the names and ports of this machine."""
         for name, ours in NAMES:
             line = re.sub(name, ours, line) if "(" in name else line.replace(name, ours)
-        return line.replace("@PORT@", str(Server.port)).replace("@MANAGER@", self.manager_port() if "manager" in line else "")
+        line = line.replace("@PORT@", str(Server.port)).replace("@FREE@", str(processes.nameserver.free_port()))
+        return line.replace("@MANAGER@", self.manager_port() if "manager" in line else "")
 
     def manager_port(self):
         """The TCP port of its manager, which is started when an example speaks of one."""
