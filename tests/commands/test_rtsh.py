@@ -199,7 +199,7 @@ class AtThePrompt(unittest.TestCase):
 
     def test_the_history_is_there_the_next_time(self):
         self.press("ls nowhere\r")
-        self.shows(r"no such path\nrtsh .*> $")
+        self.shows(r"no such path; .*\nrtsh .*> $")
         self.press(CTRL_D)
         self.assertEqual(self.status(), 3)
         self.assertEqual(os.listdir(self.home), [".rtsh_history"])

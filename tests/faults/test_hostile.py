@@ -28,7 +28,9 @@ FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is
 USAGE = {"rtinject": {70}}   # the value is none for the type of these ports
 READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 EACH = 2                # strings that each command line meets
-OWN = re.compile("\x1b\\[(?:(?:%s)m|2K|\\d*A|[HJK]|\\?1049[hl]|\\?25[hl])" % "|".join(sorted(set(text.COLOURS.values()) | {"00"})))
+# what colours, clears and moves; rtlog -p ends its line with a return, so that the next text covers it
+OWN = re.compile("\x1b\\[K\r|\x1b\\[(?:(?:%s)m|2K|\\d*A|[HJK]|\\?1049[hl]|\\?25[hl])" %
+                 "|".join(sorted(set(text.COLOURS.values()) | {"00"})))
 HARMFUL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\u3164\u115f\uffa0\u2800"
                      "\U000e0041\ufe0f\u034f]|[^\x21-\U0010ffff]\u0301|[\u0301\u0332\u20dd]{5}")
 SHELLS = [words for words in (["dash"], ["busybox", "ash"], ["bash"], ["zsh"], ["mksh"]) if shutil.which(words[0])]
