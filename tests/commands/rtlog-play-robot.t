@@ -75,7 +75,7 @@ They are elsewhere, or have other names; what is not there is reported, and the 
 
 As components, too, some ports may be left out:
 
-  $ R=/localhost:$PORT2/test.host_cxt/Right.rtc; rtlog -q -p --as-components --not '*Left*' --not 'Motor0.rtc:*' --when-connected --nameserver localhost:$PORT2 -f a.mcap & pid=$!
+  $ R=/localhost:$PORT2/test.host_cxt/Right.rtc; RTSHELL_ORB=builtin rtlog -q -p --as-components --not '*Left*' --not 'Motor0.rtc:*' --when-connected --nameserver localhost:$PORT2 -f a.mcap & pid=$!
   $ soon "rtls $R"; rtprint -q $R:out 2> nul; wait $pid
   [0.000000000] 5
 
