@@ -45,7 +45,7 @@ Beside the living, below another name. Components connect with the recording, bo
   $ connect() { rtcon -q -i two $R/ConsoleIn0.rtc:out test.host_cxt/ConsoleOut0.rtc:in; rtcon -q -i three test.host_cxt/ConsoleIn0.rtc:out $R/ConsoleOut0.rtc:in; }
   $ for i in 1 2 3; do connect; rtdis -i two test.host_cxt/ConsoleOut0.rtc; rtdis -i three $R/ConsoleOut0.rtc; done
   $ connect; rtact test.host_cxt/ConsoleOut0.rtc; ctl received ConsoleOut0:in 60 > nul
-  $ RTSHELL_ORB=omniorb rtls -l $R | grep -v ConsoleOut0
+  $ RTSHELL_ORB=omniorb $MOCK_PYTHON -m rtshell_lite rtls -l $R | grep -v ConsoleOut0
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
   Inactive  2/0  1/0  1/0  0/0  Motor0.rtc
   $ rtact --timeout 0.5 $R/ConsoleIn0.rtc

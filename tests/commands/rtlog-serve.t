@@ -66,7 +66,7 @@ What cannot be:
   rtlog: 127.0.0.1:$PORT: cannot listen there; does another program?
   rtlog: --nameserver and --serve exclude each other (see --help)
   [2]
-  $ RTSHELL_ORB=omniorb rtlog -p -f a.mcap --as-components
+  $ RTSHELL_ORB=omniorb $MOCK_PYTHON -m rtshell_lite rtlog -p -f a.mcap --as-components
   rtlog: only the builtin ORB serves components; unset RTSHELL_ORB, and RTCTREE_ORB_ARGS (see --help)
   [2]
 
