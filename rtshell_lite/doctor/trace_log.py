@@ -55,20 +55,10 @@ def _links(profile):
     locate = capture.locator(profile)
     links = []
     for connector in profile.data_port_connectors:
-        places = [_place(locate, end) for end in connector.ends]
+        places = [capture.port_path(end, locate(end)) for end in connector.ends]
         if len(places) > 1 and None not in places:
             links += [(places[0], place) for place in places[1:]]
     return links
-
-
-def _place(locate, end):
-    component = locate(end)
-    if component is None:
-        return None
-    try:
-        return capture.path_of(component).with_port(capture.port_of(end))
-    except errors.BadPath:
-        return None
 
 
 def _follow(made, start, links, channels):

@@ -4,7 +4,7 @@
     found, at = value(data, 0)       the value, and where the next one begins
 
 Texts are str, octets bytes, and a time of fluentd (extension 0) is a float; other extensions are None. Malformed is raised for
-what is none of this, and for values inside more than DEEPEST values.
+anything else, and for values inside more than DEEPEST values.
 """
 
 import struct

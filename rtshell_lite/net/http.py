@@ -160,7 +160,7 @@ async def _answer(connection, answer):
 
 
 async def _in_time(seconds, coroutine, late):
-    """The result of a coroutine; raises `late` after so many seconds."""
+    """The result of a coroutine; raises `late` after `seconds`."""
     return await loop.race(coroutine, _raise_later(seconds, late))
 
 

@@ -52,7 +52,7 @@ class Carrier:
             self.served.withdraw()
 
     def _publish(self, servant, side):
-        """Serve an object for the other end: the pair that tells it."""
+        """Serve an object for the other end: the pair of properties with its reference."""
         servant.withdraw = orb.publish(servant, self.port.reference.address.host)
         self.served = servant
         return [(f"dataport.{self.interface}.{side}_ior", servant.reference.text())]

@@ -1,5 +1,5 @@
 """Components that only show: profile, contexts, states and configuration are what they have been given, and change when
-whoever plays them says so. Requests to change them are refused with RTC_ERROR.
+the player of the recording sets them. Requests to change them are refused with RTC_ERROR.
 """
 
 from rtshell_lite import errors

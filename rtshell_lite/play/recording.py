@@ -78,7 +78,7 @@ class Recording:
 
 
 def by_path(scene):
-    """{Path as text: the model.Component} of a Scene, without those whose path is none."""
+    """{Path as text: the model.Component} of a Scene, without those whose path is not valid."""
     found = {}
     for each in scene.profile.components:
         try:
@@ -125,7 +125,7 @@ def _details(log, attachment):
     }
 
 
-# ---- parts of details, whoever wrote them ------------------------------------------------------------------
+# ---- parts of details, which may have any form -------------------------------------------------------------
 
 
 def text_in(known, key, default=""):

@@ -52,23 +52,13 @@ def _connections(profile, maps):
     found = []
     for connector in profile.data_port_connectors:
         first, *others = connector.ends  # an out port is first
-        before = _port(first, locate(first))
+        before = capture.port_path(first, locate(first))
         if before is not None:
             found += [(before, target, locate(target)) for target in others]
     if maps:
         relocate.move(profile, maps)
-    pairs = [(before, _port(target, owner)) for before, target, owner in found]
+    pairs = [(before, capture.port_path(target, owner)) for before, target, owner in found]
     return [pair for pair in pairs if pair[1] is not None]
-
-
-def _port(end, component):
-    """The Path of the port at the end of a connection, or None where it has none."""
-    if component is None:
-        return None
-    try:
-        return capture.path_of(component).with_port(capture.port_of(end))
-    except errors.BadPath:
-        return None
 
 
 def _names(route, log):

@@ -470,6 +470,18 @@ def port_of(end):
     return ports.short_name(end.port_name, end.instance_name)
 
 
+def port_path(end, component):
+    """The Path of the port that an end means, which is one of a component of the profile; None without a
+    component, or where its path is not valid.
+    """
+    if component is None:
+        return None
+    try:
+        return path_of(component).with_port(port_of(end))
+    except errors.BadPath:
+        return None
+
+
 # ---- what is running of a profile --------------------------------------------------------------------------
 
 
