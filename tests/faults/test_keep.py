@@ -288,7 +288,7 @@ class Storm(unittest.TestCase):
                 taken[action.kind + is_held_up * ", held up"].append(min(times))
         everything = sorted(time for kind, times in taken.items() for time in times if "," not in kind)
         if everything:
-            print("%d rounds, %d repairs: median %.2f s, 95 %% %.2f s, most %.2f s; %s" % (
+            print("figures: %d rounds, %d repairs: median %.2f s, 95 %% %.2f s, most %.2f s; %s" % (
                 rounds, len(everything), statistics.median(everything), everything[int(len(everything) * 0.95)], everything[-1],
                 ", ".join("%s %d: median %.2f, most %.2f" % (kind, len(times), statistics.median(times), max(times))
                           for kind, times in sorted(taken.items()))))
@@ -376,7 +376,7 @@ class Steps(unittest.TestCase):
         while self.is_killed_at(number):
             number += every
         self.assertGreater(number, 30, "calls were counted")
-        print("killed at %d calls" % number)
+        print("figures: killed at %d calls" % number)
 
     def well(self, *words):
         done = running.run(list(words), self.directory, XDG_RUNTIME_DIR=self.directory)
@@ -452,7 +452,7 @@ class Nothing(unittest.TestCase):
         begun = time.monotonic()
         self.keep("robot.rtsys")
         worlds.eventually(lambda: b'"settled": true' in self.status(), "all is as the file says")
-        print("12 processes from nothing to running: %.1f s" % (time.monotonic() - begun))
+        print("figures: 12 processes from nothing to running: %.1f s" % (time.monotonic() - begun))
         self.well("rtcheck", "-s", "Active", "robot.rtsys")
         self.end()
 

@@ -122,7 +122,7 @@ class Hung(Case):
             slowest, most = max(slowest, time.monotonic() - begun), max(most, self.threads())
         for reader in readers:
             reader.join(worlds.LIMIT)
-        print("%d readers of hung files: looks elsewhere took up to %.2f s, %d threads, %d kB" % (
+        print("figures: %d readers of hung files: looks elsewhere took up to %.2f s, %d threads, %d kB" % (
             READERS, slowest, most, self.resident()))
         self.assertEqual(len(errors), READERS)
         self.assertLess(slowest, PATIENCE / 2)
@@ -180,7 +180,8 @@ class Long(Case):
             subprocess.call(["timeout", "0.05", "cat", os.path.join(home, "ports/out/values")])
             seen.append((self.resident(), len(os.listdir("/proc/%d/fd" % self.process.pid))))
         half = seen[len(seen) // 2]
-        print("after %d rounds: %s kB and files, after %d: %s; %d threads" % (len(seen) // 2, half, len(seen), seen[-1], self.threads()))
+        print("figures: after %d rounds: %s kB and files, after %d: %s; %d threads" % (
+            len(seen) // 2, half, len(seen), seen[-1], self.threads()))
         self.assertLess(seen[-1][0] - half[0], GROWTH)
         self.assertLessEqual(seen[-1][1], half[1] + 4)
         self.assertLess(seen[-1][0], RESIDENT)
@@ -239,7 +240,7 @@ class Peers(Case):
         reader.join(LONGEST)
         self.assertEqual(sorted(set(places) - set(looked)), [])
         slowest = sorted(looked, key=looked.get)[-5:]
-        print("%d hostile peers: %s; %d kB, %d threads" % (
+        print("figures: %d hostile peers: %s; %d kB, %d threads" % (
             len(places), ", ".join("%s %.1f s" % (case, looked[case]) for case in slowest), self.most_resident(), self.threads()))
         waited = tools.waited_for_processor(self.process.pid)
         for case in looked:
