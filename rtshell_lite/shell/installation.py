@@ -1,23 +1,35 @@
 """The commands and files of this rtshell_lite, which is in a checkout, installed, or in a wheel file."""
 
-import ast
-import glob
-import importlib.machinery
 import importlib.util
 import os
-import re
 import sys
-import sysconfig
 
 import rtshell_lite
-from rtshell_lite import errors, text
+from rtshell_lite import bytecode, errors, text
 
 PACKAGE = os.path.dirname(os.path.abspath(rtshell_lite.__file__))
+_NAME = "rtshell_lite-" + rtshell_lite.__version__
+# in a wheel file
+_SCRIPTS = os.path.join(_NAME + ".data", "scripts")
+_PAGES = os.path.join(_NAME + ".data", "data", "share", "man")
 
 
 def wheel():
     """The wheel file that we run from, or None."""
     return getattr(rtshell_lite.__spec__.loader, "archive", None)
+
+
+def command(name):
+    """The path of a command, which may lead into the wheel file; None if there is none. Raises Error."""
+    archive = wheel()
+    if not archive:
+        return commands().get(name)
+    path = os.path.join(archive, _SCRIPTS, name)
+    try:
+        read(path)
+    except OSError:
+        return None
+    return path
 
 
 def commands():
@@ -36,12 +48,12 @@ def manual_pages():
     """The manual pages, {path below share/man: path}; a path may lead into the wheel file.
     {} if there are none.
     """
+    import glob
+
     archive = wheel()
     if archive:
-        found = re.findall(
-            r"^(rtshell_lite-[^/]+\.data/data/share/man/(.+\.[17]))$", _members(archive), re.MULTILINE
-        )
-        return {below: os.path.join(archive, *name.split("/")) for name, below in found}
+        found = [name.partition(".data/data/share/man/")[2] for name in _members(archive)]
+        return {below: os.path.join(archive, _PAGES, *below.split("/")) for below in found if below}
     above = os.path.dirname(os.path.dirname(next(iter(commands().values()))))
     for top in os.path.join(above, "man"), os.path.join(above, "share", "man"):  # a checkout, an installation
         paths = glob.glob(os.path.join(glob.escape(top), "**", "rt*.[17]"), recursive=True)
@@ -56,21 +68,9 @@ def read(path):
     return rtshell_lite.__spec__.loader.get_data(path)
 
 
-class _CommandLoader(importlib.machinery.SourceFileLoader):
-    """Reads a command's file, which has no .py and may be inside the wheel.
-    (importlib.abc would take 20 ms to import.)
-    """
-
-    def get_data(self, path):
-        return read(path)
-
-    def path_stats(self, path):
-        raise OSError("nothing is cached beside commands")
-
-
 def load(path, name):
     """The command's file as a module; called `__main__`, it runs."""
-    spec = importlib.util.spec_from_loader(name, _CommandLoader(name, path))
+    spec = importlib.util.spec_from_loader(name, bytecode.Loader(name, path))
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)
@@ -79,6 +79,8 @@ def load(path, name):
 
 def summary(source):
     """The first line of a command's help."""
+    import ast
+
     return (ast.get_docstring(ast.parse(source)) or "").partition("\n")[0]
 
 
@@ -101,22 +103,24 @@ def summaries():
 
 
 def _members(archive):
-    """The names of the files in the wheel file, a line each.
+    """The names of the files in the wheel file.
     (zipfile takes long to import; Debian's python3-minimal has none.)
     """
-    record = read(
-        os.path.join(archive, f"rtshell_lite-{rtshell_lite.__version__}.dist-info", "RECORD")
-    ).decode()
-    return re.sub(",.*", "", record)
+    record = read(os.path.join(archive, _NAME + ".dist-info", "RECORD")).decode()
+    return [line.partition(",")[0] for line in record.splitlines()]
 
 
 def _in_wheel(archive):
-    scripts = re.findall(r"^rtshell_lite-[^/]+\.data/scripts/[^/]+$", _members(archive), re.MULTILINE)
-    return {os.path.basename(name): os.path.join(archive, *name.split("/")) for name in scripts}
+    paths = [os.path.join(archive, *name.split("/")) for name in _members(archive)]
+    return {os.path.basename(path): path for path in paths if os.path.dirname(path).endswith(_SCRIPTS)}
 
 
 def _places():
     """Directories where an installation may have put the commands, the most likely first."""
+    import glob
+    import re
+    import sysconfig
+
     beside = os.path.dirname(PACKAGE)
     yield os.path.join(beside, "bin")  # a checkout; also pip install --target
     yield os.path.join(os.path.dirname(beside), "bin")  # --unpack
@@ -130,6 +134,8 @@ def _places():
 
 
 def _in_directory(directory):
+    import re
+
     try:
         names = sorted(name for name in os.listdir(directory) if re.match(r"rt\w+$", name))
     except OSError:

@@ -1,0 +1,53 @@
+"""`python3 -m rtshell_lite`: commands that are not on PATH, and putting them there."""
+
+import sys
+
+from rtshell_lite import cli, errors, text
+from rtshell_lite.shell import installation
+
+
+def main(doc):
+    """Run the command that the first argument names, or follow the module's own options; `doc` is its help."""
+    sys.argv[0] = "rtshell_lite"
+    words = sys.argv[1:]
+    try:
+        command = words and installation.command(words[0])
+        if words[:1] in (["-h"], ["--help"]):
+            doc += "\ncommands:\n" + "\n".join(installation.summaries())
+    except (errors.Error, OSError) as e:
+        sys.exit(cli.complain(e))
+    if command:
+        sys.argv = [command] + words[1:]
+        installation.load(command, "__main__")
+    else:
+        cli.main(arguments, run, doc)
+
+
+def arguments(parser):
+    """Declare the options."""
+    parser.add_argument(
+        "--unpack", metavar="DIR", help="lay out the commands, and what they import, under DIR"
+    )
+    parser.add_argument(
+        "words", nargs="*", metavar="WHEEL", help="more wheels to lay out there, such as omniORBpy's"
+    )
+
+
+def run(args):
+    """Do what the options ask for."""
+    if args.unpack is not None:
+        _unpack(args.unpack, args.words)
+    elif args.words:
+        name = args.words[0]
+        raise errors.Usage(f"{name}: no such command{text.near(name, installation.commands())}")
+    else:
+        print("\n".join(["commands (COMMAND --help says more):"] + installation.summaries()))
+
+
+def _unpack(directory, wheels):
+    """Lay the commands and these wheels out under a directory, and print the line that puts them on PATH."""
+    from rtshell_lite.shell.unpack import unpack
+
+    if not directory or ":" in directory:
+        raise errors.Usage(f"{directory or repr('')}: cannot be in PATH")
+    print(f"export PATH={text.quoted(unpack(directory, wheels))}:$PATH")
