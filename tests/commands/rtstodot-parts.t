@@ -30,6 +30,11 @@ What is at or below a path; a path alone is looked up in the running system:
   rtstodot: /localhost:$PORT/test.host_cxt/nothing.rtc: no such path
   [3]
 
+An empty drawing says why it is empty:
+
+  $ rtstodot --live --text ../else.host_cxt
+  rtstodot: nothing to draw: no component is connected; rtls -R lists what is there
+
 Neighbourhoods, by connections, with the data or against it:
 
   $ rtstodot --ascii --around Motor0.rtc --upstream robot.rtsys
