@@ -179,6 +179,8 @@ def _markdown(text):
             lines += _literal(["  " + row for row in rows[1:-1]])
         elif rows[0].startswith("    "):
             lines += _literal([row[2:] for row in rows])
+        elif rows[0].startswith("!["):
+            continue  # a picture
         elif rows[0].startswith("|"):
             for row in rows[2:]:
                 first, *others = [cell.strip() for cell in row.strip("|").split(" | ")]
