@@ -90,7 +90,8 @@ class Trial:
 
     def why_given_up(self):
         """In words."""
-        return f"given up after {self.policy.burst} failures in {self.policy.within:g}s"
+        failures = "1 failure" if self.policy.burst == 1 else f"{self.policy.burst} failures"
+        return f"given up after {failures} in {self.policy.within:g}s"
 
     def begin_again(self):
         """Something about it has changed."""

@@ -27,20 +27,20 @@ world: these ConsoleIn
 Each is started when those before it are ready; what they print is kept, and shown with -v.
 
   $ mkdir logs; rtkeep -v --log logs --processes Procfile > out 2> err & keep=$!
-  $ soon 'grep talk.*more err'; soon 'grep missing.*given out'; said out | grep -v -e brief -e missing
+  $ soon 'grep talk.*more out'; soon 'grep missing.*given out'; said out | grep -v -e brief -e missing -e 'ready 1'
   motor: started, pid N
   motor: Motor0.rtc answers: ready
   out: started, pid N
   out: ConsoleOut0.rtc answers: ready
   talk: started, pid N
+  talk: hello from $TMP
+  talk: more
   $ grep -e brief -e missing out | said | sort
   brief: ended with status 0: not started again
   brief: started, pid N
   missing: cannot be started: No such file or directory
-  missing: cannot be started: No such file or directory: given up after 1 failures in 60s
-  $ grep talk: err | sed "s,$PWD,HERE,"; sed 's/^[-0-9T:]* //' logs/talk.log | sed "s,$PWD,HERE,"
-  rtkeep: talk: hello from HERE
-  rtkeep: talk: more
+  missing: cannot be started: No such file or directory: given up after 1 failure in 60s
+  $ cat err; sed 's/^[-0-9T:]* //' logs/talk.log | sed "s,$PWD,HERE,"
   hello from HERE
   more
   $ rtkeep status | said
