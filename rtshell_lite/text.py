@@ -123,6 +123,7 @@ def printable_flags(s):
 
 LONGEST = 1 << 17  # characters of a word on a command line, at most
 CHOICES = 12  # words offered in place of a wrong one
+MOST_NAMED = 10  # things that a message names; of more, their number
 BEGINNING = 1000  # characters that are shown of a longer text
 
 
@@ -159,6 +160,12 @@ def candidates(word, known):
     known = list(known)
     choices = ", ".join(map(printable, known[:CHOICES])) + ", …" * (len(known) > CHOICES)
     return near(word, known) or f" (there are: {choices or 'none'})"
+
+
+def listed(words):
+    """Some of the printable words, with commas, and how many more there are."""
+    more = len(words) - MOST_NAMED
+    return ", ".join(words[:MOST_NAMED]) + f" and {more} more" * (more > 0)
 
 
 def _escape(c):

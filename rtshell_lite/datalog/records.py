@@ -16,3 +16,11 @@ Entry = collections.namedtuple("Entry", "number received channel little data val
 def is_moment(value):
     """Whether a value can be a time: nanoseconds since the epoch, in 64 bits."""
     return type(value) is int and -1 << 63 <= value < 1 << 63
+
+
+def is_called(word, names):
+    """Whether a channel may be called so on a command line. `names`: that in the log, the paths of its ports; the end of one
+    will do: Arm0.rtc:joints, joints.
+    """
+    end = word.lstrip("./")
+    return any(name == word or name.endswith(("/" + end, ":" + end)) for name in names)

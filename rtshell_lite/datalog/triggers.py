@@ -15,6 +15,7 @@ from rtshell_lite import errors, notes
 from rtshell_lite.data import values
 from rtshell_lite.data.reading import Message
 from rtshell_lite.datalog import schemas
+from rtshell_lite.datalog.records import is_called
 from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
@@ -32,13 +33,6 @@ _COMPARISON = re.compile(r"(\S.*?)\s*(<=|>=|==|!=|<|>)\s*(\S.*?)\s*\Z")
 _SILENCE = re.compile(r"silent\s+(\S.*\S)\s+(\d+\.?\d*|\.\d+)\s*\Z")
 
 
-def is_of_channel(word, names):
-    """Whether a word on the command line is one of the names of a channel: that in the log, the path of its port; or the end of
-    one.
-    """
-    return any(name == word or name.endswith("/" + word.lstrip("./")) for name in names)
-
-
 class Silence:
     """No value of a channel has come for some time."""
 
@@ -49,7 +43,7 @@ class Silence:
         self._last = {}  # by names of a channel: when a value came last; None: its silence has been noticed
 
     def wrapped(self, names, type, deliver):
-        if not is_of_channel(self._port, names):
+        if not is_called(self._port, names):
             return deliver
 
         def take(message):
@@ -91,7 +85,7 @@ class Comparison:
 
     def _field(self, names):
         for cut in [found.start() for found in reversed(list(re.finditer(r"[.\[]", self._part)))]:
-            if is_of_channel(self._part[:cut], names):
+            if is_called(self._part[:cut], names):
                 return self._part[cut:].lstrip(".")
         return None
 
@@ -176,7 +170,7 @@ class Triggers:
         self._signals = 0
 
     def wrapped(self, names, type, deliver):
-        """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of is_of_channel."""
+        """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of is_called."""
         for condition in self._conditions:
             deliver = condition.wrapped(names, type, deliver)
         return deliver

@@ -30,10 +30,9 @@ from rtshell_lite.path import (
     split_address,
 )
 from rtshell_lite.robot import tree
-from rtshell_lite.text import printable
+from rtshell_lite.text import listed, printable
 
 EVERYWHERE = Path("**", (), None, False)  # as a working directory
-MOST_NAMED = 10  # candidates in a message
 
 
 async def paths(words):
@@ -202,7 +201,7 @@ async def _single(path):
             failed.append(node.error)
     candidates = sorted(map(str, found.values()))
     if len(candidates) > 1:
-        raise errors.Ambiguous(str(path), f"is one of {len(candidates)}: {_listed(candidates)}")
+        raise errors.Ambiguous(str(path), f"is one of {len(candidates)}: {listed(candidates)}")
     if not candidates:
         raise failed[0] if failed else errors.NotFound(str(path))
     for failure in failed:
@@ -210,11 +209,6 @@ async def _single(path):
     (only,) = found.values()
     notes.detail(f"{path} is {only}")
     return only._replace(port=path.port, directory=path.directory)
-
-
-def _listed(candidates):
-    more = len(candidates) - MOST_NAMED
-    return ", ".join(candidates[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 async def _walk(path):

@@ -4,7 +4,7 @@ import re
 
 from rtshell_lite import errors, text
 from rtshell_lite.data import datatypes, values
-from rtshell_lite.datalog import schemas
+from rtshell_lite.datalog import records, schemas
 from rtshell_lite.text import printable
 from rtshell_lite.views import plot
 
@@ -97,19 +97,29 @@ def _counted(name, counts, first, last):
 
 
 def channel(log, word):
-    """(number of a channel of a log, plot.Field) for CHANNEL[.FIELD]; a channel may be called by the end of its path.
-    Raises NoSuch, BadPath.
+    """(number of a channel of a log, plot.Field) for CHANNEL[.FIELD]; a channel may be called as records.is_called says.
+    Raises NoSuch, Ambiguous, BadPath.
     """
     known = [each.name for each in log.channels]
     for cut in _cuts(word):
         name = word[:cut]
         found = [number for number, each in enumerate(known) if each == name]
-        found = found or [number for number, each in enumerate(known) if each.endswith("/" + name)]
+        found = found or _called(log, name)
         if len(found) > 1:
-            raise errors.NoSuch(printable(word), "channel for certain", "it may be one of %d" % len(found))
+            candidates = text.listed([printable(known[number]) for number in found])
+            raise errors.Ambiguous(printable(name), f"is one of {len(found)} channels: {candidates}")
         if found:
             return found[0], plot.Field(word[cut:].lstrip("."))
     raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, known))
+
+
+def _called(log, name):
+    """Numbers of the channels that may be called so."""
+    return [
+        number
+        for number, each in enumerate(log.channels)
+        if records.is_called(name, (each.name, *each.sources))
+    ]
 
 
 def _cuts(word):

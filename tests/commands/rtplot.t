@@ -92,6 +92,16 @@ A log that somebody else wrote, of six numbers and a state:
   /numbers, seconds from timestamp to arrival
   * delay  min 999999000  max 999999000  last 999999000
 
+A channel is called by its port, too, where that is one:
+
+  $ rtlog -q -f two.mcap -i -e 3 Source0.rtc:number; for name in number Source0.rtc:number.data input0; do rtplot -f two.mcap --ascii $name | head -n 1; done
+  input0
+  input0.data
+  input0
+  $ rtlog -q --append -f two.mcap -i -e 3 Source0.rtc:number.again; rtplot -f two.mcap number.data
+  rtplot: number: is one of 2 channels: input0, again; which one?
+  [3]
+
 As SVG:
 
   $ rtplot -f other.mcap --svg a.svg numbers; grep -c '<svg.*xmlns' a.svg; grep -o 'data: min[^<]*\|prefers-color-scheme: dark' a.svg
