@@ -173,6 +173,8 @@ class Recorder:
             self.writer.attach(*attachment)
             if self.incidents is not None:
                 self.incidents.attached[attachment[2]] = attachment
+        if self.incidents is not None:
+            self.incidents.protect(self.writer)
         self.writer.write(
             [(channel, message.received, message.little, message.data) for channel, message in batch]
         )

@@ -21,8 +21,8 @@ EACH = 150  # octets that a message takes in memory besides its own
 # When a part ends (seconds, octets), how many are kept (None: all), what a ring holds (seconds, octets;
 # None: no ring), octets of the disk that stay free.
 Limits = collections.namedtuple("Limits", "seconds octets keep span size leave")
-# A part that is complete: its name, its octets, when it began and ended (ns since the epoch).
-Part = collections.namedtuple("Part", "name octets begun ended")
+# A part that is complete: its name, its octets, when it ended (ns since the epoch).
+Part = collections.namedtuple("Part", "name octets ended")
 
 
 def ring_limits(span, size, leave):
@@ -66,7 +66,7 @@ class Parts:
         for number, name in found:
             path = os.path.join(folder, name)
             status = os.stat(path)
-            self._parts.append(Part(path, status.st_size, 0, int(status.st_mtime * 1e9)))
+            self._parts.append(Part(path, status.st_size, int(status.st_mtime * 1e9)))
             self._number = number
 
     def _begin(self, begun, append=False):
@@ -74,7 +74,6 @@ class Parts:
         name = self.name
         if not self._is_single:
             name = self._part_name(self._number)
-        self._begun = begun
         self._due = time.monotonic() + (self.limits.seconds or 0)
         self._writer = writer.Writer(name, self._channels, begun, append)
 
@@ -108,7 +107,7 @@ class Parts:
         now = int(time.time() * 1e9)
         self._writer.close()
         name = self._writer.name
-        self._parts.append(Part(name, os.path.getsize(name), self._begun, now))
+        self._parts.append(Part(name, os.path.getsize(name), now))
         self._begin(now)
         for attachment in self._attached.values():  # what describes the system is in each part
             self._writer.attach(*attachment)
@@ -161,7 +160,8 @@ class Parts:
 
     def past(self, first, last):
         """The messages that arrived between two moments (ns): (number of the channel, received, little, data)."""
-        names = [part.name for part in self._parts if part.ended >= first and part.begun <= last]
+        # a part also has what came before it began, while the one before it was written
+        names = [part.name for part in self._parts if part.ended >= first]
         for name in names + [self._writer.name]:
             yield from self._of(name, first, last)
 
@@ -231,7 +231,8 @@ class Incident:
 class Incidents:
     """Makes files of the ring when something has happened: `before` seconds of the past and `after` of the future.
 
-    trigger() is called anywhere; step() and finish() on the thread that writes.
+    trigger() is called anywhere; protect(), step() and finish() on the thread that writes: protect() before the ring may drop
+    what is old, step() afterwards.
     """
 
     def __init__(self, name, before, after, done):
@@ -253,9 +254,12 @@ class Incidents:
                 return
         self._pending.append(Incident(moment - self._before, moment + self._after, (moment, words)))
 
+    def protect(self, ring):
+        """Have the ring keep what is pending."""
+        ring.protected = min((incident.first for incident in self._pending), default=None)
+
     def step(self, ring, channels, written):
         """Copy a slice of what is due: all that came before `written` (ns) is in the ring. Raises OSError, errors.Failed."""
-        ring.protected = min((incident.first for incident in self._pending), default=None)
         for incident in self._pending[:1]:
             if incident.last < written:
                 self._copy(incident, ring, channels, SLICE)

@@ -51,6 +51,8 @@ class Ring(Case):
         """Write a message every `step` seconds, and let the Incidents do their work."""
         for _ in range(round(seconds / step)):
             self.clock.now += step
+            if incidents:
+                incidents.protect(made)
             made.write([(0, int(self.clock.now * 1e9), True, b"%08d" % self.number)])
             self.number += 1
             if incidents:
@@ -138,11 +140,33 @@ class Ring(Case):
                 self.number += 1
             incidents.step(made, CHANNELS, (self.clock.now - 3) * 1e9)
             self.assertEqual(self.kept, [])
+            incidents.protect(made)
             made.write(waiting)
             incidents.step(made, CHANNELS, self.clock.now * 1e9)
             numbers = self.numbers(self.kept[0])
             self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
             self.assertLessEqual(max(abs(numbers[0] - at + 40), abs(numbers[-1] - at - 20)), 1)
+
+    def test_a_writer_that_stood_still_removes_nothing_that_is_pending(self):
+        for make in (self.parts, self.memory):
+            made, incidents = make(), self.incidents(4, 2)
+            self.run_for(20, made, incidents)
+            incidents.trigger("x")
+            at = self.number
+            self.clock.now += 30
+            self.run_for(0.2, made, incidents)
+            self.assertEqual(self.numbers(self.kept[-1]), list(range(at - 41, at)))
+
+    def test_what_came_while_another_part_was_begun(self):
+        """It is in that part, though it came before."""
+        made = self.parts()
+        self.run_for(3, made)
+        came = int(self.clock.now * 1e9)
+        self.clock.now += 1
+        made._next()
+        made.write([(0, came, True, b"%08d" % self.number)])
+        made._next()
+        self.assertIn(self.number, [int(data) for _, _, _, data in made.past(came - SECOND, came)])
 
     def test_an_end_keeps_what_there_is(self):
         made, incidents = self.memory(), self.incidents(4, 100)
