@@ -277,6 +277,7 @@ class Connections:
         self.connections = list(connections)
         self._stop = self._tasks = self._watching = None
         self._hears_stop = self._is_open = False
+        self.absences = 0  # how often it has stepped aside
 
     async def __aenter__(self):
         # the Bell rings at Ctrl-Z
@@ -348,6 +349,10 @@ class Connections:
                 self.connections.append(connection)
         await self._each("open", connections)
 
+    async def let_go(self, connections):
+        """Have the components of these reading.Readers not wait for us any more; those that cannot have a `failure`."""
+        await self._each("let_go", connections)
+
     def drop(self, connection):
         """Forget a connection whose port is gone."""
         self.connections.remove(connection)
@@ -382,6 +387,7 @@ class Connections:
                 await self._each("check", [connection for connection in self.live() if connection.is_due()])
 
     async def _step_aside(self):
+        self.absences += 1
         await loop.finish(self._each("close", self.connections))
         os.kill(os.getpid(), _signal.SIGSTOP)
         await loop.finish(self._each("come_back", self.connections))

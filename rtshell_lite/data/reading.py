@@ -24,6 +24,7 @@ QUEUE = 4096  # values that the port may queue while writes are counted
 BUFFER = 256
 BUFFER_BYTES = 16 << 20
 EACH = 200  # bytes that a value takes besides its own
+SUBSCRIPTION = "dataport.subscription_type"
 FEWEST = 4  # values that it may queue however large they are
 GRACE = 0.2  # seconds beyond the timeout that a fetch is waited for
 POLL = 0.02  # seconds between two fetches from an empty queue
@@ -86,21 +87,18 @@ class Reader(Connection):
     async def defaults(self):
         common = {"dataport.buffer.length": str(self.room)}
         if self.dataflow == "pull":
-            return dict(
-                common,
-                **{"dataport.subscription_type": "new", "dataport.buffer.read.empty_policy": "do_nothing"},
-            )
+            return dict(common, **{SUBSCRIPTION: "new", "dataport.buffer.read.empty_policy": "do_nothing"})
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
         is_near = await liveness.is_this_host(self.endpoint[0])
-        if is_near and not ports.offer_without(self.port, "dataport.subscription_type", "flush"):
+        if is_near and not ports.offer_without(self.port, SUBSCRIPTION, "flush"):
             subscription = "flush"
         else:
-            subscription = ports.connection_properties([self.port], {})["dataport.subscription_type"] or "new"
+            subscription = ports.connection_properties([self.port], {})[SUBSCRIPTION] or "new"
         return dict(
             common,
             **{
-                "dataport.subscription_type": subscription,
+                SUBSCRIPTION: subscription,
                 "dataport.publisher.push_policy": "all",
                 f"dataport.{self.interface}.inport_ior": await self.served.ior(self.endpoint),
             },
@@ -193,7 +191,7 @@ class Reader(Connection):
             self._withdraw()
 
     def _subscription(self):
-        return self.agreed.get("dataport.subscription_type", "").lower()
+        return self.agreed.get(SUBSCRIPTION, "").lower()
 
     def _finds_out(self):
         """Whether the component removes the connector once its calls are answered OBJECT_NOT_EXIST."""
@@ -286,6 +284,20 @@ class Reader(Connection):
         """Replace the connector by one with a shorter buffer, now that the size of values is known."""
         await self.close()
         self.room = max(FEWEST, BUFFER_BYTES // self.heaviest)
+        await self.come_back()
+
+    def holds_up(self):
+        """Whether the component waits, in its own cycle, for our answer to each value."""
+        return self.connector is not None and self.dataflow == "push" and self._subscription() == "flush"
+
+    async def let_go(self):
+        """Have the component not wait for us any more: with "new" a thread of its own calls us. A port that has no "new", or is
+        to have "flush", is given up. Raises errors.Error.
+        """
+        await self.close()
+        if SUBSCRIPTION in self.user or ports.offer_without(self.port, SUBSCRIPTION, "new"):
+            raise errors.Failed(self.where, "given up, as its component would be held up")
+        self.user[SUBSCRIPTION] = "new"
         await self.come_back()
 
     def lost(self):

@@ -10,7 +10,7 @@ from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.data import connection, reading
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import recorder
+from rtshell_lite.datalog import lateness, recorder
 from rtshell_lite.giop import descriptors
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, composites, ports, search, tree
@@ -20,7 +20,6 @@ AGAIN = 10.0  # seconds until one that did not answer is asked again
 # values a second that a component may send, beyond which it does not call us in its own cycle: each would
 # cost it 0.1 ms
 FAST = 1000
-SUBSCRIPTION = "dataport.subscription_type"
 
 
 class Choice:
@@ -164,8 +163,8 @@ class Flight:
         if identity in self._read or not self._choice.takes(port):
             return None
         properties = self._properties
-        if is_fast and not ports.offer_without(port, SUBSCRIPTION, "new"):
-            properties = dict({SUBSCRIPTION: "new"}, **properties)
+        if is_fast and not ports.offer_without(port, reading.SUBSCRIPTION, "new"):
+            properties = dict({reading.SUBSCRIPTION: "new"}, **properties)
         try:
             reader = reading.Reader(port, None, self._dataflow, properties, "rtlog")
             reader.deliver = self._choice.thinned(port, await self._take(port, about))
@@ -250,8 +249,17 @@ async def _fly(plan, flight, work, channels, watch, limits, file):
             async with loop.background(flight.follow(opened)), loop.background(
                 _triggers(plan, work, channels)
             ):
-                async with loop.background(_journal(plan, flight, work, channels)):
+                async with loop.background(_journal(plan, flight, work, channels)), loop.background(
+                    lateness.watch(opened, _let_go(plan))
+                ):
                     await recorder.wait(limits, work)
+
+
+def _let_go(plan):
+    """What is called with a Reader that is let go: the journal has it as an event."""
+    if plan.journal is None:
+        return None
+    return lambda reader: plan.journal.put(str(reader.port.node.path), "RECORDER", reader.port.name, "LET_GO")
 
 
 async def _journal(plan, flight, work, channels):

@@ -9,7 +9,7 @@ import time
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, datatypes, inbox, port_arguments, reading
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import decode, mcap
+from rtshell_lite.datalog import decode, lateness, mcap
 from rtshell_lite.datalog.records import Channel
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
@@ -300,7 +300,8 @@ async def record(wanted, types, properties, pull, limits, file):
                 if limits.words():
                     notes.note(limits.words())
                 async with loop.background(watch.watch()), loop.background(work.run()):
-                    await wait(limits, work, opened)
+                    async with loop.background(lateness.watch(opened)):
+                        await wait(limits, work, opened)
     finally:
         await loop.finish(finish(work, watch, tally))
     if work.failure:

@@ -19,7 +19,7 @@ TICK = 0.1  # seconds between two looks at what has been reported
 QUIET = 2.0  # seconds without a change, after which the system is looked at
 RARELY = 10.0  # seconds between two looks at the whole system
 CHANGES = ("PORT_CONNECT", "PORT_DISCONNECT", "DIED", "EXITED", "BACK", "APPEARED")
-SERIOUS = {"ERROR": "Error", "DIED": "died", "NO_ANSWER": "does not answer"}
+SERIOUS = {"ERROR": "Error", "DIED": "died", "NO_ANSWER": "does not answer", "LET_GO": "rtlog was late"}
 # components of C++ would report each value that is sent
 _FEW = tuple((f"port_profile.{word}_event.min_interval", presence.NEVER) for word in ("send", "receive"))
 

@@ -67,6 +67,24 @@ A component that may send more than 1,000 values a second does not call us in it
   subscription_type": "flush"
   $ kill $pid; wait $pid
   [143]
+
+A recorder that stood still lets components go, which would have waited for it:
+
+  $ rtlog -f h.mcap --events Source0.rtc 2> told & pid=$!; soon '[ $(entries h.mcap :number) -gt 1 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'; before=$(entries h.mcap :number); soon '[ $(entries h.mcap :number) -gt $before ]'
+  $ kill $pid; wait $pid
+  [143]
+  $ cat told
+  rtlog: Recording 2 ports.
+  rtlog: this machine has too much to do: for *% of 5 s components would have waited for rtlog; 2 ports do not call it in their own cycle any more (glob)
+  $ rtlog --json -f h.mcap | grep -c LET_GO
+  2
+  $ rtlog -f i.mcap --property dataport.subscription_type=flush Source0.rtc:number 2> told & pid=$!; soon '[ $(entries i.mcap input0) -gt 1 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ wait $pid
+  [1]
+  $ grep -v much told
+  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: given up, as its component would be held up
+
   $ kill-mock senders2; mock senders 2000 8
   $ rtlog -q -f g.mcap Source0.rtc & pid=$!; soon '[ $(entries g.mcap :number) -gt 1 ]'; rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
   subscription_type": "new"
