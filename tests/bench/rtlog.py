@@ -1,17 +1,23 @@
 """How much rtlog records without loss, beside a bare omniORBpy servant; its CPU at 100 Hz; its memory after many messages.
 
-    python3 tests/bench/rtlog.py [rate | block | cpu | memory | robot] [MESSAGES | SECONDS]     TMPDIR says which disk
+    python3 tests/bench/rtlog.py [rate | block | cpu | memory | robot | triggers] [MESSAGES | SECONDS | FAILURES]     TMPDIR says which disk
 
 TimedLong: a mock component sends as fast as its port takes values (flush: each put is waited for), to rtlog and to the bare
 servant. Octets, 1 MB each: also to the bare servant; to rtlog at lower and lower rates, until nothing is dropped.
 A robot of 60 ports at 100 Hz and 4 of images of 1 MB at 10 Hz, recorded whole with --events, beside a bare servant that writes
 the same: CPU of both, by turns; values lost; memory.
+Triggers: five recorders keep 10 s before and 5 s after failures at random moments (50). All that their rings have ever held is read
+again, and each file has to have exactly what came in its 15 s.
 """
+import collections
+import glob
 import os
+import random
 import resource
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -195,6 +201,98 @@ def whole(file, seconds):
             peak))
 
 
+class Flight:
+    """A component that fails, two that send, and an rtlog that keeps a ring of them. The parts of the ring get other names, too, under
+    which they stay.
+    """
+
+    def __init__(self, directory, number):
+        self.random = random.Random(number)
+        self.name = os.path.join(directory, "flight%d" % number)
+        os.mkdir(self.name)
+        top = "/127.0.0.1:%d/f%d.host_cxt" % (worlds.Server.port, number)
+        self.component = top + "/ConsoleIn0.rtc"
+        context = "f%d.host_cxt/%%n.rtc" % number
+        self.worlds = [worlds.World("observed", "--context", context), worlds.World("sources", "2", "100", "8", "--context", context)]
+        words = ["--ring", "10", "--after", "5", "--trigger", "error", top]
+        self.process = subprocess.Popen(rtlog(self.name + ".mcap", words), env=environment())
+        self.failures = []
+
+    def command(self, name):
+        subprocess.run([sys.executable, os.path.join(ROOT, "bin", name), "-q", self.component], check=True, env=environment())
+
+    def fly(self, failures):
+        self.wait(15)
+        for _ in range(failures):
+            self.wait(self.random.uniform(6.5, 12))
+            self.command("rtact")
+            self.worlds[0].ctl("error", "ConsoleIn0")
+            self.failures.append(time.time())
+            self.wait(1)
+            self.command("rtreset")
+        self.wait(9)
+        self.process.terminate()
+        self.process.wait()
+        self.link()
+
+    def wait(self, seconds):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self.link()
+            time.sleep(0.2)
+
+    def link(self):
+        for part in glob.glob(self.name + "-0*.mcap"):
+            other = os.path.join(self.name, os.path.basename(part))
+            if not os.path.exists(other):
+                os.link(part, other)
+
+    @staticmethod
+    def values(name, first, last):
+        """How often each value (channel, arrival, octets) of a time is in a log."""
+        with logfile.load(name) as log:
+            names = [channel.name for channel in log.channels]
+            return collections.Counter((names[entry.channel], entry.received, entry.data) for entry in log.entries()
+                                       if entry.data is not None and first <= entry.received <= last)
+
+    def judge(self):
+        """(files, complete ones, seconds from a failure until it was known)"""
+        good, late, files = 0, [], sorted(glob.glob(self.name + "-2*.mcap"))
+        for file, failed in zip(files, self.failures):
+            with logfile.load(file) as log:
+                first = log.started
+                is_closed = log.closed
+            last = first + 15 * 10 ** 9
+            late.append(first / 1e9 + 10 - failed)
+            wanted = collections.Counter()
+            for part in glob.glob(os.path.join(self.name, "*")):
+                wanted.update(self.values(part, first, last))
+            found = self.values(file, 0, 1 << 63)
+            is_whole = is_closed and found == wanted and len({channel for channel, _, _ in found}) == 2
+            good += is_whole
+            if not is_whole:
+                print("%s: %d of %d values, %d others" % (
+                    file, sum((found & wanted).values()), sum(wanted.values()), sum((found - wanted).values())), flush=True)
+        return len(files), good, late
+
+
+def triggers(directory, failures):
+    flights = [Flight(directory, number) for number in range(5)]
+    threads = [threading.Thread(target=flight.fly, args=(failures // 5,)) for flight in flights]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    judged = [flight.judge() for flight in flights]
+    for flight in flights:
+        for world in flight.worlds:
+            world.close()
+    late = [each for _, _, found in judged for each in found]
+    print("%d failures, %d files, %d complete; known after %.2f s, at most %.2f s" % (
+        sum(len(flight.failures) for flight in flights), sum(files for files, _, _ in judged), sum(good for _, good, _ in judged),
+        sum(late) / len(late), max(late)))
+
+
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else "all"
     worlds.start_name_server()
@@ -209,6 +307,8 @@ def main():
                 cpu(file)
             if what == "robot":
                 robot(directory, float(sys.argv[2]) if len(sys.argv) > 2 else 300.0)
+            if what == "triggers":
+                triggers(directory, int(sys.argv[2]) if len(sys.argv) > 2 else 50)
             if what in ("memory", "all"):
                 memory(file, int(sys.argv[2]) if len(sys.argv) > 2 else 1000000)
     finally:
