@@ -118,8 +118,9 @@ class Recorder:
         """Write what comes."""
         while self.count != self._most and self.failure is None:
             batch = await self.box.get(self._patience())
+            taken = time.time() * 1e9  # the box has nothing that came before
             if batch or self.incidents or time.monotonic() >= self._sync_at:
-                await loop.finish(self._write(batch))
+                await loop.finish(self._write(batch, taken))
         self.done.ring()
 
     def _patience(self):
@@ -133,15 +134,15 @@ class Recorder:
         if self.writer is None:
             return
         if self.failure is None:
-            await self._write(await self.box.get(0))
+            await self._write(await self.box.get(0), time.time() * 1e9)
             if self.incidents is not None:
                 await self._try(self.incidents.finish, self.writer, self._channels)
         await self._try(self.writer.close)
         if self.failure is not None:
             raise self.failure
 
-    async def _write(self, batch):
-        taken = time.time() * 1e9  # the box has nothing that came before
+    async def _write(self, batch, taken):
+        """Write what was in the box until `taken` (ns since the epoch)."""
         batch = [message for message in batch if self._fits(*message)]
         if self._most is not None:
             batch = batch[: self._most - self.count]

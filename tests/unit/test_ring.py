@@ -8,8 +8,9 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors
-from rtshell_lite.data import datatypes
-from rtshell_lite.datalog import logfile, ring, triggers
+from rtshell_lite.data import datatypes, reading
+from rtshell_lite.datalog import logfile, recorder, ring, triggers
+from rtshell_lite.net import loop
 from test_datalog import CHANNELS, START, Case
 
 SECOND = 10 ** 9
@@ -186,6 +187,34 @@ class Ring(Case):
         self.assertLess(len(glob.glob(self.name + "-*")), count)
         with mock.patch.object(ring.Parts, "_free", lambda self: 0), self.assertRaisesRegex(OSError, "nearly full"):
             self.run_for(1.2, made)
+
+
+class Taking(unittest.TestCase):
+    def test_all_that_came_before_it_was_taken_is_written(self):
+        """Or a trigger's file could lack its end."""
+        work = recorder.Recorder()
+        sent, written = [], []
+        work._append = lambda batch, taken: written.append((taken, [message.received for _, message in batch]))
+
+        async def send():
+            for _ in range(300):
+                sent.append(int(time.time() * 1e9))
+                work.box.put(0, reading.Message(sent[-1], b"", True))
+                await loop.sleep(0)
+
+        async def main():
+            async with loop.background(work.run()):
+                for _ in range(10):
+                    await send()
+                    await loop.sleep(0.02)
+
+        with mock.patch.object(work.box, "gather", 0.001):
+            loop.run(main())
+        found = 0
+        self.assertGreater(len(written), 3)
+        for taken, batch in written:
+            found += len(batch)
+            self.assertGreaterEqual(found, sum(moment < taken for moment in sent))
 
 
 class Conditions(unittest.TestCase):
