@@ -222,30 +222,25 @@ class Flight:
         subprocess.run([sys.executable, os.path.join(ROOT, "bin", name), "-q", self.component], check=True, env=environment())
 
     def fly(self, failures):
-        self.wait(15)
+        threading.Thread(target=self.link).start()
+        time.sleep(15)
         for _ in range(failures):
-            self.wait(self.random.uniform(6.5, 12))
+            time.sleep(self.random.uniform(6.5, 12))
             self.command("rtact")
             self.worlds[0].ctl("error", "ConsoleIn0")
             self.failures.append(time.time())
-            self.wait(1)
+            time.sleep(1)
             self.command("rtreset")
-        self.wait(9)
+        time.sleep(9)
         self.process.terminate()
-        self.process.wait()
-        self.link()
-
-    def wait(self, seconds):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            self.link()
-            time.sleep(0.2)
 
     def link(self):
-        for part in glob.glob(self.name + "-0*.mcap"):
-            other = os.path.join(self.name, os.path.basename(part))
-            if not os.path.exists(other):
-                os.link(part, other)
+        while self.process.poll() is None:
+            for part in glob.glob(self.name + "-0*.mcap"):
+                other = os.path.join(self.name, os.path.basename(part))
+                if not os.path.exists(other):
+                    os.link(part, other)
+            time.sleep(0.2)
 
     @staticmethod
     def values(name, first, last):
@@ -257,6 +252,7 @@ class Flight:
 
     def judge(self):
         """(files, complete ones, seconds from a failure until it was known)"""
+        self.process.wait()
         good, late, files = 0, [], sorted(glob.glob(self.name + "-2*.mcap"))
         for file, failed in zip(files, self.failures):
             with logfile.load(file) as log:
@@ -268,7 +264,7 @@ class Flight:
             for part in glob.glob(os.path.join(self.name, "*")):
                 wanted.update(self.values(part, first, last))
             found = self.values(file, 0, 1 << 63)
-            is_whole = is_closed and found == wanted and len({channel for channel, _, _ in found}) == 2
+            is_whole = is_closed and found and found == wanted
             good += is_whole
             if not is_whole:
                 print("%s: %d of %d values, %d others" % (
