@@ -69,7 +69,7 @@ All that was sent is there, in its order:
 
 Until a time; -1, or no end at all, is until Ctrl-C, and stdin does not matter:
 
-  $ within 0-9 rtlog -e $(($(date +%s) + 3)) -f e.rtlog Source0.rtc:number 2>&1 | sed 's/[0-9]\{4\}-.*/TIME/'
+  $ within 0-15 rtlog -e $(($(date +%s) + 6)) -f e.rtlog Source0.rtc:number 2>&1 | sed 's/[0-9]\{4\}-.*/TIME/'
   rtlog: Recording until TIME
   $ interrupt 1.5 rtlog -e -1 -f e.rtlog Source0.rtc:number
   [130]
