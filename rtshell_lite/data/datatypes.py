@@ -153,9 +153,9 @@ class Types:
         if type_id in self._interfaces:
             return self._interfaces[type_id]
         if type_id in idl.INTERFACES:
-            from rtshell_lite.data.idl import library, tokens
+            from rtshell_lite.data.idl import standard
 
-            return library.Library([tokens.OWN]).interface(type_id)
+            return standard.interface(type_id)
         return self.library.interface(type_id)
 
     @property

@@ -4,7 +4,7 @@ from the tables that are generated from it (see idl_stubs/generate.py).
 
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS, ARRAY, ENUM, OBJECT, SEQUENCE, STRING, UNION, WSTRING
-from rtshell_lite.idl_stubs.tables import INTERFACES, MINORS, TYPES  # noqa: F401: calls.py reads MINORS
+from rtshell_lite.idl_stubs.tables import FILES, INTERFACES, MINORS, TYPES  # noqa: F401: others read them
 from rtshell_lite.records import cached
 
 MOST_NAMED = 4096  # more than there are
@@ -72,13 +72,13 @@ def ancestry(interface):
 
 
 def operation(interface, name):
-    """What the tables say of an operation of an interface, or of one of those that it inherits.
-    Raises KeyError.
+    """(types of its arguments, types of its results or None for oneway, ids of its exceptions) of an operation of an
+    interface, or of one of those that it inherits, as the tables have them. Raises KeyError.
     """
     for type_id in ancestry(interface):
         own = INTERFACES[type_id][1]
         if name in own:
-            return own[name]
+            return own[name][:3]
     raise KeyError(name)
 
 

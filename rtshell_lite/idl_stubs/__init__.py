@@ -8,5 +8,5 @@ fsm         RTC                        state machine components
 naming      CosNaming                  the name service
 data        RTC, Img                   what travels over data ports
 
-giop/idl.py reads the tables. A user's IDL files may include ours.
+giop/idl.py reads the tables; only they are installed. A user's IDL files may include ours (data/idl/included.py).
 """

@@ -109,7 +109,7 @@ class Wheel(unittest.TestCase):
         for where, directories, files in os.walk(os.path.join(ROOT, "rtshell_lite")):
             directories[:] = [name for name in directories if name != "__pycache__"]
             for name in files:
-                if name.endswith((".py", ".idl", ".js", ".css", ".html")):
+                if name.endswith((".py", ".js", ".css", ".html")):
                     path = os.path.relpath(os.path.join(where, name), ROOT).replace(os.sep, "/")
                     self.assertEqual(path in self.members(), path not in TOOLS, path)
 

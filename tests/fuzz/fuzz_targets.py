@@ -13,11 +13,11 @@ from fuzz import DATA, TESTS, Crash, Refused, Target, same, spoilt
 from rtshell_lite import errors, path, text
 from rtshell_lite.giop import descriptors, marshal
 from rtshell_lite.data import call_values, datatypes, defaults, literals, type_json, values
-from rtshell_lite.data.idl import parser, tokens
+from rtshell_lite.data.idl import parser
 from rtshell_lite.datalog import decode, logfile, mcap, records, tables, writer
 from rtshell_lite.xmlprofile import rtsprofile
 
-IDL = os.path.join(os.path.dirname(tokens.OWN), "idl")
+IDL = os.path.join(os.path.dirname(TESTS), "rtshell_lite", "idl_stubs", "idl")
 
 
 def content(name):

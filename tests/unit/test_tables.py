@@ -14,12 +14,13 @@ except ImportError:
 
 from rtshell_lite.corba import stubs
 from rtshell_lite.giop import descriptors, idl
-from rtshell_lite.data import datatypes, type_json
-from rtshell_lite.data.idl import parser, tokens
+from rtshell_lite.data import type_json
+from rtshell_lite.data.idl import parser, standard
 
 PART = 3  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STUBS = os.path.join(ROOT, "rtshell_lite", "idl_stubs")
+OWN = os.path.join(STUBS, "idl")
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")
 
 # Who answers to another id than this does not speak to OpenRTM-aist.
@@ -110,24 +111,63 @@ class Tables(unittest.TestCase):
             with open(fresh) as new, open(os.path.join(STUBS, "tables.py")) as old:
                 self.assertTrue(new.read() == old.read(), "run python3 -m rtshell_lite.idl_stubs.generate")
 
+    def files(self):
+        return sorted(glob.glob(os.path.join(glob.escape(OWN), "*", "*.idl")))
+
     def test_types_are_what_our_parser_reads(self):
         compared = set()
-        for path in glob.glob(os.path.join(glob.escape(tokens.OWN), "*", "*.idl")):
-            for type_id, descriptor in parser.parse_file(path, [os.path.dirname(path)]).items():
+        for path in self.files():
+            for type_id, descriptor in parser.parse_file(path, [OWN]).items():
                 compared.add(type_id)
-                self.assertEqual(type_json.plain(idl.known(type_id)), type_json.plain(descriptor), type_id)
+                self.assertEqual(plain(idl.known(type_id)), plain(descriptor), type_id)
         self.assertEqual({type_id for type_id, row in idl.TYPES.items() if row[0] != descriptors.EXCEPTION} - compared, set())
 
     def test_interfaces_are_what_our_parser_reads(self):
-        types = datatypes.Types()
-        for type_id, (_, operations) in idl.INTERFACES.items():
-            read = types.interface(type_id).all_operations()
-            for name, (given, returned, raised) in operations.items():
-                with self.subTest(interface=type_id, operation=name):
-                    schema = read[name].schema()
-                    self.assertEqual(list(map(plain, schema.given)), [plain(idl.descriptor(word)) for word in given])
-                    self.assertEqual(list(map(plain, schema.returned or ())), [plain(idl.descriptor(word)) for word in returned or ()])
-                    self.assertEqual((schema.returned is None, set(schema.raised)), (returned is None, set(raised)))
+        for path in self.files():
+            for type_id, expected in parser.read_file(path, [OWN]).interfaces.items():
+                found = standard.interface(type_id)
+                with self.subTest(interface=type_id):
+                    self.assertEqual([each.idl() for each in found.operations], [each.idl() for each in expected.operations])
+                    self.assertEqual([each.name for each in found.ancestry()], [each.name for each in expected.ancestry()])
+                    for one, other in zip(found.operations, expected.operations):
+                        self.same_schema(one.schema(), other.schema())
+
+    def same_schema(self, one, other):
+        self.assertEqual(list(map(plain, one.given)), list(map(plain, other.given)))
+        self.assertEqual(one.returned and list(map(plain, one.returned)), other.returned and list(map(plain, other.returned)))
+        self.assertEqual(set(one.raised), set(other.raised))
+
+    def test_an_include_declares_what_the_file_does(self):
+        """Types, exceptions, interfaces, items of enums, by their names, with what they include."""
+        for path in self.files():
+            with tempfile.TemporaryDirectory() as directory, self.subTest(path=path):
+                case = os.path.join(directory, "case.idl")
+                with open(case, "w") as file:
+                    file.write('#include "%s"\n' % os.path.basename(path))
+                found, expected = parser.read_file(case), parser.read_file(path, [OWN])
+                self.assertEqual({type_id: plain(each) for type_id, each in found.types.items()},
+                                 {type_id: plain(each) for type_id, each in expected.types.items()})
+                self.assertEqual(set(found.interfaces), set(expected.interfaces))
+
+    def test_what_an_include_declares_can_be_used(self):
+        with tempfile.TemporaryDirectory() as directory:
+            case = os.path.join(directory, "case.idl")
+            with open(case, "w") as file:
+                file.write("""
+                    #include <rtm/idl/RTC.idl>
+                    #include "CosNaming.idl"
+                    #include "RTC.idl"
+                    module RTC { interface PortService; struct PortProfile; struct More { ReturnCode_t code; SDOPackage::NVList list; }; };
+                    module Mine {
+                      interface Port : RTC::PortService {
+                        RTC::PortProfile mine(in RTC::PortServiceList ports) raises (CosNaming::NamingContext::NotFound);
+                      };
+                    };""")
+            found = parser.read_file(case)
+            port = found.interfaces["IDL:Mine/Port:1.0"]
+            self.assertIn("get_port_profile", port.all_operations())
+            self.assertEqual(list(port.operations[0].schema().raised), ["IDL:omg.org/CosNaming/NamingContext/NotFound:1.0"])
+            self.assertEqual(plain(found.types["IDL:RTC/More:1.0"])[3][0][1], plain(idl.known(idl.id_of("RTC.ReturnCode_t"))))
 
     def test_repository_ids(self):
         for module, name, expected in map(str.split, IDS.strip().splitlines()):

@@ -14,11 +14,11 @@ import unittest
 import random_values
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
-from rtshell_lite.data.idl import tokens
 
 PART = 8  # a short run takes one in PART of its tests
-OWN = os.path.join(os.path.dirname(tokens.OWN), "idl")
-TRICKY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data", "idl", "valid")
+TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+OWN = os.path.join(os.path.dirname(TESTS), "rtshell_lite", "idl_stubs", "idl")
+TRICKY = os.path.join(TESTS, "data", "idl", "valid")
 FILES = sorted(glob.glob(os.path.join(glob.escape(OWN), "data", "*.idl")))
 
 

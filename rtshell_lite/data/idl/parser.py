@@ -5,7 +5,7 @@ import re
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS
-from rtshell_lite.data.idl import constants, exports, tokens, types
+from rtshell_lite.data.idl import constants, exports, included, tokens, types
 from rtshell_lite.data.idl.interfaces import Interface
 from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scope
 from rtshell_lite.text import printable
@@ -56,6 +56,7 @@ class Parser:
         self.made = {}  # identity of an Entry → (repository id, descriptor)
         self.announced = []  # Entries of structs and unions
         self.interfaces = {}  # identity of the Entry of each interface that is defined → that Entry
+        self.included = set()  # names of OpenRTM's own files
         self.prefixes = []  # prefixes of the files around this place
         self.weights = {}  # identity of a descriptor → (types in it, depth)
         self.kept = []  # the objects of these identities, which must live as long
@@ -78,13 +79,15 @@ class Parser:
     # ---- tokens --------------------------------------------------------------------------------------------
 
     def _go(self):
-        """Go to the next token of the grammar, past pragmas and ends of files."""
+        """Go to the next token of the grammar, past pragmas, ends of files and files of OpenRTM's own."""
         while True:
             self.token = self.tokens[self.at]
             if self.token.kind == "pragma":
                 self._pragma(self.token)
             elif self.token.kind == "file":
                 self._file(self.token.word)
+            elif self.token.kind == "own":
+                included.declare(self, self.token.word, self.token)
             else:
                 return
             self.at += 1
@@ -216,7 +219,7 @@ class Parser:
         """The BadIdl for a name whose Entry is there already."""
         other = old.token and old.token.file != token.file
         if other:
-            where = f", in {printable(old.token.file)}:{old.token.line}; leave one of the two out"
+            where = f", in {old.token.place()}; leave one of the two out"
         else:
             where = ""
         return self.fault(

@@ -3,8 +3,8 @@
 import os
 import re
 
-import rtshell_lite
 from rtshell_lite import errors, files
+from rtshell_lite.giop import idl
 from rtshell_lite.text import printable
 
 LARGEST = 1 << 22  # bytes of a file
@@ -13,7 +13,6 @@ MOST_TOKENS = 200000
 MOST_FILES = 1000
 DEEPEST = 40  # files within files, conditions within conditions
 MACRO = 1000  # tokens that a macro may grow to
-OWN = os.path.join(os.path.dirname(os.path.abspath(rtshell_lite.__file__)), "idl_stubs", "idl")
 OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # built into every ORB
 
 _TOKEN = re.compile(
@@ -52,8 +51,8 @@ class Macro:
 
 
 class Token:
-    """kind: name, number, string, char, mark, pragma, file (an included file begins or ends), end; word: as
-    written.
+    """kind: name, number, string, char, mark, pragma, file (an included file begins or ends), own (an include of one
+    of OpenRTM's own files), end; word: as written, the name of the own file.
     """
 
     __slots__ = ("kind", "word", "file", "line", "column")
@@ -64,6 +63,12 @@ class Token:
         self.file = file
         self.line = line
         self.column = column
+
+    def place(self):
+        """FILE:LINE, spelt for the terminal; without a line where there is none."""
+        if not self.line:
+            return printable(self.file)
+        return f"{printable(self.file)}:{self.line}"
 
 
 def tokens(path, include=(), find=None):
@@ -87,7 +92,9 @@ def _ended(source, path):
 
 
 def of_text(text, name):
-    """The tokens of IDL that is no file of ours; `name` is for messages. Raises BadIdl, also for #include."""
+    """The tokens of IDL that is no file of ours; `name` is for messages. Raises BadIdl, also for #include of
+    another file than OpenRTM's own.
+    """
     source = _Source([], None)
     source.files = MOST_FILES
     _File(source, name, text, 0).scan()
@@ -322,8 +329,14 @@ class _File:
         if match is None:
             raise self.fault("#include needs a file")
         name = match.group(1) or match.group(2)
+        own = os.path.basename(name)
         path = self._included(name, match.group(1) is not None)
-        if path is None and os.path.basename(name) in OF_ORBS:
+        if path is None and own in idl.FILES:
+            self.source.found.append(Token("own", own, self.path, self.line, 1))
+            return
+        if path is None and self.source.find:
+            path = self.source.find(name)
+        if path is None and own in OF_ORBS:
             return
         if path is None:
             raise self.fault(f"no such file to include: {printable(name)} (-I DIR names where to look)")
@@ -332,20 +345,9 @@ class _File:
         self.source.found.append(Token("file", "end", self.path, self.line, 1))
 
     def _included(self, name, beside):
-        """The path of a file to include: beside this one, in the directories given, among our own;
-        or None.
-        """
-        if os.path.isdir(OWN):
-            own = [os.path.join(OWN, part) for part in sorted(os.listdir(OWN))]
-        else:
-            own = []
-        places = [os.path.dirname(self.path)] * beside + self.source.include + [OWN]
-        for path in [os.path.join(place, name) for place in places] + [
-            os.path.join(o, os.path.basename(name)) for o in own
-        ]:
-            if os.path.isfile(path):
-                return path
-        return self.source.find and self.source.find(name)
+        """The path of a file to include: beside this one, or in the directories given; or None."""
+        places = [os.path.dirname(self.path)] * beside + self.source.include
+        return next(filter(os.path.isfile, (os.path.join(place, name) for place in places)), None)
 
 
 class _Condition:

@@ -1,0 +1,36 @@
+"""Interfaces of OpenRTM's own IDL, from its tables (giop/idl.py): no file is read."""
+
+from rtshell_lite.data.idl.interfaces import Interface, Operation, Parameter, scoped
+from rtshell_lite.giop import idl
+from rtshell_lite.records import cached
+
+WHERE = "OpenRTM's own IDL"  # in place of the name of a file
+DIRECTIONS = {"": "in", ">": "out", "<>": "inout"}  # of parameters, in the tables
+
+
+@cached(256)
+def interface(type_id):
+    """The Interface of a repository id. Raises KeyError."""
+    bases, operations = idl.INTERFACES[type_id]
+    made = Interface(scoped(type_id), type_id, file=WHERE)
+    made.bases = [interface(base) for base in bases]
+    made.operations = [_operation(name, *row) for name, row in operations.items()]
+    return made
+
+
+def _operation(name, given, returned, raised, parameters):
+    sent = [idl.descriptor(word) for word in given]
+    received = [idl.descriptor(word) for word in returned or ()]
+    made = Operation(name, raises=map(idl.known, raised), oneway=returned is None)
+    if len(received) > parameters.count(">"):
+        made.result = received.pop(0)
+    for word in parameters.split():
+        plain = word.lstrip("<>")
+        direction = DIRECTIONS[word[: -len(plain)]]
+        descriptor = None
+        if direction != "in":
+            descriptor = received.pop(0)
+        if direction != "out":
+            descriptor = sent.pop(0)
+        made.parameters.append(Parameter(direction, plain, descriptor))
+    return made
