@@ -4,9 +4,6 @@ What is written consists of numbers, texts, bytes, True and False, lists, dicts 
 (`RTC.Time(1, 2)`), a Word (an item of an enum), and values of the type itself.
 """
 
-import base64
-import binascii
-import collections
 import math
 import struct
 
@@ -49,11 +46,12 @@ from rtshell_lite.giop.descriptors import (
     type_id,
     words,
 )
+from rtshell_lite.records import record
 from rtshell_lite.text import printable
 
 # RTC.Time(1, nsec=2); positional a list, keywords a dict
-Call = collections.namedtuple("Call", "name positional keywords")
-Word = collections.namedtuple("Word", "name")  # RTC.GRIPPER_STATE_OPEN
+Call = record("Call", "name positional keywords")
+Word = record("Word", "name")  # RTC.GRIPPER_STATE_OPEN
 
 DEEPEST = 100  # values inside values
 NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # not numbers in JSON
@@ -233,11 +231,13 @@ class _Builder:
     def _octets(self, written, where):
         if isinstance(written, bytes):
             return written
+        import base64  # few values have octets, and it takes long
+
         try:
             if self.json:
                 return base64.b64decode(written.encode("ascii"), validate=True)
             return written.encode("utf-8", "surrogateescape")
-        except (binascii.Error, ValueError):
+        except ValueError:
             raise errors.BadValue(
                 where, f"octets are written as a list of numbers or in base64: {_shown(written)}"
             )

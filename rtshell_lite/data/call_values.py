@@ -4,14 +4,12 @@ An argument is written as rtinject reads values, a constant or JSON; a text, an 
 need no quotes. Everything is checked against the IDL before anything is sent.
 """
 
-import re
 import time
 
 from rtshell_lite import errors, text
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import CHAR, ENUM, OBJECT, STRING, WCHAR, WSTRING
 
-_NAMED = r"([A-Za-z_]\w*)=(.*)\Z"
 TEXTS = (STRING, WSTRING, CHAR, WCHAR)
 RESULT = "result"  # the key of what an operation returns, beside its out parameters
 
@@ -27,10 +25,10 @@ def of_words(operation, words, find):
     written = {}
     position = 0
     for word in words:
-        named = re.match(_NAMED, word, re.ASCII | re.DOTALL)
-        if named:
-            parameter = _parameter(operation, named.group(1))
-            word = named.group(2)
+        name, equals, rest = word.partition("=")
+        if equals and _is_name(name):
+            parameter = _parameter(operation, name)
+            word = rest
         elif position < len(given):
             parameter = given[position]
             position += 1
@@ -62,6 +60,8 @@ def of_line(operation, line, find):
     """The same from a line of JSON: the value of the only argument, or an array or an object of all; nothing for an
     operation without any.
     """
+    import re  # takes long, as most modules that are imported in functions here
+
     given = operation.given()
     if not line.strip():
         return _built(operation, {}, find)
@@ -86,6 +86,11 @@ def of_values(operation, values, named, find):
             raise errors.Usage(f"{operation.name}: {parameter.name} is given twice")
         written[parameter.name] = (value, False)
     return _built(operation, written, find)
+
+
+def _is_name(word):
+    """Whether a word is an identifier of IDL."""
+    return word.isidentifier() and text.is_ascii(word)
 
 
 def _parameter(operation, name):
@@ -118,7 +123,7 @@ def _parsed(descriptor, word):
     word = text.typed(word)
     if kind in TEXTS and word[:1] not in ('"', "'"):
         return word, False
-    if kind == ENUM and re.match(r"[A-Za-z_]\w*\Z", word, re.ASCII):
+    if kind == ENUM and _is_name(word):
         from rtshell_lite.data import build_value
 
         return build_value.Word(word), False
@@ -160,15 +165,15 @@ def as_dict(operation, value):
     return {name: values.json(part) for name, part in _parts(operation, value)}
 
 
-def as_text(operation, value):
+def as_text(operation, value, dump=text.json_line):
     """What a call has returned for people, None for nothing: a text as it is, another single value as JSON or a
-    number, several as an object.
+    number, several as an object. `dump` makes JSON of a value.
     """
     parts = _parts(operation, value)
     if not parts:
         return None
     if len(parts) > 1:
-        return text.json_line(as_dict(operation, value))
+        return dump(as_dict(operation, value))
     part = parts[0][1]
     if isinstance(part, str):
         return part
@@ -179,7 +184,7 @@ def as_text(operation, value):
     plain = values.json(part)
     if isinstance(plain, str):
         return plain
-    return text.json_line(plain)
+    return dump(plain)
 
 
 def _parts(operation, value):

@@ -9,8 +9,6 @@ servers themselves.
 An operation is asked once, whatever happens: it may move a robot (docs/protocol.md 7).
 """
 
-import collections
-
 from rtshell_lite import errors, notes, text
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, ports, services, tree
@@ -289,7 +287,7 @@ async def find(path, types, name):
 
 def _no_operation(where, name, known):
     """The NoSuch for an operation, with candidates."""
-    known = list(collections.OrderedDict.fromkeys(known))
+    known = list(dict.fromkeys(known))
     return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, known))
 
 

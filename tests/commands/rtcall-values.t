@@ -30,3 +30,40 @@ world: these Robot
   {"_ior": "IOR", "_type": "IDL:Mock/Robot:1.0"}
   $ rtcall Robot0.rtc:svc friend null
   null
+
+On a terminal, JSON that is too long for a line has several, with numbers side by side; a text keeps its lines:
+
+  $ tty 60 rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0
+  {"result": {"x": 3.0, "y": 4.0}, "distance": 5.0}
+  $ tty 40 rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0
+  {
+    "result": {"x": 3.0, "y": 4.0},
+    "distance": 5.0
+  }
+  $ tty 40 rtcall Robot0.rtc:svc turn "[$(seq -s, 10)]" true
+  {
+    "joints": [
+      -1.0, -2.0, -3.0, -4.0, -5.0, -6.0,
+      -7.0, -8.0, -9.0, -10.0
+    ],
+    "now": "MOVING"
+  }
+  $ tty 40 rtcall Robot0.rtc:svc follow '[{"name": "日本", "goal": {"x": 1, "y": 2}, "mode": "MOVING"}]'
+  [
+    {
+      "name": "日本",
+      "goal": {"x": 1.0, "y": 2.0},
+      "mode": "MOVING"
+    }
+  ]
+  $ tty 80 rtcall Robot0.rtc:svc move_to -t
+  {
+    "goal": {
+      "x": 0.0,
+      "y": 0.0
+    },
+    "seconds": 0.0
+  }
+  $ tty 80 rtcall Robot0.rtc:svc say "$(printf 'a\nb\033[31m')"
+  a
+  b\x1b[31m
