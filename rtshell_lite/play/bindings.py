@@ -6,7 +6,7 @@ from rtshell_lite.path import Name, Path  # noqa: F401: in a type comment
 
 
 class Bindings:
-    """Names in the name server at `server`, a tree.Node; `bound` {Path: the reference that it is bound to}."""
+    """Names in the name server at `server`, a tree.Node; `bound` {tuple of Names: the reference that it is bound to}."""
 
     def __init__(self, server):
         self._server = server
@@ -16,7 +16,7 @@ class Bindings:
 
     async def bind(self, names, reference):
         """Bind a tuple of Names. Raises Refused where somebody who lives has it, and what remote calls raise."""
-        where = Path(self._server.path.server, names, None, False)
+        where = self._path(names)
         await self._make_contexts(where)
         try:
             await self._call(where, "bind", names, reference)
@@ -25,7 +25,7 @@ class Bindings:
                 raise
             await self._refuse_living(where)
             await self._call(where, "rebind", names, reference)
-        self.bound[where] = reference
+        self.bound[names] = reference
 
     async def _refuse_living(self, where):
         """Raise Refused unless what is bound is known to be gone."""
@@ -51,12 +51,13 @@ class Bindings:
                 if e.name != "AlreadyBound":
                     raise
 
-    async def unbind(self, where):
-        """Remove a name, unless somebody else has it now."""
-        reference = self.bound.pop(where)
+    async def unbind(self, names):
+        """Remove a tuple of Names, unless somebody else has it now."""
+        reference = self.bound.pop(names)
+        where = self._path(names)
         try:
-            if orb.same(await self._call(where, "resolve", where.names), reference):
-                await self._call(where, "unbind", where.names)
+            if orb.same(await self._call(where, "resolve", names), reference):
+                await self._call(where, "unbind", names)
         except errors.Refused as e:
             if e.name != "NotFound":
                 raise
@@ -64,15 +65,15 @@ class Bindings:
     async def clear(self):
         """Remove all names, and the contexts that were made for them and are empty."""
         try:
-            for where in list(self.bound):
-                await self.unbind(where)
+            for names in list(self.bound):
+                await self.unbind(names)
             for names in sorted(self._made, key=len, reverse=True):
                 await self._remove_context(names)
         except errors.Error as e:
             notes.fail(e)
 
     async def _remove_context(self, names):
-        where = Path(self._server.path.server, names, None, False)
+        where = self._path(names)
         try:
             context = orb.context(await self._call(where, "resolve", names))
             await orb.call(where, context, "destroy")
@@ -80,6 +81,9 @@ class Bindings:
         except errors.Refused as e:
             if e.name not in ("NotEmpty", "NotFound"):
                 raise
+
+    def _path(self, names):
+        return Path(self._server.path.server, names, None, False)
 
     async def _call(self, where, operation, names, *args):
         return await orb.call(where, orb.context(self._server.ref), operation, orb.naming_name(names), *args)

@@ -224,6 +224,11 @@ class Component:
         self.organisations = []  # that it is a member of
         self.tasks = None  # type: loop.Group  # in which its ports send
 
+    @property
+    def is_there(self):
+        """Whether others can call it."""
+        return self.withdraw is not None
+
     def publish(self, host):
         """Let others call it and what belongs to it, at this address of ours."""
         for each in self._parts():
@@ -231,7 +236,7 @@ class Component:
                 each.withdraw = orb.publish(each, host)
 
     def close(self):
-        """End: nothing of it exists any more."""
+        """End: nothing of it exists any more, unless it is published again."""
         for port in self.ports:
             if port.component is self:
                 port.close()

@@ -37,6 +37,7 @@ class Show:
         self._recording = recording.Recording(self._log)
         self._scene = 0
         self._stage = None
+        self._bound = None
         self._failed = set()  # channels whose values cannot be sent
 
     async def run(self, pace, begin):
@@ -44,19 +45,22 @@ class Show:
         host, server = await self._listen()
         async with loop.Group() as tasks:
             self._stage = stage.Stage(self._recording, host, tasks)
-            bound = bindings.Bindings(server)
+            self._bound = bindings.Bindings(server)
             try:
-                self._stage.show(self._recording.scenes[0])
-                await self._bind(bound)
+                self._stage.show(self._recording.scenes[0], is_jump=True)
+                await self._bind()
+                count = len(self._bound.bound)
+                what = "1 component is" if count == 1 else f"{count} components are"
+                notes.note(f"{what} bound in {self._bound.server}")
                 await begin()
                 await self._play(pace)
                 await self._stage.sent()
             finally:
-                await loop.finish(self._end(bound))
+                await loop.finish(self._end())
                 tasks.cancel()
 
-    async def _end(self, bound):
-        await bound.clear()
+    async def _end(self):
+        await self._bound.clear()
         await self._stage.leave()
         self._stage.close()
 
@@ -72,13 +76,22 @@ class Show:
         nameserver.Names(host)
         return host, tree.name_server(f"[{host}]:{port}" if ":" in host else f"{host}:{port}")
 
-    async def _bind(self, bound):
-        for where in self._stage.components:
-            names = self._prefix + path.parse(where).names
-            await bound.bind(names, self._stage.components[where].reference)
-        count = len(self._stage.components)
-        what = "1 component is" if count == 1 else f"{count} components are"
-        notes.note(f"{what} bound in {bound.server}")
+    async def _bind(self, has_begun=False):
+        """Bind the names of the components that have come, and unbind those of the ones that are gone."""
+        changed, self._stage.changed = self._stage.changed, set()
+        for where in sorted(changed):
+            try:
+                await self._bind_one(self._prefix + path.parse(where).names, self._stage.components[where])
+            except errors.Error as e:
+                if not has_begun:
+                    raise
+                notes.fail(e)
+
+    async def _bind_one(self, names, component):
+        if names in self._bound.bound:
+            await self._bound.unbind(names)
+        if component.is_there:
+            await self._bound.bind(names, component.reference)
 
     def is_played(self, number):
         """Whether the values of a channel are sent."""
@@ -90,7 +103,7 @@ class Show:
     async def connected(self):
         """Wait until somebody is connected with each port that is played."""
         ports = [port for number, port in self._stage.outs.items() if self.is_played(number)]
-        while not all(port.carriers for port in ports):
+        while not all(port.carriers for port in ports if port.component.is_there):
             await loop.sleep(LOOK)
 
     # ---- playing -------------------------------------------------------------------------------------------
@@ -100,12 +113,14 @@ class Show:
             if pace.is_elsewhere:
                 await self._seek(entry.received)
             self._take(entry)
+            if self._stage.changed:
+                await self._bind(has_begun=True)
 
     async def _seek(self, moment):
         """Have everything be as it was right before a moment."""
         self._scene = self._recording.scene_at(moment)
         scene = self._recording.scenes[self._scene]
-        self._stage.show(scene)
+        self._stage.show(scene, is_jump=True)
         first = self._log.since(scene.moment)
         if first is None:
             return

@@ -20,7 +20,9 @@ _DATA = "dataport."
 
 
 class Stage:
-    """Components by their paths, as text, and the out ports of channels: {number: OutPort}."""
+    """Components by their paths, as text, and the out ports of channels: {number: OutPort}. `changed` are paths of
+    components that have come or gone since somebody looked.
+    """
 
     def __init__(self, recording, host, tasks):
         """`host`: our address in references; `tasks`: a loop.Group in which ports send."""
@@ -29,6 +31,7 @@ class Stage:
         self._tasks = tasks
         self._scene = None
         self.components = {}
+        self.changed = set()
         self.outs = {}
         self._recorded = {}  # by id, as on the wire: the Ports of a connector of the recording
         for scene in recording.scenes:
@@ -37,9 +40,10 @@ class Stage:
                     self.components[where] = self._component(scene, where, described)
             for where, described in recordings.by_path(scene).items():
                 self._add_members(scene, self.components[where], described)
+        self._described = set(self.components)  # those that a Scene shows
         self._add_outs()
-        for each in self.components.values():
-            each.publish(host)
+        for where in self.components:
+            self._come(where)
 
     # ---- building ------------------------------------------------------------------------------------------
 
@@ -133,10 +137,17 @@ class Stage:
 
     # ---- what changes --------------------------------------------------------------------------------------
 
-    def show(self, scene):
-        """Have everything be as a Scene says: connections, contexts, configuration, states."""
+    def show(self, scene, is_jump=False):
+        """Have everything be as a Scene says: connections, contexts, configuration, states; at a jump to it, also which
+        components there are.
+        """
         self._scene = scene
-        for where, described in recordings.by_path(scene).items():
+        there = recordings.by_path(scene)
+        if is_jump:
+            for where in self._described - set(there):
+                self._go(where)
+        for where, described in there.items():
+            self._come(where)
             self._set(self.components[where], scene.details.get(where, {}), described)
         wanted = self._connectors(scene)
         for connector_id in set(self._recorded) - set(wanted):
@@ -203,7 +214,11 @@ class Stage:
         if owner is None:
             return
         state = recordings.STATES.get(report.event)
-        if report.kind == "RTC_STATUS" and state:
+        if report.event in ("DIED", "EXITED"):
+            self._go(report.path)
+        elif report.event in ("APPEARED", "BACK"):
+            self._come(report.path)
+        elif report.kind == "RTC_STATUS" and state:
             for handle, context in _handles(owner):
                 if str(handle) == report.subject:
                     context.set_state(owner, state)
@@ -220,13 +235,33 @@ class Stage:
         """Connect, or disconnect, the ports of a component as the next Scene has them."""
         wanted = self._connectors(following)
         for connector_id, (connector, ends) in wanted.items():
-            is_its = any(port.component is owner for port in ends)
-            if is_new and is_its and connector_id not in self._recorded:
+            owners = [port.component for port in ends]
+            is_possible = owner in owners and all(each.is_there for each in owners)
+            if is_new and is_possible and connector_id not in self._recorded:
                 self._join(connector_id, connector, ends)
         for connector_id, ends in list(self._recorded.items()):
             is_its = any(port.component is owner for port in ends)
             if not is_new and is_its and connector_id not in wanted:
                 self._drop(connector_id)
+
+    # ---- coming and going ----------------------------------------------------------------------------------
+
+    def _come(self, where):
+        """A component is there, from now on."""
+        if not self.components[where].is_there:
+            self.components[where].publish(self._host)
+            self.changed.add(where)
+
+    def _go(self, where):
+        """A component is gone, with what it was connected with, until it comes back."""
+        owner = self.components[where]
+        if not owner.is_there:
+            return
+        for connector_id, ends in list(self._recorded.items()):
+            if any(port.component is owner for port in ends):
+                self._drop(connector_id)
+        owner.close()
+        self.changed.add(where)
 
     # ---- the end -------------------------------------------------------------------------------------------
 

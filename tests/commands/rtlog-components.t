@@ -70,3 +70,15 @@ Beside the living, below another name. Components connect with the recording, bo
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
   Active    1/1  1/1  0/0  0/0  ConsoleOut0.rtc
   Inactive  2/0  1/0  1/0  0/0  Motor0.rtc
+
+A component that exits goes when it did, with its name:
+
+  $ rtlog --events -f b.mcap . 2> nul & pid=$!; soon 'rtlog -d -f b.mcap | grep components-1.json'; soon 'ctl observers Motor0 | grep Observer'
+  $ rtexit test.host_cxt/Motor0.rtc; soon 'rtlog --json -f b.mcap | grep EXITED'; soon 'rtlog -d -f b.mcap | grep components-2.json'
+  $ ctl write ConsoleIn0:out 11; soon 'rtlog --json -f b.mcap | grep "data.: 11"'; kill $pid; wait $pid
+  [143]
+  $ rtlog -p -f b.mcap --as-components --nameserver localhost:$PORT2 -r 0.2 2> told & pid=$!; soon 'grep bound told'; cat told
+  rtlog: 3 components are bound in /localhost:$PORT2
+  $ soon '! rtls $N | grep Motor0'; rtls $N; kill $pid; wait $pid; rtls /localhost:$PORT2
+  ConsoleIn0.rtc
+  ConsoleOut0.rtc

@@ -258,6 +258,49 @@ class Hostile(unittest.TestCase):
         wait_for(main(), timeout=30)
 
 
+class Coming(unittest.TestCase):
+    def test_what_has_ended_is_gone_until_it_was_back(self):
+        """Its object, and its connections at the other end; what comes later is not there before."""
+        def described(name):
+            context = model.ExecutionContext(id="0", kind="PERIODIC", rate=1.0)
+            return model.Component(id="a", path_uri=f"h/{name}.rtc", instance_name=name,
+                                   data_ports=[model.DataPort(name=f"{name}.p")], execution_contexts=[context])
+
+        both, all_three = [model.RtsProfile(components=list(map(described, names))) for names in ("ab", "abc")]
+        scenes = [recording.Scene(0, both, {}), recording.Scene(9, all_three, {})]
+
+        async def is_there(shown, where):
+            owner = orb.narrow(shown.components[where].reference, "OpenRTM.DataFlowComponent")
+            try:
+                return await orb.call("w", owner, "get_sdo_id") == where[3]
+            except errors.Gone:
+                return False
+
+        async def main():
+            orb.listen(HOST, 0)
+            async with loop.Group() as tasks:
+                shown = stage.Stage(mock.Mock(scenes=scenes, channels={}, log=mock.Mock(where="f")), HOST, tasks)
+                shown.show(scenes[0], is_jump=True)
+                ends = [shown.components[f"/h/{one}.rtc"].ports[0] for one in "ab"]
+                connector = model.DataPortConnector(connector_id="i", name="n")
+                shown._join("i", connector, ends)
+                self.assertEqual([await is_there(shown, f"/h/{one}.rtc") for one in "abc"], [True, True, False])
+                shown.changed.clear()
+                for event, expected in (("DIED", False), ("BACK", True), ("EXITED", False), ("APPEARED", True)):
+                    shown.take(recording.Report("/h/a.rtc", "LIFE_EVENT", "", event), None)
+                    self.assertEqual((shown.changed, await is_there(shown, "/h/a.rtc")), ({"/h/a.rtc"}, expected), event)
+                    self.assertEqual(ends[1].connectors, {})
+                    shown.changed.clear()
+                shown.show(scenes[1])
+                self.assertEqual((shown.changed, await is_there(shown, "/h/c.rtc")), ({"/h/c.rtc"}, True))
+                shown.show(scenes[0])  # a component that has not answered is left as it was
+                self.assertTrue(await is_there(shown, "/h/c.rtc"))
+                shown.show(scenes[0], is_jump=True)
+                self.assertFalse(await is_there(shown, "/h/c.rtc"))
+                shown.close()
+        wait_for(main(), timeout=30)
+
+
 class Keys(unittest.TestCase):
     def test_keys_and_the_line(self):
         """The terminal is as before in the end."""
