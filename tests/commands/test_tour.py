@@ -68,9 +68,11 @@ class Tour(unittest.TestCase):
         self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
             ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "2"), ("rtact Broken0.rtc", "6"),
             ("rtcall Robot0.rtc:svc sey hello", "3"), ("rtcall Robot0.rtc:svc say hello", "6"),
-            ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6")] + [
+            ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6"), ("rttrace -t 1 Link0.rtc:out", "1")] + [
                 ("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()), said)
         self.assertNotIn("a key goes on", said, "it waits on terminals only")
+        self.assertRegex(said, r"(?m)^/localhost:\d+/line.host_cxt/Link1.rtc: it is Inactive \(certain\)$")
+        self.assertRegex(said, r"\$ rtprint -n 3 Link1.rtc:out\n(\[[\d.]+\] \d+\n){3}\n")
         contents = re.findall(r"^  (\d  [A-Z]\w+( \w+)?)  ", said, re.MULTILINE)
         self.assertEqual([line for line, _ in contents], re.findall(r"^\d  [A-Z].*$", said, re.MULTILINE))
 
