@@ -11,7 +11,7 @@ An operation is asked once, whatever happens: it may move a robot (docs/protocol
 
 from rtshell_lite import errors, notes, text
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, ports, services, tree
+from rtshell_lite.robot import component, tree
 
 LIMIT = 60.0  # seconds that a call may take: the commonest example takes 10
 MAYBE = "it may have been done, or be going on"
@@ -215,6 +215,8 @@ async def providers(path, types):
     """The Providers of a Path, in their order: those of a port or, as PATH:PORT.INSTANCE, of one of its interfaces;
     of a path without a port, those of all ports of the component. Raises NoSuch, Unreachable, Refused, WrongKind.
     """
+    from rtshell_lite.robot import ports, services  # here and below: a component itself is called without them
+
     node = await tree.component(path.object())
     listed = await ports.ports(node)
     if path.port is None:
@@ -236,6 +238,8 @@ async def providers(path, types):
 
 def _named(path, listed):
     """(the Port, the instance or None) that PATH:PORT[.INSTANCE] means: the longer name of a port comes first."""
+    from rtshell_lite.robot import ports
+
     port = ports.named(path, listed)
     if not isinstance(port, errors.Error):
         return port, None
@@ -249,6 +253,8 @@ def _named(path, listed):
 
 def of_service(service, types):
     """The Provider for a services.Service."""
+    from rtshell_lite.robot import services
+
     return Provider(
         services.label(service), service.port.node, service.ref, service.repository_id, service, types
     )

@@ -82,7 +82,7 @@ What stops it; rtdoctor has the last word:
   Active Link0.rtc:out
   Active Link1.rtc:out
   /localhost:$PORT/test.host_cxt/Link2.rtc: it is Inactive (certain)
-    rtdoctor: warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Link2.rtc
+    rtdoctor: try: rtact /localhost:$PORT/test.host_cxt/Link2.rtc
   [1]
   $ rttrace -t 0.5 --json Link0.rtc:out | tail -1
   {"culprit": "/localhost:$PORT/test.host_cxt/Link2.rtc", "sure": "certain", "why": "it is Inactive"}
