@@ -392,7 +392,7 @@ class Unpacked(Robot):
         other = os.path.join(self.directory, "other")
         self.assertEqual(run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0], 0)
         tools = "|".join(map(re.escape, TOOLS))
-        self.assertEqual(files(place, r"dist-info|\.pyc$"), files(other, r"\.pyc$|" + tools))
+        self.assertEqual(files(place, r"dist-info|\.pyc$"), files(other, r"\.pyc$|\.idl$|" + tools))
 
     @unittest.skipUnless(OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index")
     def test_omniorbpy_with_its_shared_libraries(self):
