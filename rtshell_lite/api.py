@@ -669,8 +669,11 @@ class Service:
         return list(self._found().operations())
 
     def __getattr__(self, name):
-        if name.startswith("__") or name not in self._found().operations():
-            raise AttributeError(f"{self._path}: no such operation: {name}")
+        if name.startswith("__"):
+            raise AttributeError(name)
+        known = self._found().operations()
+        if name not in known:
+            raise AttributeError(f"{self._path}: no such operation: {name}{text.candidates(name, known)}")
         return functools.partial(self._call, name)
 
     @_plain

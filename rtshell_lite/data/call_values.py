@@ -35,7 +35,7 @@ def of_words(operation, words, find):
         else:
             raise errors.Usage(_too_many(operation, words))
         if parameter.name in written:
-            raise errors.Usage(f"{operation.name}: {parameter.name} is given twice")
+            raise errors.Usage(f"{operation.shown}: {parameter.name} is given twice")
         written[parameter.name] = _parsed(parameter.type, word)
     return _built(operation, written, find)
 
@@ -48,9 +48,9 @@ def of_json(operation, given, find):
     try:
         written = json.loads(given, parse_constant=lambda word: build_value.NUMBERS[word])
     except (ValueError, RecursionError) as e:
-        raise errors.BadValue(operation.name, f"not JSON ({e})")
+        raise errors.BadValue(operation.shown, f"not JSON ({e})")
     if not isinstance(written, dict):
-        raise errors.BadValue(operation.name, "not a JSON object of its arguments, {…}")
+        raise errors.BadValue(operation.shown, "not a JSON object of its arguments, {…}")
     return _built(
         operation, {_parameter(operation, name).name: (value, True) for name, value in written.items()}, find
     )
@@ -83,7 +83,7 @@ def of_values(operation, values, named, find):
     for name, value in named.items():
         parameter = _parameter(operation, name)
         if parameter.name in written:
-            raise errors.Usage(f"{operation.name}: {parameter.name} is given twice")
+            raise errors.Usage(f"{operation.shown}: {parameter.name} is given twice")
         written[parameter.name] = (value, False)
     return _built(operation, written, find)
 
@@ -106,15 +106,17 @@ def _parameter(operation, name):
         why = f"no parameter {text.printable(name)}{text.candidates(name, known)}"
     else:
         why = f"it takes no arguments, not {text.printable(name)}"
-    raise errors.BadValue(operation.name, why)
+    raise errors.BadValue(operation.shown, why)
 
 
 def _too_many(operation, words):
+    if operation.name.startswith("_get_"):
+        return f"{operation.shown} is an attribute: {operation.shown}=VALUE sets it"
     names = ", ".join(parameter.name for parameter in operation.given())
     if not names:
-        return f"{operation.name} takes no arguments"
+        return f"{operation.shown} takes no arguments"
     count = len(operation.given())
-    return f"{operation.name} takes {count} argument{'s' * (count > 1)} ({names}), not {len(words)}"
+    return f"{operation.shown} takes {count} argument{'s' * (count > 1)} ({names}), not {len(words)}"
 
 
 def _parsed(descriptor, word):
@@ -141,7 +143,7 @@ def _built(operation, written, find):
     """The values in the order of the parameters."""
     missing = [parameter.name for parameter in operation.given() if parameter.name not in written]
     if missing:
-        raise errors.BadValue(operation.name, f"{missing[0]} is missing: {operation.idl()}")
+        raise errors.BadValue(operation.shown, f"{missing[0]} is missing: {operation.idl()}")
     if not written:
         return []
     from rtshell_lite.data import build_value
@@ -151,6 +153,8 @@ def _built(operation, written, find):
     for parameter in operation.given():
         value, is_json = written[parameter.name]
         where = f"{operation.name}: {parameter.name}"
+        if operation.shown == parameter.name:  # of an attribute
+            where = parameter.name
         values.append(build_value.build(parameter.type, value, where, is_json, now, find))
     return values
 
@@ -197,14 +201,6 @@ def _parts(operation, value):
     if len(names) == 1:
         return [(names[0], value)]
     return list(zip(names, value))
-
-
-def template(operation):
-    """The arguments of an Operation as JSON, to be edited and sent."""
-    import json
-    from rtshell_lite.data import defaults
-
-    return json.dumps(defaults.template(operation.given()), indent=2)
 
 
 def exception(e):

@@ -81,6 +81,9 @@ class Provider:
         """The Operation of a name; that of an attribute reads it. Raises NoSuch with candidates."""
         self.check_known()
         found = self.operations().get(name) or self.operations().get("_get_" + name)
+        if found is None and self.service is None and self.node.kind == "component":
+            remedy = f"; rtcall {text.shell_word(self.where)} lists what its ports provide"
+            raise _no_operation(self.where, name, self.names(), remedy)
         if found is None:
             raise _no_operation(self.where, name, self.names())
         return found
@@ -108,7 +111,7 @@ class Provider:
 
         Raises Raised for an exception of its IDL, Refused, MayBeDone, Unreachable.
         """
-        where = f"{self.where} {shown_name(operation)}"
+        where = f"{self.where} {operation.shown}"
         schema = self._schema(operation)
         if schema.is_oneway:
             await self._check_served(where)
@@ -141,7 +144,7 @@ class Provider:
 
     async def _meaning(self, e, operation):
         """The errors.Error that says what a failure of a call means."""
-        where = f"{self.where} {shown_name(operation)}"
+        where = f"{self.where} {operation.shown}"
         name, completed = e.exception or ("", None)
         if isinstance(e, errors.Silent) and not name:
             return errors.MayBeDone(where, e.why)
@@ -201,13 +204,6 @@ class Provider:
         return text.printable(self.interface.file)
 
 
-def shown_name(operation):
-    """The name of an Operation for people: of an attribute, its own."""
-    if operation.name.startswith(("_get_", "_set_")):
-        return operation.name[len("_get_") :]
-    return operation.name
-
-
 # ---- finding providers -------------------------------------------------------------------------------------
 
 
@@ -215,7 +211,8 @@ async def providers(path, types):
     """The Providers of a Path, in their order: those of a port or, as PATH:PORT.INSTANCE, of one of its interfaces;
     of a path without a port, those of all ports of the component. Raises NoSuch, Unreachable, Refused, WrongKind.
     """
-    from rtshell_lite.robot import ports, services  # here and below: a component itself is called without them
+    # here and below: a component itself is called without them
+    from rtshell_lite.robot import ports, services
 
     node = await tree.component(path.object())
     listed = await ports.ports(node)
@@ -291,10 +288,10 @@ async def find(path, types, name):
     raise _no_operation(str(path), name, [each for provider in known for each in provider.names()])
 
 
-def _no_operation(where, name, known):
+def _no_operation(where, name, known, remedy=""):
     """The NoSuch for an operation, with candidates."""
     known = list(dict.fromkeys(known))
-    return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, known))
+    return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, known) + remedy)
 
 
 async def single(path, types):

@@ -54,7 +54,8 @@ class Latencies:
     def line(self):
         """The figures as a line for people."""
         found = self.summary()
-        shown = f"{found['calls']} calls, {found['failed']} failed, in {found['seconds']:.3f} s"
+        count = "1 call" if self.count == 1 else f"{self.count} calls"
+        shown = f"{count}, {self.failed} failed, in {found['seconds']:.3f} s"
         if found["median"] is None:
             return shown
         times = ["%s %.3f ms" % (words, 1e3 * found[key]) for words, key in SHOWN]

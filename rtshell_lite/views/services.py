@@ -22,6 +22,9 @@ async def interfaces(path, types, as_json):
         rows.append(row)
     if as_json:
         return [text.json_line(row) for row in rows]
+    if not rows:
+        own = text.shell_word(str(path))
+        notes.note(f"{path}: its ports provide no interfaces; rtcall {own} -l lists what it serves itself")
     for row in rows:
         row["port"] = row["port"][len(str(path.object())) + 1 :]
     return text.table([[text.printable(cell or "IDL not known") for cell in row.values()] for row in rows])

@@ -61,6 +61,15 @@ Wrong arguments are one line each, before anything is sent:
   $ rtcall Robot0.rtc:svc friend IOR:00
   rtcall: friend: other: not a reference (its octets make no sense)
   [2]
+  $ rtcall Robot0.rtc:svc speed=fast
+  rtcall: speed: not a double: fast
+  [2]
+  $ rtcall Robot0.rtc:svc speed 3
+  rtcall: speed is an attribute: speed=VALUE sets it (see --help)
+  [2]
+  $ rtcall Robot0.rtc say hello
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc: no such operation: say (there are: get_component_profile, get_ports, initialize, finalize, is_alive, exit, attach_context, detach_context, get_context, get_owned_contexts, get_participating_contexts, get_context_handle, …); rtcall /localhost:$PORT/test.host_cxt/Robot0.rtc lists what its ports provide
+  [3]
   $ rtcall Robot0.rtc:svc speeed=3
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc: no such operation: speeed; did you mean speed?
   [3]
@@ -130,7 +139,7 @@ Again and again, with statistics:
   [6]
   $ rtcall Robot0.rtc:svc rest 5 --limit 0.2 -n 3
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
-  1 calls, 1 failed, in \d+\.\d{3} s (re)
+  1 call, 1 failed, in \d+\.\d{3} s (re)
   [4]
   $ timeout --preserve-status -s INT 3 rtcall Robot0.rtc:svc speed -r 20 2>/dev/null | sed 's/^[0-9]* calls, 0 failed, in .*/ok/'
   ok

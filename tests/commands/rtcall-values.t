@@ -57,13 +57,7 @@ On a terminal, JSON that is too long for a line has several, with numbers side b
     }
   ]
   $ tty 80 rtcall Robot0.rtc:svc move_to -t
-  {
-    "goal": {
-      "x": 0.0,
-      "y": 0.0
-    },
-    "seconds": 0.0
-  }
+  {"goal": {"x": 0.0, "y": 0.0}, "seconds": 0.0}
   $ tty 80 rtcall Robot0.rtc:svc say "$(printf 'a\nb\033[31m')"
   a
   b\x1b[31m

@@ -20,6 +20,7 @@ What a component provides, and whether its IDL is known:
   $ rtcall ../cpp.host_cxt/MyServiceProvider0.rtc:MyService
   MyService  myservice  SimpleService::MyService  IDL:SimpleService/MyService:1.0  IDL not known
   $ rtcall ../cpp.host_cxt/MyServiceConsumer0.rtc
+  rtcall: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc: its ports provide no interfaces; rtcall /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc -l lists what it serves itself
   $ rtcall ../cpp.host_cxt/MyServiceConsumer0.rtc:MyService
   rtcall: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc:MyService: no such interface: it provides none (it is a CorbaPort)
   [3]
@@ -136,28 +137,15 @@ An exception of its IDL; what its IDL does not declare:
 A template, to be edited and sent:
 
   $ rtcall Robot0.rtc:svc move_to -t $IDL > move.json; cat move.json
-  {
-    "goal": {
-      "x": 0.0,
-      "y": 0.0
-    },
-    "seconds": 0.0
-  }
+  {"goal": {"x": 0.0, "y": 0.0}, "seconds": 0.0}
   $ rtcall Robot0.rtc:svc move_to -d @move.json $IDL
   {"distance": 0.0, "result": {"x": 0.0, "y": 0.0}}
   $ rtcall Robot0.rtc:svc aim -t $IDL
-  {
-    "goal": {
-      "_d": "STANDING",
-      "why": ""
-    }
-  }
+  {"goal": {"_d": "STANDING", "why": ""}}
   $ rtcall Robot0.rtc:svc speed -t $IDL
   {}
   $ rtcall Robot0.rtc:svc speed= -t $IDL
-  {
-    "speed": 0.0
-  }
+  {"speed": 0.0}
 
 What would be sent:
 

@@ -83,6 +83,13 @@ class Operation:
         self.contexts = []
         self.fault = ""
 
+    @property
+    def shown(self):
+        """Its name for people: of an attribute's, the attribute's."""
+        if self.name.startswith(("_get_", "_set_")):
+            return self.name[len("_get_") :]
+        return self.name
+
     def given(self):
         """The Parameters that a caller sends: in and inout."""
         return [parameter for parameter in self.parameters if parameter.direction != "out"]
