@@ -259,16 +259,17 @@ class Packer:
     def add(self, channel, sequence, moment, published, prefix, data):
         """Add a message, whose data are `prefix` and `data`."""
         length = 22 + len(prefix) + len(data)
-        self.parts.append(
-            MESSAGE_HEAD.pack(MESSAGE, length, channel, sequence & 0xFFFFFFFF, moment, published) + prefix
-        )
-        self.parts.append(data)
-        if channel not in self.times:
-            self.times[channel] = []
-        self.times[channel] += (moment, self.size)
+        head = MESSAGE_HEAD.pack(MESSAGE, length, channel, sequence & 0xFFFFFFFF, moment, published)
+        self.parts += (head + prefix, data)
+        if channel in self.times:
+            self.times[channel] += (moment, self.size)
+        else:
+            self.times[channel] = [moment, self.size]
         self.size += HEAD.size + length
-        self.first = min(self.first, moment)
-        self.last = max(self.last, moment)
+        if moment < self.first:
+            self.first = moment
+        if moment > self.last:
+            self.last = moment
 
     def records(self, pieces, offset):
         """(the chunk at `offset` and its message indexes as a list of octets, the ChunkIndex for it).

@@ -143,7 +143,6 @@ class Recorder:
 
     async def _write(self, batch, taken):
         """Write what was in the box until `taken` (ns since the epoch)."""
-        batch = [message for message in batch if self._fits(*message)]
         if self._most is not None:
             batch = batch[: self._most - self.count]
         await self._try(self._append, batch, taken)
@@ -154,12 +153,6 @@ class Recorder:
             await loop.on_thread(function, *args)
         except OSError as e:
             self.failure = self.failure or e
-
-    def _fits(self, channel, message):
-        if len(message.data) <= mcap.LARGEST:
-            return True
-        self.box.dropped[channel] += 1
-        return False
 
     def attach(self, moment, name, media_type, data):
         """Put a file into the log, with the next messages."""
@@ -179,24 +172,28 @@ class Recorder:
         self.writer.write(
             [(channel, message.received, message.little, message.data) for channel, message in batch]
         )
-        self.count += len(batch)
-        self.repeated += sum(self._is_repeated(channel, message.data) for channel, message in batch)
-        self.octets += sum(len(message.data) for _, message in batch)
+        self._count(batch)
         if self.incidents is not None:
             self.incidents.step(self.writer, self._channels, taken)
         if time.monotonic() >= self._sync_at:
             self.writer.sync()
             self._sync_at = time.monotonic() + SYNC
 
-    def _is_repeated(self, channel, data):
-        """Whether a value is the last one of its channel again. Those without a timestamp may be alike."""
-        last, self._last[channel] = self._last.get(channel), data
-        if data != last or not any(data[:TIMESTAMP]):
-            return False
+    def _count(self, batch):
+        """Count what was written, and what is the last value of its channel again. Those without a timestamp may be alike."""
+        self.count += len(batch)
+        last = self._last
+        for channel, message in batch:
+            data = message.data
+            self.octets += len(data)
+            if last.get(channel) == data and any(data[:TIMESTAMP]) and self._is_stamped(channel):
+                self.repeated += 1
+            last[channel] = data
+
+    def _is_stamped(self, channel):
+        type = None
         if channel < len(self._types):
             type = self._types[channel]
-        else:
-            type = None
         return type is not None and decode.place_of_timestamp(type.descriptor) == decode.FIRST
 
 

@@ -34,9 +34,13 @@ class Request:
     """A Request (it `is_request`) or LocateRequest, given whole: its id, its operation, the key of its object (None
     where the caller names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error,
     IndexError.
+
+    result, reply   an enumerator that such a request was answered with, and that answer; most get the same again
     """
 
     def __init__(self, data):
+        self.result = None
+        self.reply = b""
         self.data = data
         self.at = None
         self.minor = data[5]
@@ -102,6 +106,13 @@ def answer(request, status=messages.NO_EXCEPTION):
     else:
         words = (0, request.id, status)
     return bytearray(_ANSWER.pack(b"GIOP", 1, request.minor, messages.LITTLE, messages.REPLY, 0, *words))
+
+
+def repeated(request):
+    """The last answer to a Request that was taken on `again`, with its id."""
+    out = bytearray(request.reply)
+    _ORDERS[messages.LITTLE][0].pack_into(out, messages.HEADER, request.id)
+    return out
 
 
 def sized(out):

@@ -17,7 +17,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.giop import allowance, idl, messages, operations, references, requests
+from rtshell_lite.giop import allowance, descriptors, idl, messages, operations, references, requests
 from rtshell_lite.net import listening, loop
 
 MOST = 500  # connections
@@ -397,10 +397,10 @@ class Server:
             return requests.failed(request, "BAD_OPERATION")
         if not octets and len(request.data) > messages.LARGE:
             return requests.failed(request, "IMP_LIMIT")
-        allowance.begin()
         if octets:
             data = request.data
         else:
+            allowance.begin()
             data = bytes(request.data)
         arguments = []
         at = request.at
@@ -458,10 +458,16 @@ def _result(servant, interface, operation, arguments):
 
 def _written(request, writers, result):
     """The answer with a result."""
+    if result is not None and result is request.result:
+        return requests.repeated(request)
     out = requests.answer(request)
     for write, value in zip(writers, result if len(writers) > 1 else [result]):
         write(out, value)
-    return requests.sized(out)
+    requests.sized(out)
+    if isinstance(result, descriptors.Item) and request.minor == 2:
+        request.result = result
+        request.reply = bytes(out)
+    return out
 
 
 def _raised(request, interface, exception):
