@@ -29,8 +29,9 @@ MOST_ASKED = (
 MOST_TASKS = 200  # answers that are awaited, as they need answers of others
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * messages.LARGEST  # of all messages that are still coming
-# octets before its arguments up to which a request is kept, to compare the next one with; real ones have 150
-LONGEST_KEPT = 2048
+# octets before its arguments up to which a request is kept, to compare later ones with; real ones have 150
+LONGEST_KEPT = 512
+MOST_KEPT = 64  # of a connection, which may carry the calls of a whole process
 ROOM = 4096  # octets that a connection can receive before it has sent any
 UNFINISHED = 60.0  # seconds until a connection is closed within a message, or between two
 IDLE = 180.0  # omniORB's is the same
@@ -109,7 +110,8 @@ class Caller:
         self.socket = connection
         self.host = host
         self.minor = 0
-        self.last = None
+        self.kept = {}  # Requests by their heads
+        self.longest = 0  # octets before the arguments of the last one
         self.has_called = False  # a servant
         self.asked = 0  # how often it has asked what needs none
         # data[begin:end] has come; data never shrinks while it is in use
@@ -169,16 +171,19 @@ class Caller:
         return messages.LARGEST
 
     def request(self, data):
-        """The Request in a message; most differ from the last one only in their ids and arguments.
+        """The Request in a message; most differ from an earlier one only in their ids and arguments.
         Raises as Request does.
         """
-        if self.last is not None and self.last.again(data):
-            return self.last
+        found = self.kept.get(requests.head(data, self.longest))
+        if found is not None:
+            found.again(data)
+            return found
         found = requests.Request(data)
-        if found.at and found.at <= LONGEST_KEPT:
-            self.last = found
-        else:
-            self.last = None
+        if self.has_called and found.at and found.minor == 2 and found.at <= LONGEST_KEPT:
+            self.longest = found.at
+            if len(self.kept) >= MOST_KEPT:
+                self.kept.clear()
+            self.kept[requests.head(data, found.at)] = found
         return found
 
     def send(self, data=b""):
@@ -419,7 +424,7 @@ class Server:
         if len(self.tasks) >= MOST_TASKS:
             result.close()
             return requests.failed(request, "NO_RESOURCES")
-        caller.last = None  # which the task keeps
+        caller.kept.clear()  # the task keeps the request
         self.tasks.add(
             loop.Task(self.loop, self._answer_later(caller, request, interface, writers, result), self, None)
         )
