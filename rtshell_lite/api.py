@@ -148,7 +148,9 @@ class Component:
     """The component at a path. Each use looks it up, so that it may be restarted meanwhile."""
 
     def __init__(self, path):
-        self.path = str(path if isinstance(path, paths.Path) else paths.parse(path))
+        if not isinstance(path, paths.Path):
+            path = paths.parse(path)
+        self.path = str(path)
 
     def __repr__(self):
         return f"Component({self.path!r})"
@@ -230,8 +232,8 @@ class Component:
 
     @_plain
     async def profile(self):
-        """Its profile, a dict: instance_name, type_name, description, version, vendor and category, texts, and
-        properties, a dict of texts.
+        """Its profile, a dict: instance_name, type_name, description, version, vendor and category, texts,
+        and properties, a dict of texts.
         """
         from rtshell_lite.robot import component, ports
 
@@ -358,7 +360,12 @@ async def _found(*words):
 
 
 def _properties(given):
-    return {name if "." in name else "dataport." + name: str(value) for name, value in given.items()}
+    properties = {}
+    for name, value in given.items():
+        if "." not in name:
+            name = "dataport." + name
+        properties[name] = str(value)
+    return properties
 
 
 @_plain
@@ -542,7 +549,10 @@ class _Feed:
             self._news.acquire()
 
     def _wait(self, seconds):
-        came = self._news.acquire(timeout=-1 if seconds in (None, math.inf) else max(seconds, 0))
+        if seconds in (None, math.inf):
+            came = self._news.acquire()
+        else:
+            came = self._news.acquire(timeout=max(seconds, 0))
         if self._failure is not None:
             raise self._failure
         return came
@@ -622,12 +632,14 @@ LIMIT = 60.0  # seconds that an operation may take
 
 @_plain
 async def call(path, operation, *args, idl=(), limit=LIMIT):
-    """Call an operation of a service port, PATH:PORT or PATH:PORT.INSTANCE, or of a component itself, PATH: what it
-    returns, a tuple where that is several values. An attribute `speed` is read as _get_speed, set as _set_speed.
+    """Call an operation of a service port, PATH:PORT or PATH:PORT.INSTANCE, or of a component itself, PATH:
+    what it returns, a tuple where that is several values. An attribute `speed` is read as _get_speed, set as
+    _set_speed.
 
     `args` are values of their types, or dicts of their members. `idl` are IDL files; more are found by
-    RTSHELL_IDL. It is sent once, never again. Raises errors.Raised for an exception of the IDL, with its `name`
-    and its `value`, errors.MayBeDone after `limit` seconds, errors.Refused for a component that is not Active, BadValue.
+    RTSHELL_IDL. It is sent once, never again. Raises errors.Raised for an exception of the IDL, with its
+    `name` and its `value`, errors.MayBeDone after `limit` seconds, errors.Refused for a component that is not
+    Active, BadValue.
     """
     return await _call(await _provider(path, operation, idl), operation, args, {}, limit)
 
@@ -652,8 +664,8 @@ class Service:
         arm = api.service("/localhost/Arm0.rtc:manip")
         arm.moveLinear(goal, speed=0.5)
 
-    An attribute `speed` of the IDL is read by _get_speed() and set by _set_speed(3.5). After a failure that shows that
-    its process has ended, the next use looks it up again.
+    An attribute `speed` of the IDL is read by _get_speed() and set by _set_speed(3.5). After a failure that
+    shows that its process has ended, the next use looks it up again.
     """
 
     def __init__(self, path, idl, limit):
@@ -757,11 +769,12 @@ async def check(profile, state="Active", extra=False):
 
 
 def keep(profile, timeout=None, create=False, manager=None, strict=False):
-    """Keep the running system as a profile says, as rtkeep does, and yield what happens: time, object, seen, done,
-    seconds, error of each. Ends with the generator, and leaves the components as they are.
+    """Keep the running system as a profile says, as rtkeep does, and yield what happens: time, object, seen,
+    done, seconds, error of each. Ends with the generator, and leaves the components as they are.
 
-    With a `timeout`, yields None where nothing has happened within `timeout` seconds. `create`, `manager` as in
-    `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be meant.
+    With a `timeout`, yields None where nothing has happened within `timeout` seconds. `create`, `manager` as
+    in `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be
+    meant.
     """
     feed = _Happenings()
     try:
@@ -809,8 +822,8 @@ class _Happenings(_Feed):
 
 @_plain
 async def start(profile, wait=None):
-    """Activate the components of a profile by its plan, as rtstart does; raises the first failure of those that
-    the profile requires. `wait`: how many seconds a component may take (default: the timeout).
+    """Activate the components of a profile by its plan, as rtstart does; raises the first failure of those
+    that the profile requires. `wait`: how many seconds a component may take (default: the timeout).
     """
     await _carry_out(profile, "activation", "ACTIVATE", wait)
 
@@ -841,7 +854,8 @@ def watch(*components, timeout=None):
     """Yield an Event for what happens to the components at these paths, as rtwatch prints it: states, ports,
     connections, configuration, death and return. The end of the generator removes the observers.
 
-    With a `timeout`, yields None where nothing has happened within `timeout` seconds. Raises the first failure.
+    With a `timeout`, yields None where nothing has happened within `timeout` seconds. Raises the first
+    failure.
     """
     feed = _Watching()
     try:
@@ -879,8 +893,8 @@ class _Watching(_Happenings):
 
 @_plain
 async def find(pattern, top="/"):
-    """The paths of what is called like a pattern (Motor*.rtc), at and below a path: a list, in the order of the
-    tree. What does not answer is left out; if that leaves none, the first failure is raised.
+    """The paths of what is called like a pattern (Motor*.rtc), at and below a path: a list, in the order of
+    the tree. What does not answer is left out; if that leaves none, the first failure is raised.
     """
     from rtshell_lite.robot import search
 

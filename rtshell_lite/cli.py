@@ -63,7 +63,9 @@ def command(arguments, run, doc, argv):
         status = run(args)
         if hasattr(status, "send"):
             status = loop.run(status, SIGNALS, Session(args.timeout))
-        return status or (0 if notes.is_complete() else errors.Partial.status)
+        if status or notes.is_complete():
+            return status or 0
+        return errors.Partial.status
     except errors.Error as e:
         return complain(e)
     except BrokenPipeError:  # the reader went away: not our error
@@ -72,8 +74,9 @@ def command(arguments, run, doc, argv):
         complain(e)
         return 1
     except ModuleNotFoundError as e:
-        is_xml = (e.name or "").startswith(("xml", "pyexpat"))
-        return complain(errors.NoXml(e.name) if is_xml else errors.IncompletePython(e.name))
+        if (e.name or "").startswith(("xml", "pyexpat")):
+            return complain(errors.NoXml(e.name))
+        return complain(errors.IncompletePython(e.name))
     except SystemExit as e:  # argparse after --help or --version
         return e.code or 0
     except Exception as e:
@@ -296,5 +299,8 @@ def report(args, results, shown=False):
     tally = Tally()
     for result in results:
         if tally.add(result) and result:
-            (print if args.dry_run or shown else detail)(result)
+            if args.dry_run or shown:
+                print(result)
+            else:
+                detail(result)
     return tally.status()

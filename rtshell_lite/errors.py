@@ -63,8 +63,9 @@ class BadType(Error):
 
 class MissingOmniORB(Error):
     __doc__ = (
-        "omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index "
-        "(jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository"
+        "omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the "
+        "package index (jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package "
+        "repository"
     )
 
 
@@ -84,8 +85,8 @@ class IncompletePython(Error):
 
 class NoXml(Error):
     __doc__ = (
-        "this Python lacks its module {}, which XML needs; rtcryo --yaml writes YAML, which all commands read "
-        "(Debian: python3 is whole, python3-minimal is not)"
+        "this Python lacks its module {}, which XML needs; rtcryo --yaml writes YAML, which all commands "
+        "read (Debian: python3 is whole, python3-minimal is not)"
     )
 
 
@@ -229,7 +230,9 @@ class Raised(Error):
     status = 6
 
     def __init__(self, where, name, value, shown=""):
-        """`name` is that of an exception of the IDL, `value` has its members as attributes, `shown` them as text."""
+        """`name` is that of an exception of the IDL, `value` has its members as attributes, `shown` them as
+        text.
+        """
         super().__init__(where, name + shown)
         self.name = name
         self.value = value

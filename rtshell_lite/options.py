@@ -187,11 +187,13 @@ def _begins_as_number(word):
 def parser(arguments, doc, prog):
     """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
     summary, _, details = doc.strip().partition("\n\n")
+    if details:
+        details += "\n\n"
     parser = Parser(
         prog=prog,
         description=summary,
         add_help=False,
-        epilog=(details + "\n\n" if details else "") + EXIT_STATUSES,
+        epilog=details + EXIT_STATUSES,
         formatter_class=_formatter,
     )
     arguments(parser)
@@ -243,7 +245,9 @@ class _Help(argparse.RawDescriptionHelpFormatter):
         lines = []
         for paragraph in text.split("\n\n"):
             block = paragraph.split("\n")
-            for line in block if any(line.startswith(" ") for line in block) else [" ".join(block)]:
+            if not any(line.startswith(" ") for line in block):
+                block = [" ".join(block)]
+            for line in block:
                 if line.startswith(" "):
                     further = " " * (len(line) - len(line.lstrip()) + 2)
                 else:
@@ -451,7 +455,8 @@ def listen(parser):
         type=port,
         const=FLUENTD,
         metavar="PORT",
-        help=f"receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: {FLUENTD}; 0: any)",
+        help="receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: "
+        f"{FLUENTD}; 0: any)",
     )
     parser.add_argument(
         "--from",

@@ -65,7 +65,9 @@ class Path(Record):
     def __str__(self):
         if self.server is None:
             return "/"
-        text = _spelt_server(self.server) + "".join("/" + str(name) for name in self.names)
+        text = _spelt_server(self.server)
+        for name in self.names:
+            text += "/" + str(name)
         if self.port is not None:
             text += ":" + _spelt(self.port)
         return text
@@ -193,7 +195,9 @@ def _elements(text):
     """The elements between the slashes, still escaped; the first one is empty for an absolute path."""
     if text.lstrip("/").startswith(SCHEMES):
         server, _, rest = text.lstrip("/").partition("#")
-        return [server] + (_cut(rest, "/") if rest else [])
+        if not rest:
+            return [server]
+        return [server] + _cut(rest, "/")
     if text.lstrip("/").startswith(REFERENCES):
         return _reference(text.lstrip("/"))
     return _cut(text, "/")
@@ -214,7 +218,9 @@ def _standard(text):
     above, slash, last = rest.rpartition("/")
     if ":" not in last and not last.endswith((".rtc", ".mgr")):
         name, dot, port = last.partition(".")
-        last = name + ".rtc" + (":" + port if dot else "")
+        last = name + ".rtc"
+        if dot:
+            last += ":" + port
     if form == "rtcname":
         import re
 
@@ -270,7 +276,9 @@ def _is_hexadecimal(text):
 def _server(element, text):
     """A server address; its colons belong to it."""
     address = _unescaped(element, text)
-    if address.startswith(REFERENCES + SCHEMES) or address.partition(":")[0] in PROTOCOLS:
+    if address.startswith(REFERENCES + SCHEMES):
+        return address
+    if address.partition(":")[0] in PROTOCOLS:
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:

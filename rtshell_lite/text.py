@@ -81,6 +81,13 @@ def safe(s):
     return "".join(c if plain else _escape(c) for c, plain in printable_flags(s))
 
 
+def counted(number, noun):
+    """`1 port`, `2 ports`."""
+    if number == 1:
+        return f"1 {noun}"
+    return f"{number} {noun}s"
+
+
 def is_plain(s):
     """True where nothing in `s` but backslashes has to be escaped."""
     return s.isprintable() and (
@@ -158,7 +165,9 @@ def candidates(word, known):
     the one of the words `known` that resembles it, else the first CHOICES.
     """
     known = list(known)
-    choices = ", ".join(map(printable, known[:CHOICES])) + ", …" * (len(known) > CHOICES)
+    choices = ", ".join(map(printable, known[:CHOICES]))
+    if len(known) > CHOICES:
+        choices += ", …"
     return near(word, known) or f" (there are: {choices or 'none'})"
 
 
@@ -203,10 +212,15 @@ def _meant(escape):
     if not digits or int(digits, 16) > sys.maxunicode:
         raise ValueError("bad escape " + escape.group())
     n = int(digits, 16)
-    return chr(n + 0xDC00 if byte and n >= 0x80 else n)
+    if byte and n >= 0x80:
+        n += 0xDC00
+    return chr(n)
 
 
-_ESCAPES = r"""\\(?:[\\'"abfnrtv\n]|[0-3][0-7]{0,2}|[4-7][0-7]?(?![0-7])|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8})"""
+_ESCAPES = (
+    r"""\\(?:[\\'"abfnrtv\n]|[0-3][0-7]{0,2}|[4-7][0-7]?(?![0-7])"""
+    r"""|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8})"""
+)
 
 
 def literal(word):
@@ -336,14 +350,18 @@ def table(rows):
         return
     sizes = [max(cells(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
     for row in rows:
-        yield "  ".join([padded(cell, size) for cell, size in zip(row, sizes)] + [row[-1]])
+        shown = [padded(cell, size) for cell, size in zip(row, sizes)]
+        yield "  ".join(shown + [row[-1]])
 
 
 def pairs(items, indent=""):
     """Lines `name  value` of (name, value) pairs, the values aligned two blanks after the longest name."""
     items = list(items)
     size = max([cells(name) for name, _ in items] or [0])
-    return [indent + padded(name, size) + "  " + value for name, value in items]
+    lines = []
+    for name, value in items:
+        lines.append(indent + padded(name, size) + "  " + value)
+    return lines
 
 
 # ---- colour ------------------------------------------------------------------------------------------------

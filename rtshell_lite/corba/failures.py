@@ -30,6 +30,7 @@ def system(where, name, label):
 
 def user(where, name, description):
     """The errors.Error for an exception of the IDL; `description` is its member of that name, or ''."""
-    return errors.Refused(
-        where, name + (": " + printable(from_wire(description)) if description else ""), name=name
-    )
+    label = name
+    if description:
+        label += ": " + printable(from_wire(description))
+    return errors.Refused(where, label, name=name)

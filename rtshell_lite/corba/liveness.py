@@ -29,7 +29,9 @@ async def shows_death(e, endpoint):
 
 async def refusal(where, endpoint):
     """The errors.ConnectionRefused for an object at `endpoint` that says what is known."""
-    return (errors.ProcessGone if await is_gone(endpoint) else errors.MaybeGone)(str(where))
+    if await is_gone(endpoint):
+        return errors.ProcessGone(str(where))
+    return errors.MaybeGone(str(where))
 
 
 def _witnesses(endpoint):

@@ -78,7 +78,10 @@ def _make_orb():
         "-ORBclientConnectTimeOutPeriod",
         _milliseconds(session.current().timeout),
     ]
-    own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
+    own = []
+    for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";"):
+        if a:
+            own.append(a)
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
@@ -369,8 +372,8 @@ def _made(item):
 
 
 def _raised_by_peer(e):
-    """(name, whether it was completed) of a system exception that a peer has raised, for errors.Error; None for one that
-    may be omniORB's own. Results that cannot be read are a MARSHAL.
+    """(name, whether it was completed) of a system exception that a peer has raised, for errors.Error; None
+    for one that may be omniORB's own. Results that cannot be read are a MARSHAL.
     """
     from omniORB import CORBA
 
@@ -403,7 +406,9 @@ def _asked_again(failure, item):
     from omniORB import CORBA
 
     call = item.call
-    for _ in range(CONNECTIONS if failures.may_repeat(call.operation) and item.has_answered else 0):
+    if not failures.may_repeat(call.operation) or not item.has_answered:
+        raise failure
+    for _ in range(CONNECTIONS):
         try:
             answer = answers.invoke(call.where, call.ref, call.operation, call.args)
         except CORBA.COMM_FAILURE as e:
@@ -447,7 +452,9 @@ def _check_version(where, endpoint):
                 head = probe.recv(messages.HEADER)
         except (OSError, ValueError):
             return
-        if head[:6] != b"GIOP\1" + bytes([minor]) or head[7:8] != bytes([messages.REPLY]):
+        if head[:6] != b"GIOP\1" + bytes([minor]):
+            continue
+        if head[7:8] != bytes([messages.REPLY]):
             continue
         if minor < 2:
             raise errors.Unreachable(
@@ -488,7 +495,9 @@ def _not_connected(where, endpoint):
         if isinstance(e, OSError) and _session is not None:
             _session.note_shortage(e, endpoint[0])
         why = getattr(e, "strerror", None)
-        return errors.Unreachable(where, "cannot be reached" + (f" ({why})" if why else ""))
+        if why:
+            return errors.Unreachable(where, f"cannot be reached ({why})")
+        return errors.Unreachable(where, "cannot be reached")
     return errors.ConnectionRefused(where)
 
 
@@ -499,7 +508,9 @@ def _label(e):
 
     if isinstance(e, CORBA.SystemException):
         minor = omniORB.minorCodeToString(e)
-        return sys.intern(str(minor) if minor else f"CORBA.{type(e).__name__}")
+        if minor:
+            return sys.intern(str(minor))
+        return sys.intern(f"CORBA.{type(e).__name__}")
     return type(e).__name__
 
 
@@ -570,18 +581,16 @@ def properties(nvlist, only=None):
     from omniORB import CORBA
 
     string = CORBA.tk_string  # almost all are; `is`, because == of these takes as long as all the rest
-    return [
-        (
-            sys.intern(from_wire(nv.name)),
-            (
-                from_wire(nv.value.value())
-                if nv.value.typecode().kind() is string
-                else _as_text(nv.value, CORBA)
-            ),
-        )
-        for nv in nvlist
-        if not only or nv.name == only
-    ]
+    texts = []
+    for nv in nvlist:
+        if only and nv.name != only:
+            continue
+        if nv.value.typecode().kind() is string:
+            value = from_wire(nv.value.value())
+        else:
+            value = _as_text(nv.value, CORBA)
+        texts.append((sys.intern(from_wire(nv.name)), value))
+    return texts
 
 
 def _as_text(value, CORBA):
@@ -610,7 +619,10 @@ def descriptor(type_id):
 
 def descriptor_in(nvlist, name):
     """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
-    return next((nv.value.typecode()._d for nv in nvlist if nv.name == name), None)
+    for nv in nvlist:
+        if nv.name == name:
+            return nv.value.typecode()._d
+    return None
 
 
 def nvlist(pairs):

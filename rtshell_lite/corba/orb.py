@@ -51,7 +51,10 @@ def _chosen(transport=""):
 
 def _setting_unknown_to(client):
     """The first setting in RTCTREE_ORB_ARGS that our own ORB does not heed; '' if there is none."""
-    words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
+    words = []
+    for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";"):
+        if word:
+            words.append(word)
     options = words[::2]
     unknown = [
         word for word in options if not (word.startswith("-ORB") and word[len("-ORB") :] in client.HEEDED)
@@ -91,9 +94,13 @@ def corbaloc(where, address, key, default_port):
     elif protocol in PROTOCOLS and protocol != "iiop":
         url = f"corbaloc:{address}/{key}"
     else:
-        host, port = split_address(rest if protocol == "iiop" else address)
+        if protocol == "iiop":
+            address = rest
+        host, port = split_address(address)
+        if ":" not in address:
+            port = default_port
         # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
-        url = "corbaloc:iiop:1.2@%s:%d/%s" % (host, port if ":" in address else default_port, key)
+        url = "corbaloc:iiop:1.2@%s:%d/%s" % (host, port, key)
     start("" if url.startswith("corbaloc:iiop:") else where)
     return _orb.from_url(where, url)
 
@@ -165,9 +172,11 @@ def identity(ref):
 def at(ref, host, port):
     """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
     key = "".join(f"%{octet:02x}" for octet in address(ref).key)
-    return _orb.from_url(
-        host, "corbaloc:iiop:1.2@%s:%d/%s" % ("[%s]" % host if ":" in host else host, port, key)
-    )
+    if ":" in host:
+        place = f"[{host}]"
+    else:
+        place = host
+    return _orb.from_url(host, "corbaloc:iiop:1.2@%s:%d/%s" % (place, port, key))
 
 
 # ---- calls -------------------------------------------------------------------------------------------------
@@ -192,8 +201,9 @@ async def call(where, ref, operation, *args, seconds=None):
     """The result of `operation` of `ref`; `where`, a Path or text, names the object in errors.
 
     `operation` is the name of one of the IDL, or an operations.Schema, which is asked once, whatever happens.
-    `seconds` is a longer deadline for an operation that may take its time; of a Schema it is the deadline. Raises Silent, Gone, Unreachable
-    or Refused; made with a nil reference, Garbled: a peer has sent that in place of an object.
+    `seconds` is a longer deadline for an operation that may take its time; of a Schema it is the deadline.
+    Raises Silent, Gone, Unreachable or Refused; made with a nil reference, Garbled: a peer has sent that in
+    place of an object.
 
     In a task that asks one process, see session.each, the silence of another is raised as Unreachable: it
     says nothing about the first.
@@ -211,7 +221,9 @@ async def call(where, ref, operation, *args, seconds=None):
     else:
         silence = now.silence(here)
     if silence:
-        raise (errors.Unreachable if is_elsewhere else errors.Silent)(str(where), silence)
+        if is_elsewhere:
+            raise errors.Unreachable(str(where), silence)
+        raise errors.Silent(str(where), silence)
     try:
         if now.slots is None:
             return await _orb.invoke(Call(where, ref, operation, args, seconds))
@@ -229,7 +241,11 @@ async def each(refs, function, where=None):
 
     Errors name `where`, or else HOST:PORT of the reference.
     """
-    return await session.each(refs, function, lambda ref: (endpoint(ref), where or at_address(ref)))
+
+    def place(ref):
+        return endpoint(ref), where or at_address(ref)
+
+    return await session.each(refs, function, place)
 
 
 async def is_alive(where, ref):
@@ -261,9 +277,9 @@ def serve(servant):
 
 
 def listen(host=None, port=0):
-    """Serve at this address, "" for all of this host and 0 for any port, before anything is served; returns the port.
-    Without a host, settings say where. Raises Usage where RTSHELL_ORB asks for another ORB, Failed where the port
-    is taken.
+    """Serve at this address, "" for all of this host and 0 for any port, before anything is served; returns
+    the port. Without a host, settings say where. Raises Usage where RTSHELL_ORB asks for another ORB, Failed
+    where the port is taken.
     """
     start()
     from rtshell_lite.corba.iiop import client, server
@@ -279,8 +295,9 @@ def listen(host=None, port=0):
 
 
 def publish(servant, host, key=None):
-    """Let others call a servant, after `listen`, by its `reference`, which has this host in it; returns a function
-    that ends that. `key`: octets that others know it by. A coroutine of a servant is awaited for its answer.
+    """Let others call a servant, after `listen`, by its `reference`, which has this host in it; returns a
+    function that ends that. `key`: octets that others know it by. A coroutine of a servant is awaited for its
+    answer.
     """
     from rtshell_lite.corba.iiop import server
 

@@ -1,5 +1,5 @@
-"""Operations of a user's IDL (operations.Schema), as omniORBpy makes them: with values and descriptors of its own
-kind.
+"""Operations of a user's IDL (operations.Schema), as omniORBpy makes them: with values and descriptors of its
+own kind.
 
 Its strings are Latin-1, its references and `any` are objects of its own; see giop/operations.py for ours.
 """
@@ -79,8 +79,8 @@ def _described(schema):
 
 
 class _Described:
-    """Makes descriptors for omniORBpy; in those of an answer (`is_guarded`) references are read as octets, which
-    are checked before omniORB makes objects of them.
+    """Makes descriptors for omniORBpy; in those of an answer (`is_guarded`) references are read as octets,
+    which are checked before omniORB makes objects of them.
     """
 
     def __init__(self, is_guarded=False):
@@ -226,7 +226,9 @@ def _each_part(convert, descriptor, value):
         return descriptors.factory(descriptor)(value._d, convert(case.type, value._v))
     if kind in (SEQUENCE, ARRAY):
         element = descriptors.element(descriptor)
-        if descriptors.kind(descriptors.target(element)) in (OCTET, CHAR) or _is_plain(element):
+        if descriptors.kind(descriptors.target(element)) in (OCTET, CHAR):
+            return value
+        if _is_plain(element):
             return value
         return [convert(element, part) for part in value]
     return value

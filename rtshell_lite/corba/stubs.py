@@ -77,11 +77,13 @@ def operation(type_id, name):
     Raises KeyError.
     """
     given, returned, raised = idl.operation(type_id, name)
-    return (
-        tuple(map(idl.descriptor, given)),
-        None if returned is None else tuple(map(idl.descriptor, returned)),
-        {each: _exception(each) for each in raised} or None,
-    )
+    arguments = tuple(map(idl.descriptor, given))
+    if returned is None:
+        results = None
+    else:
+        results = tuple(map(idl.descriptor, returned))
+    exceptions = {each: _exception(each) for each in raised}
+    return arguments, results, exceptions or None
 
 
 @functools.lru_cache(maxsize=None)
@@ -172,5 +174,7 @@ def lend_standard():
     ]
     for name in missing:
         sys.modules[name] = types.ModuleType(name)
-    for module in ("RTC", "Img") if missing else ():
+    if not missing:
+        return
+    for module in ("RTC", "Img"):
         vars(omniORB.openModule(module)).update(contents(f"IDL:{module}/"))

@@ -61,9 +61,9 @@ def build(descriptor, written, where, json=False, now=None, find=None):
     """The value of a type for what was `written`; `where` names it in errors: RTC.TimedLong.
 
     A text for octets is base64 with `json`, else text in UTF-8. `now`, (seconds, nanoseconds), is used for a
-    timestamp that was left out or is the Word {time}; None is 0. An `any` is written {"_type": …, "_value": …},
-    where find(name) gives the descriptor of its type, a reference as an IOR or {"_ior": …}, nil as None. Raises
-    BadValue, and what `find` raises.
+    timestamp that was left out or is the Word {time}; None is 0. An `any` is written {"_type": …, "_value":
+    …}, where find(name) gives the descriptor of its type, a reference as an IOR or {"_ior": …}, nil as None.
+    Raises BadValue, and what `find` raises.
     """
     return _Builder(json, now or (0, 0), find).build(descriptor, written, where, DEEPEST)
 
@@ -80,7 +80,9 @@ def timed(descriptor):
 def is_time(descriptor):
     """True for a struct of sec and nsec."""
     descriptor = target(descriptor)
-    return kind(descriptor) == STRUCT and [name for name, _ in members(descriptor)] == ["sec", "nsec"]
+    if kind(descriptor) != STRUCT:
+        return False
+    return [name for name, _ in members(descriptor)] == ["sec", "nsec"]
 
 
 class _Builder:
@@ -138,13 +140,16 @@ class _Builder:
         return written
 
     def _real(self, descriptor, written, where):
-        if isinstance(written, Word) or isinstance(written, str) and self.json:
-            written = NUMBERS.get(written.name if isinstance(written, Word) else written, written)
+        if isinstance(written, Word):
+            written = NUMBERS.get(written.name, written)
+        elif isinstance(written, str) and self.json:
+            written = NUMBERS.get(written, written)
         if isinstance(written, bool) or not isinstance(written, (int, float)):
             _unfit(descriptor, written, where)
         try:
             number = float(written)
-            struct.pack("<f" if kind(descriptor) == FLOAT else "<d", number)
+            if kind(descriptor) == FLOAT:
+                struct.pack("<f", number)
         except OverflowError:
             raise errors.BadValue(where, f"out of range for {_a(descriptor)}: {_shown(written)}")
         return number
@@ -182,22 +187,31 @@ class _Builder:
             _unfit(descriptor, written, where)
         if "\0" in written:
             raise errors.BadValue(where, f"a {words(descriptor)} holds no NUL")
-        if bound(descriptor) and size > bound(descriptor):
-            raise errors.BadValue(
-                where, "longer than %d %s" % (bound(descriptor), "characters" if wide else "bytes of UTF-8")
-            )
+        most = bound(descriptor)
+        if most and size > most and wide:
+            raise errors.BadValue(where, f"longer than {most} characters")
+        if most and size > most:
+            raise errors.BadValue(where, f"longer than {most} bytes of UTF-8")
         return written
 
     def _item(self, descriptor, written, where):
         known = items(descriptor)
-        name = getattr(written, "_n", None) or (written.name if isinstance(written, Word) else written)
+        name = getattr(written, "_n", None)
+        if not name and isinstance(written, Word):
+            name = written.name
+        elif not name:
+            name = written
         for item in known:
             if isinstance(name, str) and item._n == name.rpartition(".")[2]:
                 return item
-        if isinstance(name, int) and not isinstance(name, bool) and 0 <= name < len(known):
+        is_number = isinstance(name, int) and not isinstance(name, bool)
+        if is_number and 0 <= name < len(known):
             return known[name]
-        listed = ", ".join(item._n for item in known[:20]) + (", …" if len(known) > 20 else "")
-        raise errors.BadValue(where, f"no {words(descriptor)}: {_shown(written)} (they are {listed})")
+        listed = ", ".join(item._n for item in known[:20])
+        if len(known) > 20:
+            listed += ", …"
+        shown = f"{_shown(written)} (they are {listed})"
+        raise errors.BadValue(where, f"no {words(descriptor)}: {shown}")
 
     def _elements(self, descriptor, written, where, depth):
         sort = kind(target(element(descriptor)))
@@ -210,12 +224,11 @@ class _Builder:
         elif not isinstance(written, (list, tuple)) or isinstance(written, (Call, Word)):
             _unfit(descriptor, written, where)
         count = length(descriptor)
-        if count and (len(written) > count if kind(descriptor) == SEQUENCE else len(written) != count):
-            raise errors.BadValue(
-                where,
-                "%d elements, not %s%d"
-                % (len(written), "up to " if kind(descriptor) == SEQUENCE else "", count),
-            )
+        size = len(written)
+        if count and kind(descriptor) == SEQUENCE and size > count:
+            raise errors.BadValue(where, f"{size} elements, not up to {count}")
+        if count and kind(descriptor) != SEQUENCE and size != count:
+            raise errors.BadValue(where, f"{size} elements, not {count}")
         if isinstance(written, (str, bytes)):
             return written
         values = [
@@ -248,8 +261,10 @@ class _Builder:
         given = self._given(descriptor, written, where)
         if given is None and timed(descriptor):
             given = {"data": written}
+        if given is None and is_time(descriptor):
+            _unfit(descriptor, written, where, "; {time} is the present")
         if given is None:
-            _unfit(descriptor, written, where, "; {time} is the present" if is_time(descriptor) else "")
+            _unfit(descriptor, written, where)
         values = []
         for name, inner in members(descriptor):
             if name == "tm" and name not in given and is_time(inner):
@@ -311,7 +326,8 @@ class _Builder:
             written = {name: getattr(written, name) for name in ("_d", "_v") if hasattr(written, name)}
         names = [case.member for case in known]
         given = [name for name in written if name != "_d"]
-        if len(given) > 1 or any(name not in names + ["_v"] for name in given) or not written:
+        unknown = [name for name in given if name not in names and name != "_v"]
+        if len(given) > 1 or unknown or not written:
             raise errors.BadValue(where, f"a {words(descriptor)} is one of {', '.join(names)}")
         if "_d" in written:
             label = self.build(discriminator(descriptor), written["_d"], where + " discriminator", depth - 1)
@@ -322,7 +338,8 @@ class _Builder:
             return make(label, None)
         if not given or given[0] not in (case.member, "_v"):
             raise errors.BadValue(where, f"with discriminator {label} it holds {case.member}")
-        return make(label, self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1))
+        content = self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1)
+        return make(label, content)
 
     def _any(self, descriptor, written, where, depth):
         from rtshell_lite.data import type_names
@@ -371,7 +388,9 @@ class _Builder:
 def fits(name, descriptor):
     """Whether a name, with or without its modules, can mean this struct or union."""
     parts = [part for part in name.replace("::", ".").split(".") if part]
-    return bool(parts) and dotted(type_id(descriptor)).split(".")[-len(parts) :] == parts
+    if not parts:
+        return False
+    return dotted(type_id(descriptor)).split(".")[-len(parts) :] == parts
 
 
 def _member(names, name):
@@ -391,7 +410,9 @@ def _unfit(descriptor, written, where, hint=""):
 
 def _a(descriptor):
     name = words(descriptor)
-    return ("an " if name[0] in "aeioAEIO" or name.startswith("unsigned") else "a ") + name
+    if name[0] in "aeioAEIO" or name.startswith("unsigned"):
+        return "an " + name
+    return "a " + name
 
 
 def _shown(written):
@@ -403,7 +424,9 @@ def _shown(written):
     if isinstance(written, dict) or hasattr(written, "__dict__") and not hasattr(written, "_n"):
         shown = "{…}"
     else:
-        shown = repr(
-            written[:10] if isinstance(written, (list, str, bytes)) and len(written) > 10 else written
-        )
-    return printable(shown if len(shown) <= 60 else shown[:60] + "…")
+        if isinstance(written, (list, str, bytes)):
+            written = written[:10]
+        shown = repr(written)
+    if len(shown) > 60:
+        shown = shown[:60] + "…"
+    return printable(shown)

@@ -1,7 +1,7 @@
 """Arguments of an operation as people write them, and what it returns as text and JSON.
 
-An argument is written as rtinject reads values, a constant or JSON; a text, an item of an enum and a reference
-need no quotes. Everything is checked against the IDL before anything is sent.
+An argument is written as rtinject reads values, a constant or JSON; a text, an item of an enum and a
+reference need no quotes. Everything is checked against the IDL before anything is sent.
 """
 
 import time
@@ -57,8 +57,8 @@ def of_json(operation, given, find):
 
 
 def of_line(operation, line, find):
-    """The same from a line of JSON: the value of the only argument, or an array or an object of all; nothing for an
-    operation without any.
+    """The same from a line of JSON: the value of the only argument, or an array or an object of all; nothing
+    for an operation without any.
     """
     import re  # takes long, as most modules that are imported in functions here
 
@@ -115,8 +115,8 @@ def _too_many(operation, words):
     names = ", ".join(parameter.name for parameter in operation.given())
     if not names:
         return f"{operation.shown} takes no arguments"
-    count = len(operation.given())
-    return f"{operation.shown} takes {count} argument{'s' * (count > 1)} ({names}), not {len(words)}"
+    takes = f"{operation.shown} takes {text.counted(len(operation.given()), 'argument')}"
+    return f"{takes} ({names}), not {len(words)}"
 
 
 def _parsed(descriptor, word):
@@ -170,8 +170,8 @@ def as_dict(operation, value):
 
 
 def as_text(operation, value, dump=text.json_line):
-    """What a call has returned for people, None for nothing: a text as it is, another single value as JSON or a
-    number, several as an object. `dump` makes JSON of a value.
+    """What a call has returned for people, None for nothing: a text as it is, another single value as JSON or
+    a number, several as an object. `dump` makes JSON of a value.
     """
     parts = _parts(operation, value)
     if not parts:
@@ -194,8 +194,10 @@ def as_text(operation, value, dump=text.json_line):
 def _parts(operation, value):
     """[(name, value)] of what a call has returned."""
     names = [parameter.name for parameter in operation.returned()]
-    if operation.result is not None:
-        names.insert(0, RESULT if RESULT not in names else "_" + RESULT)
+    if operation.result is not None and RESULT in names:
+        names.insert(0, "_" + RESULT)
+    elif operation.result is not None:
+        names.insert(0, RESULT)
     if operation.oneway or not names:
         return []
     if len(names) == 1:
@@ -214,11 +216,16 @@ def shown_exception(e):
     """An errors.Raised whose message has the members of the exception."""
     from rtshell_lite.data import values
 
-    members = ", ".join(
-        f"{name}={values.text(part) if not isinstance(part, str) else repr(part)}"
-        for name, part in vars(e.value).items()
-    )
-    return errors.Raised(e.where, e.name, e.value, f"({members})" if members else "")
+    members = []
+    for name, part in vars(e.value).items():
+        if isinstance(part, str):
+            members.append(f"{name}={part!r}")
+        else:
+            members.append(f"{name}={values.text(part)}")
+    shown = ""
+    if members:
+        shown = f"({', '.join(members)})"
+    return errors.Raised(e.where, e.name, e.value, shown)
 
 
 def command(where, operation, values, options):

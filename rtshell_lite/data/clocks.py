@@ -12,14 +12,21 @@ APART = 2  # minutes by which clocks differ; less may be the way of a value
 
 def is_stamped(port):
     """Whether the values of a ports.Port begin with a time, as far as its type is known here."""
-    return (datatypes.members(port.properties.get("dataport.data_type", "")) or [None])[0] == ("tm", "Time")
+    members = datatypes.members(port.properties.get("dataport.data_type", ""))
+    return bool(members) and members[0] == ("tm", "Time")
 
 
 def seconds(message):
-    """The time that a reading.Message begins with, in s since 1970; 0 where a component sets none, as many do."""
+    """The time that a reading.Message begins with, in s since 1970; 0 where a component sets none, as many
+    do.
+    """
     if len(message.data) < 8:
         return 0
-    whole, nanoseconds = struct.unpack_from("<LL" if message.little else ">LL", message.data)
+    if message.little:
+        order = "<LL"
+    else:
+        order = ">LL"
+    whole, nanoseconds = struct.unpack_from(order, message.data)
     if not whole:
         return 0
     return whole + nanoseconds / 1e9
@@ -41,4 +48,8 @@ def difference(received, stamp):
         shown = f"{abs(away):.0f} minutes"
     else:
         shown = f"{abs(away) * MINUTE / DAY:.1f} days"
-    return f"the times in its values are {shown} {'behind' if away < 0 else 'ahead of'} this host's clock"
+    if away < 0:
+        where = "behind"
+    else:
+        where = "ahead of"
+    return f"the times in its values are {shown} {where} this host's clock"

@@ -190,11 +190,9 @@ class Connection:
 
     def component_ended(self, e):
         """The error for a component that was Gone or ConnectionRefused."""
-        return errors.Unreachable(
-            self.where,
-            "the component %s"
-            % ("has ended" if isinstance(e, errors.Gone) else "is gone, and its process too"),
-        )
+        if isinstance(e, errors.Gone):
+            return errors.Unreachable(self.where, "the component has ended")
+        return errors.Unreachable(self.where, "the component is gone, and its process too")
 
     def lost(self):
         """The message for a connector that someone else has removed."""
@@ -263,7 +261,10 @@ def check(user, flows):
 def _little(properties):
     """The byte order in the properties of a connector: both ends take the first word that they know."""
     words = [word.strip() for word in properties.get("dataport.serializer.cdr.endian", "").split(",")]
-    return next((word == "little" for word in words if word in ("little", "big")), True)
+    for word in words:
+        if word in ("little", "big"):
+            return word == "little"
+    return True
 
 
 class Connections:
@@ -306,7 +307,8 @@ class Connections:
             turned_away = session.current().turned_away
             if turned_away:
                 notes.left_out(
-                    f"{turned_away} connections to this command were turned away, as too many came: values may be missing"
+                    f"{turned_away} connections to this command were turned away, as too many came: values "
+                    "may be missing"
                 )
 
     async def _close(self):

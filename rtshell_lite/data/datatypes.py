@@ -1,7 +1,7 @@
 """Data types by name, and their values as bytes.
 
-A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, in IDL files
-in known directories (idl/library.py), and in the component.
+A type is looked up among the standard types, in the IDL files and compiled stubs that the user names, in IDL
+files in known directories (idl/library.py), and in the component.
 """
 
 import struct
@@ -101,8 +101,8 @@ class Types:
 
     `modules` are names of stubs to import, `path` directories to look in first, `idl` IDL files, `include`
     directories of files that these include. They are read when a type is not a standard one, and IDL files in
-    any case: what they define counts before the standard type of that name. What none of them has is looked for in
-    the known directories.
+    any case: what they define counts before the standard type of that name. What none of them has is looked
+    for in the known directories.
     """
 
     def __init__(self, modules=(), path=(), idl=(), include=()):
@@ -134,7 +134,10 @@ class Types:
         """Names of the Python modules in which omniidl puts the user's types, as far as they have been read:
         Arm, Arm.Joint.
         """
-        return sorted({".".join(_parts(type_id)[:-1]) or "_GlobalIDL" for type_id in self._users or ()})
+        modules = set()
+        for type_id in self._users or ():
+            modules.add(".".join(_parts(type_id)[:-1]) or "_GlobalIDL")
+        return sorted(modules)
 
     def named(self, name):
         """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0.
@@ -146,8 +149,8 @@ class Types:
         return found
 
     def interface(self, type_id):
-        """The idl.interfaces.Interface of a repository id: in the user's IDL files, among OpenRTM's own, in the known
-        directories; None where it is not known. Raises BadIdl, NoSuch.
+        """The idl.interfaces.Interface of a repository id: in the user's IDL files, among OpenRTM's own, in
+        the known directories; None where it is not known. Raises BadIdl, NoSuch.
         """
         self.load()
         if type_id in self._interfaces:
@@ -186,15 +189,12 @@ class Types:
         if found is None:
             from rtshell_lite.robot import ports
 
-            raise errors.NoSuch(
-                ports.label(port),
-                "data type known",
-                "%s; %s"
-                % (
-                    printable(name) or "none given",
-                    self._with_fault(SOURCES if port.type == "DataInPort" else REMEDY),
-                ),
-            )
+            if port.type == "DataInPort":
+                remedy = self._with_fault(SOURCES)
+            else:
+                remedy = self._with_fault(REMEDY)
+            why = f"{printable(name) or 'none given'}; {remedy}"
+            raise errors.NoSuch(ports.label(port), "data type known", why)
         return found
 
     def _find(self, name):
@@ -229,7 +229,11 @@ def _parts(name):
 def standard(name):
     """The descriptor of a standard type by any spelling of its name, or None."""
     parts = _parts(name)
-    if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
+    if not parts:
+        return None
+    if len(parts) > 2:
+        return None
+    if len(parts) == 2 and parts[0] not in STANDARD:
         return None
     return next(
         filter(None, [idl.known(f"IDL:{module}/{parts[-1]}:1.0") for module in parts[:-1] or STANDARD]), None
@@ -243,7 +247,10 @@ def _best(known, name):
     if name in known:
         return known[name]
     parts = _parts(name)
-    ids = [key for key in known if parts and _parts(key)[-len(parts) :] == parts]
+    ids = []
+    for key in known:
+        if parts and _parts(key)[-len(parts) :] == parts:
+            ids.append(key)
     same = [key for key in ids if _parts(key) == parts]
     if len(ids) > 1 and len(same) != 1:
         raise errors.NoSuch(
@@ -274,6 +281,13 @@ def _imported(name, path):
         sys.path[:] = own
 
 
+def _may_have_types(value, module):
+    """Whether a value in a module of stubs is an interface or a module within it."""
+    if isinstance(value, type):
+        return hasattr(value, "_NP_RepositoryId")
+    return getattr(value, "__name__", "").startswith(module.__name__ + ".")
+
+
 def _of_module(module):
     """{id: descriptor} of the types in a module of stubs, those within its interfaces and modules too."""
     found = {}
@@ -285,11 +299,7 @@ def _of_module(module):
         for name, value in list(vars(scope).items()):
             if name.startswith(("_d_", "_ad_")) and isinstance(value, tuple) and descriptors.type_id(value):
                 found.setdefault(descriptors.type_id(value), value)
-            elif id(value) not in seen and (
-                hasattr(value, "_NP_RepositoryId")
-                if isinstance(value, type)
-                else getattr(value, "__name__", "").startswith(module.__name__ + ".")
-            ):
+            elif id(value) not in seen and _may_have_types(value, module):
                 scopes.append(value)
     return {
         key: descriptors.adopted(

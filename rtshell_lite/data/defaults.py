@@ -1,5 +1,5 @@
-"""The value of each type to begin with: zeros, empty texts and sequences, the first item of an enum, of a union its
-first member with a label, and so a template of an operation's arguments.
+"""The value of each type to begin with: zeros, empty texts and sequences, the first item of an enum, of a
+union its first member with a label, and so a template of an operation's arguments.
 """
 
 from rtshell_lite import errors

@@ -14,7 +14,9 @@ class Inbox:
     """A bounded queue of (key, Message); `dropped` counts by key what did not fit."""
 
     def __init__(self, most=MOST, most_bytes=MOST_BYTES, gather=GATHER, enough=MOST_BYTES):
-        """get() waits `gather` seconds for more values after the first one, or until there are `enough` octets."""
+        """get() waits `gather` seconds for more values after the first one, or until there are `enough`
+        octets.
+        """
         self.most = most
         self.most_bytes = most_bytes
         self.gather = gather

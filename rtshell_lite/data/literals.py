@@ -1,9 +1,11 @@
-"""Values as people write them on a command line: `RTC.TimedLong({time}, 42)` as for rtshell, or JSON. Nothing is evaluated.
+"""Values as people write them on a command line: `RTC.TimedLong({time}, 42)` as for rtshell, or JSON. Nothing
+is evaluated.
 
-rtshell passes such text to eval. Here a parser of our own reads names, calls, literals, lists and dicts; Python's parser (ast)
-reads single literals only, for deeply nested text may crash it.
+rtshell passes such text to eval. Here a parser of our own reads names, calls, literals, lists and dicts;
+Python's parser (ast) reads single literals only, for deeply nested text may crash it.
 
-    value  = name "(" [argument {"," argument}] ")" | name | literal | "[" … "]" | "(" … ")" | "{" literal ":" value … "}"
+    value  = name "(" [argument {"," argument}] ")" | name | literal
+           | "[" … "]" | "(" … ")" | "{" literal ":" value … "}"
     argument = [identifier "="] value
     literal = number | string | b"bytes" | True | False | NaN | Infinity | null
 """
@@ -19,6 +21,7 @@ from rtshell_lite.text import literal, printable
 DEEPEST = build_value.DEEPEST
 LONGEST_NUMBER = 400  # digits
 TIME = Word("{time}")
+CLOSING = {"[": "]", "(": ")", "{": "}", "{{": "}}"}
 LITERALS = {"True": True, "False": False, "true": True, "false": False, "None": None, "null": None}
 
 _TOKEN = r"""\s*(?:
@@ -34,8 +37,8 @@ _CALL = r"\s*[A-Za-z_][\w.:]*\s*\("
 class Expression:
     """A value that a user wrote, for a type; `value(now)` makes it.
 
-    `text` is the constructor form or JSON. `types` are the Types that names are looked up in; `type` is the Type that is
-    wanted, None for the one that the text names. Raises BadValue, NoSuch.
+    `text` is the constructor form or JSON. `types` are the Types that names are looked up in; `type` is the
+    Type that is wanted, None for the one that the text names. Raises BadValue, NoSuch.
     """
 
     def __init__(self, text, types, type=None):
@@ -55,7 +58,9 @@ class Expression:
         self.value(0)
 
     def value(self, now=None):
-        """A new value; `now`, seconds since the epoch, replaces {time} and a time that was left out (None: the present)."""
+        """A new value; `now`, seconds since the epoch, replaces {time} and a time that was left out (None:
+        the present).
+        """
         if now is None:
             now = time.time()
         stamp = (int(now), int(now % 1 * 1e9))
@@ -101,7 +106,9 @@ def _fault_of(text):
 
 
 def _short(text):
-    return printable(text if len(text) <= 60 else text[:60] + "…") or "''"
+    if len(text) > 60:
+        text = text[:60] + "…"
+    return printable(text) or "''"
 
 
 class _Parser:
@@ -119,7 +126,8 @@ class _Parser:
         if token is None:
             self.kind = "error"
             self.word = ""
-            self.start = self.at + len(self.text[self.at :]) - len(self.text[self.at :].lstrip())
+            rest = self.text[self.at :]
+            self.start = self.at + len(rest) - len(rest.lstrip())
             raise self.fault("cannot be read")
         self.kind = token.lastgroup
         self.word = token.group(token.lastgroup)
@@ -138,9 +146,14 @@ class _Parser:
 
     def take(self, *marks):
         """Skip one of the marks, or the end. Raises BadValue when something else is there."""
-        if not (self.is_mark(*marks) or marks == ("end",) and self.kind == "end"):
-            raise self.fault(f"expected {marks[0] if marks[0] != 'end' else 'the end'}")
-        if self.kind != "end":
+        is_end = self.kind == "end"
+        if is_end and marks == ("end",):
+            return
+        if not self.is_mark(*marks) and marks[0] == "end":
+            raise self.fault("expected the end")
+        if not self.is_mark(*marks):
+            raise self.fault(f"expected {marks[0]}")
+        if not is_end:
             self.advance()
 
     def value(self, depth):
@@ -166,9 +179,9 @@ class _Parser:
             return value
         if self.is_mark("[", "("):
             self.advance()
-            return self.listed("]" if word == "[" else ")", depth)
+            return self.listed(CLOSING[word], depth)
         if self.is_mark("{", "{{"):
-            return self.mapping("}" if word == "{" else "}}", depth)
+            return self.mapping(CLOSING[word], depth)
         raise self.fault("expected a value")
 
     def number(self):

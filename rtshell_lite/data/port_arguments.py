@@ -39,15 +39,17 @@ async def find(targets, kind):
     await need_ports(meant, kind)
     targets = [target._replace(path=path) for target, path in zip(targets, meant)]
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
-    return [
-        known if isinstance(known, errors.Error) else _named(target, known)
-        for target, known in zip(targets, listed)
-    ]
+    found = []
+    for target, known in zip(targets, listed):
+        if not isinstance(known, errors.Error):
+            known = _named(target, known)
+        found.append(known)
+    return found
 
 
 async def need_ports(meant, kind):
-    """Raise Usage for a component without a port, which lists those of the `kind` (DataInPort or DataOutPort);
-    what prevents asking, if it cannot be asked.
+    """Raise Usage for a component without a port, which lists those of the `kind` (DataInPort or
+    DataOutPort); what prevents asking, if it cannot be asked.
     """
     for path in meant:
         if path.port is None:

@@ -31,8 +31,8 @@ async def measured(node, seconds):
 
 
 async def written(out_ports, seconds):
-    """How many values a second (Hz) are written to each of these DataOutPorts, measured for `seconds`; an errors.Error
-    in the place of one that cannot be measured.
+    """How many values a second (Hz) are written to each of these DataOutPorts, measured for `seconds`; an
+    errors.Error in the place of one that cannot be measured.
     """
     rates = [None] * len(out_ports)  # type: list
     waiting = list(range(len(out_ports)))

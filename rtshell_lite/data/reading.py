@@ -47,9 +47,9 @@ class Reader(Connection):
     ours; `name` is the connector's name.
 
     Removing a push connector may end the component: with the subscription "new" its publisher may be using
-    what is deleted. So we leave by being no more, and its next call finds that out: OBJECT_NOT_EXIST, upon which it
-    removes the connector itself, between two writes. On this host the component calls us in its own cycle
-    ("flush"): deliver() returns at once. Over a network a slow link must not slow the component: "new".
+    what is deleted. So we leave by being no more, and its next call finds that out: OBJECT_NOT_EXIST, upon
+    which it removes the connector itself, between two writes. On this host the component calls us in its own
+    cycle ("flush"): deliver() returns at once. Over a network a slow link must not slow the component: "new".
     With "periodic" the connector is removed right after a value has come.
     """
 
@@ -61,9 +61,11 @@ class Reader(Connection):
         super().__init__(port, name, properties)
         self.deliver = deliver
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
-        self.dataflow = (
-            self.user.get("dataport.dataflow_type", "").lower() or dataflow or ("pull" if offer else "push")
-        )
+        self.dataflow = self.user.get("dataport.dataflow_type", "").lower() or dataflow
+        if not self.dataflow and offer:
+            self.dataflow = "pull"
+        elif not self.dataflow:
+            self.dataflow = "push"
         self.room = BUFFER  # values that the port may queue
         self.heaviest = 0  # bytes of the largest one so far
         self.answered = 0.0  # when the last fetch ended
@@ -303,8 +305,8 @@ class Reader(Connection):
     def lost(self):
         if self.dataflow == "push" and not self.count:
             return (
-                "the connection has been removed; if the component did that, it cannot reach this machine (pull may do), "
-                "or its values exceed its ORB's giopMaxMsgSize"
+                "the connection has been removed; if the component did that, it cannot reach this machine "
+                "(pull may do), or its values exceed its ORB's giopMaxMsgSize"
             )
         return super().lost()
 

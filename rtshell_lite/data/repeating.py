@@ -6,12 +6,14 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
+from rtshell_lite.text import counted
 
 FINE = 200  # steps of a histogram within a factor of e: half a percent
 
 
 class Latencies:
-    """The seconds that calls took, which are not kept: the median and the 99 % are right to half a percent."""
+    """The seconds that calls took, which are not kept: the median and the 99 % are right to half a percent.
+    """
 
     def __init__(self):
         self.count = self.failed = 0
@@ -42,8 +44,8 @@ class Latencies:
         return None
 
     def summary(self):
-        """A dict of figures: calls, failed, seconds in all, and of the answered calls min, median, p99, max, in
-        seconds, None where none was answered.
+        """A dict of figures: calls, failed, seconds in all, and of the answered calls min, median, p99, max,
+        in seconds, None where none was answered.
         """
         found = {"calls": self.count, "failed": self.failed, "seconds": time.monotonic() - self._begun}
         found.update(min=None, median=self._share(0.5), p99=self._share(0.99), max=None)
@@ -54,8 +56,8 @@ class Latencies:
     def line(self):
         """The figures as a line for people."""
         found = self.summary()
-        count = "1 call" if self.count == 1 else f"{self.count} calls"
-        shown = f"{count}, {self.failed} failed, in {found['seconds']:.3f} s"
+        seconds = f"{found['seconds']:.3f} s"
+        shown = f"{counted(self.count, 'call')}, {self.failed} failed, in {seconds}"
         if found["median"] is None:
             return shown
         times = ["%s %.3f ms" % (words, 1e3 * found[key]) for words, key in SHOWN]
@@ -74,10 +76,11 @@ SHOWN = (("min", "min"), ("median", "median"), ("99 %", "p99"), ("max", "max"))
 
 
 async def calls(call, rate=0.0, number=None):
-    """Yield (seconds, result, errors.Error or None) of each of `number` calls, None for any number: call() makes one,
-    `rate` times a second, 0 for one after the other. What is late is not made up for.
+    """Yield (seconds, result, errors.Error or None) of each of `number` calls, None for any number: call()
+    makes one, `rate` times a second, 0 for one after the other. What is late is not made up for.
 
-    Ends with the first failure that shows that no more will succeed: it may have been done, or cannot be reached.
+    Ends with the first failure that shows that no more will succeed: it may have been done, or cannot be
+    reached.
     """
     due = time.monotonic()
     while number is None or number > 0:

@@ -141,7 +141,10 @@ class Injection:
         """[(Writer, its index)] to send to: those without a failure, else silent ones,
         which would delay the others.
         """
-        healthy = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
+        healthy = []
+        for i, writer in enumerate(self.writers):
+            if writer.failure is None:
+                healthy.append((writer, i))
         return healthy or [
             (writer, i)
             for i, writer in enumerate(self.writers)

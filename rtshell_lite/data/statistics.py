@@ -139,8 +139,10 @@ class Flow:
         self.stamp = stamp
         if gap is None:
             return
-        if gap <= 0:
-            self._count("disordered" if gap < 0 else "repeated", 1)
+        if gap < 0:
+            self._count("disordered", 1)
+        elif gap == 0:
+            self._count("repeated", 1)
         else:
             self._gap(gap)
 
@@ -168,8 +170,8 @@ SPANS = 4096  # of Counts, at most
 
 
 class Counts:
-    """How many values came when: `spans` is {number of a span of time: values}. Spans are `width` ns long, and twice as
-    long whenever there are more than SPANS with values.
+    """How many values came when: `spans` is {number of a span of time: values}. Spans are `width` ns long,
+    and twice as long whenever there are more than SPANS with values.
     """
 
     def __init__(self):

@@ -38,14 +38,15 @@ def plain(descriptor, seen=None):
     sort = kind(descriptor)
     if not isinstance(descriptor, tuple):
         return descriptors.NAMES[descriptor]
-    if sort in (STRING, WSTRING):
-        return ["string" if sort == STRING else "wstring", descriptors.bound(descriptor)]
+    if sort == STRING:
+        return ["string", descriptors.bound(descriptor)]
+    if sort == WSTRING:
+        return ["wstring", descriptors.bound(descriptor)]
     if sort in (SEQUENCE, ARRAY):
-        return [
-            "sequence" if sort == SEQUENCE else "array",
-            plain(descriptors.element(descriptor), seen),
-            descriptors.length(descriptor),
-        ]
+        elements = plain(descriptors.element(descriptor), seen)
+        if sort == SEQUENCE:
+            return ["sequence", elements, descriptors.length(descriptor)]
+        return ["array", elements, descriptors.length(descriptor)]
     if sort == ALIAS:
         return ["alias", descriptor[1], descriptor[2], plain(descriptors.aliased(descriptor), seen)]
     if sort == FIXED:

@@ -1,5 +1,5 @@
-"""Types by the names that {"_type": name, "_value": …} gives them: the words of a basic type, the repository id of one
-that has any, string<bound>, fixed<digits, scale>, and sequence<…> of these.
+"""Types by the names that {"_type": name, "_value": …} gives them: the words of a basic type, the repository
+id of one that has any, string<bound>, fixed<digits, scale>, and sequence<…> of these.
 """
 
 import re
@@ -46,11 +46,15 @@ def descriptor(name, find, depth=DEEPEST):
         return _BASIC[name]
     listed = re.match(_SEQUENCE, name, re.DOTALL)
     if listed and depth:
-        return (SEQUENCE, descriptor(listed.group(1), find, depth - 1), int(listed.group(2) or 0))
+        elements = descriptor(listed.group(1), find, depth - 1)
+        return (SEQUENCE, elements, int(listed.group(2) or 0))
     bounded = re.match(_BOUNDED, name)
     if bounded:
         return (_BASIC[bounded.group(1)][0], int(bounded.group(2)))
     decimal = re.match(_FIXED, name)
-    if decimal and int(decimal.group(2)) <= int(decimal.group(1)) <= 31:
-        return (FIXED, int(decimal.group(1)), int(decimal.group(2)))
+    if decimal:
+        digits = int(decimal.group(1))
+        scale = int(decimal.group(2))
+        if scale <= digits <= 31:
+            return (FIXED, digits, scale)
     return find(name)

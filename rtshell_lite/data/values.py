@@ -46,7 +46,8 @@ def _sort(value):
 
 def _case(union):
     """The name of the member that a union holds, or None."""
-    return getattr(type(union), "_d_to_m", {}).get(union._d) or getattr(type(union), "_def_m", None)
+    members = getattr(type(union), "_d_to_m", {})
+    return members.get(union._d) or getattr(type(union), "_def_m", None)
 
 
 def timestamp(value):
@@ -64,7 +65,8 @@ def with_timestamp(value, sec, nsec):
     """A copy of a value with another time in its member `tm`; the value itself when it has none."""
     if timestamp(value) is None:
         return value
-    members = dict(vars(value), tm=type(value.tm)(sec + nsec // 1000000000, nsec % 1000000000))
+    time = type(value.tm)(sec + nsec // 1000000000, nsec % 1000000000)
+    members = dict(vars(value), tm=time)
     copy = object.__new__(type(value))
     copy.__dict__.update(members)
     return copy
@@ -107,7 +109,11 @@ def _line(value, limit):
         else:
             shown = _text(data, limit)
     else:
-        shown = " ".join(f"{name}={_text(inner, limit)}" for name, inner in members.items() if name != "tm")
+        parts = []
+        for name, inner in members.items():
+            if name != "tm":
+                parts.append(f"{name}={_text(inner, limit)}")
+        shown = " ".join(parts)
     return "[%d.%09d] %s" % (stamp + (shown,))
 
 
@@ -117,10 +123,11 @@ def _text(value, limit):
     if isinstance(value, str):
         return "'%s'" % printable(value).replace("'", "\\'")
     if isinstance(value, bytes):
-        return f"<{_cut([_hex(value[:limit])] if value else [], len(value), limit, ' ', len(value[:limit]))}>"
+        return f"<{_shortened(_hex(value[:limit]), value, limit, ' ')}>"
     sort = _sort(value)
     if sort == "list":
-        return f"[{_cut([_text(element, limit) for element in value[:limit]], len(value), limit, ', ', len(value[:limit]))}]"
+        elements = ", ".join(_text(element, limit) for element in value[:limit])
+        return f"[{_shortened(elements, value, limit, ', ')}]"
     if sort == "struct":
         return "(%s)" % ", ".join(
             "%s=%s" % (name, _text(inner, limit)) for name, inner in vars(value).items()
@@ -141,9 +148,14 @@ def _text(value, limit):
     return "None"
 
 
-def _cut(shown, size, limit, between, count):
-    more = size - count
-    return between.join(shown + (["… %d more" % more] if more else []))
+def _shortened(shown, value, limit, between):
+    """What is shown of a value, and how many elements more it has."""
+    more = len(value) - len(value[:limit])
+    if not more:
+        return shown
+    if not shown:
+        return f"… {more} more"
+    return f"{shown}{between}… {more} more"
 
 
 def _hex(data):
@@ -168,9 +180,13 @@ def _constructor(value):
             return "Infinity"
         return "-Infinity"
     if isinstance(value, str):
-        return "'%s'" % "".join(
-            c if plain and c not in "\\'{}" else _escaped(c) for c, plain in printable_flags(value)
-        )
+        pieces = []
+        for c, is_plain in printable_flags(value):
+            if is_plain and c not in "\\'{}":
+                pieces.append(c)
+            else:
+                pieces.append(_escaped(c))
+        return f"'{''.join(pieces)}'"
     if sort == "scalar":
         return repr(value)
     if sort == "list":
@@ -179,7 +195,10 @@ def _constructor(value):
         return value._n
     called = build_value.dotted(type(value)._NP_RepositoryId)
     if sort == "union":
-        return f"{called}({', '.join((_constructor(part) for part in (value._d, value._v)[:2 if _case(value) else 1]))})"
+        parts = [_constructor(value._d)]
+        if _case(value):
+            parts.append(_constructor(value._v))
+        return f"{called}({', '.join(parts)})"
     return "%s(%s)" % (
         called,
         ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()),
@@ -200,9 +219,8 @@ def _escaped(c):
 
 def json(value):
     """The value for json.dumps: structs as objects, enums by name, octets in base64, unions as {"_d": label,
-    member: value}, an `any` as {"_type": name, "_value": value}, a TypeCode as the name of a type, a reference as
-    {"_ior": text, "_type": its
-    repository id}, nil as None.
+    member: value}, an `any` as {"_type": name, "_value": value}, a TypeCode as the name of a type, a
+    reference as {"_ior": text, "_type": its repository id}, nil as None.
 
     NaN and the infinities, which JSON lacks, are "NaN", "Infinity" and "-Infinity".
     """
@@ -256,7 +274,10 @@ def _flat(value, column):
     if isinstance(value, bytes):
         return [(column, value.hex())]
     if sort == "list":
-        return [cell for i, element in enumerate(value) for cell in _flat(element, f"{column}[{i}]")]
+        cells = []
+        for i, element in enumerate(value):
+            cells += _flat(element, f"{column}[{i}]")
+        return cells
     if sort in ("struct", "union"):
         if sort == "struct":
             members = vars(value)
@@ -269,7 +290,9 @@ def _flat(value, column):
         else:
             start = ""
         return [cell for name, inner in members.items() for cell in _flat(inner, start + name)]
-    return [(column, value._n if sort == "enum" else value)]
+    if sort == "enum":
+        return [(column, value._n)]
+    return [(column, value)]
 
 
 _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})\]", re.ASCII)
@@ -313,9 +336,12 @@ def _step(value, step, path):
                 return value._d
             return value._v
         there = f"it holds {_case(value)} now"
+    elif sort == "list":
+        there = "a sequence has no fields"
     else:
-        there = f"{'a sequence' if sort == 'list' else 'a plain value'} has no fields"
-    raise errors.NoSuch(printable(path), "field", f"{step.group().lstrip('.')} ({there})")
+        there = "a plain value has no fields"
+    name = step.group().lstrip(".")
+    raise errors.NoSuch(printable(path), "field", f"{name} ({there})")
 
 
 # ---- bytes of an unknown type ------------------------------------------------------------------------------
@@ -327,10 +353,21 @@ def raw(data, little=True, limit=None):
     shown = data[:limit]
     for at in range(0, len(shown), 16):
         row = shown[at : at + 16]
-        lines.append(f"{at:08x}  {_hex(row):48} {''.join((chr(b) if 32 <= b < 127 else '.' for b in row))}")
+        characters = "".join(map(_character, row))
+        lines.append(f"{at:08x}  {_hex(row):48} {characters}")
     if len(shown) < len(data):
         lines.append("… %d more" % (len(data) - len(shown)))
-    return lines + ["maybe: " + guess for guess in _guesses(data, "<" if little else ">")]
+    if little:
+        guesses = _guesses(data, "<")
+    else:
+        guesses = _guesses(data, ">")
+    return lines + ["maybe: " + guess for guess in guesses]
+
+
+def _character(byte):
+    if 32 <= byte < 127:
+        return chr(byte)
+    return "."
 
 
 def _guesses(data, order):
@@ -339,25 +376,22 @@ def _guesses(data, order):
     start = 0
     if len(data) >= 8:
         sec, nsec = struct.unpack_from(order + "II", data)
-        if nsec < 1000000000 and (
-            946684800 <= sec < 4102444800 or sec == nsec == 0
-        ):  # the years 2000 to 2099
+        is_of_our_time = 946684800 <= sec < 4102444800 or sec == nsec == 0  # the years 2000 to 2099
+        if nsec < 1000000000 and is_of_our_time:
             guesses.append("time %d.%09d" % (sec, nsec))
             start = 8
     size = len(data) - start
     for width, code, words in SCALARS:
-        if size == width:
-            number = struct.unpack_from(order + code, data, start)[0]
-        else:
-            number = None
-        if number is not None and (isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12):
+        if size != width:
+            continue
+        (number,) = struct.unpack_from(order + code, data, start)
+        if isinstance(number, int) or number == 0 or 1e-9 < abs(number) < 1e12:
             guesses.append(f"{words} {number!r}")
     if size >= 5:
         (count,) = struct.unpack_from(order + "I", data, start)
         if count == size - 4 and data[-1:] == b"\0":
-            guesses.append(
-                f"string '{printable(data[start + 4:-1].decode('utf-8', 'surrogateescape')[:SHOWN])}'"
-            )
+            shown = data[start + 4 : -1].decode("utf-8", "surrogateescape")
+            guesses.append(f"string '{printable(shown[:SHOWN])}'")
         for width, words in ((1, "octets"), (2, "shorts"), (4, "longs or floats"), (8, "doubles")):
             head = start + 4 + (-(start + 4) % width)
             if count and len(data) == head + count * width:

@@ -5,9 +5,9 @@
         await linger(opened.live(), seconds)
 
 A value that a port accepts waits in its buffer. The component reads it in a later cycle, while it is Active
-and the port has a connector; values left unread when the last connector goes are read at the next
-connection, of any program. The port has one buffer for all its connectors, and keeps the length and policy that the
-last one asked for; asking for a length empties it. (Seen with C++ 2.1 and Python 2.1: InPort::isNew,
+and the port has a connector; values left unread when the last connector goes are read at the next connection,
+of any program. The port has one buffer for all its connectors, and keeps the length and policy that the last
+one asked for; asking for a length empties it. (Seen with C++ 2.1 and Python 2.1: InPort::isNew,
 RingBuffer::length.)
 """
 
@@ -69,7 +69,10 @@ class Audience:
         Raises errors.Error.
         """
         cycles = await self._cycles()
-        reading = [cycle for cycle in cycles if cycle.state == "Active" and cycle.running]
+        reading = []
+        for cycle in cycles:
+            if cycle.state == "Active" and cycle.running:
+                reading.append(cycle)
         if not reading:
             return _why_not(self.node, cycles)
         rates = [await self._rate(cycle.ref) for cycle in reading]
@@ -234,7 +237,9 @@ class Writer(Connection):
         chosen = self._chosen()
         length = chosen.get("length", "")
         refuses = self.alone and chosen.get("write.full_policy") == "do_nothing"
-        return Backlog(rate, int(length) if length.isdigit() and int(length) else LENGTH, refuses)
+        if length.isdigit() and int(length):
+            return Backlog(rate, int(length), refuses)
+        return Backlog(rate, LENGTH, refuses)
 
     async def defaults(self):
         defaults = {"dataport.subscription_type": "flush"}
@@ -264,8 +269,10 @@ class Writer(Connection):
 
     async def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
+        if little != self.little and self.little:
+            raise errors.Refused(self.where, "wants little-endian data")
         if little != self.little:
-            raise errors.Refused(self.where, f"wants {'little' if self.little else 'big'}-endian data")
+            raise errors.Refused(self.where, "wants big-endian data")
         if self.unanswered:  # by a component that may hang: nobody waits for it after Ctrl-C
             await self._put(data)
         else:
@@ -304,7 +311,11 @@ class Writer(Connection):
 
     def waits_for_room(self, refusal, until):
         """Whether a value that was answered by this errors.Error is to be offered again, before `until`."""
-        if not self.is_short or getattr(refusal, "name", None) != "BUFFER_FULL" or self.failure:
+        if not self.is_short:
+            return False
+        if getattr(refusal, "name", None) != "BUFFER_FULL":
+            return False
+        if self.failure:
             return False
         now = time.monotonic()
         patience = max(STUCK, STUCK / (self.backlog.rate or USUAL))
@@ -383,15 +394,20 @@ class Writer(Connection):
             does = "reads"
         else:
             does = "executes"
-        return errors.Unread(self.where, f"it {does} at {_hertz(self.backlog.rate)}; {self.unread_words()}")
+        rate = _hertz(self.backlog.rate)
+        return errors.Unread(self.where, f"it {does} at {rate}; {self.unread_words()}")
 
     def unread_words(self):
         """The message that says how many values were read, and where the rest is."""
         self.backlog.drain(time.monotonic())
-        read = max(0, round(self.taken - self.backlog.lost) - math.ceil(self.backlog.waiting))
+        arrived = round(self.taken - self.backlog.lost)
+        read = max(0, arrived - math.ceil(self.backlog.waiting))
         if self.alone:
             return f"it has read about {read} of {self.taken} values; the rest is dropped"
-        return f"it has probably read about {read} of {self.taken} values; the rest is in its buffer, or overwritten"
+        return (
+            f"it has probably read about {read} of {self.taken} values; the rest is in its buffer, or "
+            "overwritten"
+        )
 
     async def judge(self):
         """Look, in the end, whether all values have been read.
@@ -420,7 +436,11 @@ class Writer(Connection):
         If somebody else has connected meanwhile, only change the policy back: the values may be theirs.
         """
         unread = self.taken and self.alone and self.audience and (self.failure or not self.lingered)
-        if self.left or not self.was_connected or not self.is_short and not unread:
+        if self.left:
+            return
+        if not self.was_connected:
+            return
+        if not self.is_short and not unread:
             return
         if self.failure is None and not self.lingered and self.unread():  # interrupted while lingering
             notes.fail(self.unread())
@@ -521,4 +541,7 @@ def _needed(writer, seconds):
             return UNKNOWN
         return 0
     writer.backlog.drain(time.monotonic())
-    return min(writer.backlog.seconds(), LONGEST if seconds is None else seconds)
+    longest = LONGEST
+    if seconds is not None:
+        longest = seconds
+    return min(writer.backlog.seconds(), longest)

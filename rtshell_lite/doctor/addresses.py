@@ -51,7 +51,9 @@ def _error(where, e, timeout):
         return errors.ConnectionRefused(where)
     if isinstance(e, socket.timeout):
         return errors.Silent(where, session.no_answer(timeout))
-    return errors.Unreachable(where, os.strerror(e.errno) if e.errno else str(e))
+    if e.errno:
+        return errors.Unreachable(where, os.strerror(e.errno))
+    return errors.Unreachable(where, str(e))
 
 
 async def probe(endpoint):
@@ -179,7 +181,9 @@ def is_numeric(host):
 
 def is_incomplete(host):
     """True for an IPv6 address of one link only, fe80::1, without its interface: fe80::1%eth0."""
-    return "%" not in host and is_numeric(host) and ipaddress.ip_address(host).is_link_local and ":" in host
+    if ":" not in host or "%" in host:
+        return False
+    return is_numeric(host) and ipaddress.ip_address(host).is_link_local
 
 
 def is_loopback(address):

@@ -65,7 +65,10 @@ def _writers(port, writers):
         if ref is not None
         and dict(connector.properties).get("dataport.dataflow_type", "push").lower() == "push"
     ]
-    known = [writers[orb.identity(ref)] for ref in pushed if orb.identity(ref) in writers]
+    known = []
+    for ref in pushed:
+        if orb.identity(ref) in writers:
+            known.append(writers[orb.identity(ref)])
     return [(snapshot, port) for snapshot, port in known if component.merged(snapshot.states) == "Active"]
 
 

@@ -7,10 +7,10 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import limits, remedies, started, waiting
-from rtshell_lite.doctor.finding import counted, fail, ok, published, reason, warn
+from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.robot import component, manager, ports, tree
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot, ask_all
-from rtshell_lite.text import printable, shell_word
+from rtshell_lite.text import counted, printable, shell_word
 
 PATIENT = 3.0  # seconds: what answers later hangs; with a shorter timeout it may be slow
 MOST = 3  # names of one component that are reported one by one
@@ -32,7 +32,10 @@ async def logs(snapshots, nodes):
         for slave in answer
     ]
     ends = {snapshot.node.endpoint for snapshot in broken}
-    asked = [node for node in bound + slaves if node.kind == "manager" and node.endpoint in ends]
+    asked = []
+    for node in bound + slaves:
+        if node.kind == "manager" and node.endpoint in ends:
+            asked.append(node)
     files = {}
     for node, settings in zip(asked, await tree.on_nodes(asked, manager.configuration)):
         if isinstance(settings, errors.Error):
@@ -98,7 +101,8 @@ async def findings(snapshots, rates, hung, stated=False, logs=None):
             snapshot.where, []
         )
         found += troubles
-        if not any(finding.level == "fail" for finding in troubles) and snapshot.error is None:
+        has_failed = any(finding.level == "fail" for finding in troubles)
+        if not has_failed and snapshot.error is None:
             found.append(ok("component", snapshot.where, await _summary(snapshot)))
     found.sort(key=lambda finding: finding.path)
     failed = {finding.path for finding in found if finding.level == "fail"}
@@ -135,55 +139,45 @@ async def _summary(snapshot):
 
 async def _stopped_answering(snapshot, hung):
     e = snapshot.error
+    where = snapshot.where
+    word = shell_word(where)
     if e.why == session.NO_TIME:
-        return limits.late("component", snapshot.where)
+        return limits.late("component", where)
     if isinstance(e, errors.Silent) and not snapshot.asking:
         message = "not looked at: others of its process hang"
-        return warn(
-            "component",
-            snapshot.where,
-            message,
-            remedies.words("others first", path=shell_word(snapshot.where)),
-        )
+        return warn("component", where, message, remedies.words("others first", path=word))
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
         message = "somebody else's: it is registered as a component, but is not one"
-        return fail(
-            "reference",
-            snapshot.where,
-            message,
-            remedies.words("name of another", path=shell_word(snapshot.where)),
-        )
+        return fail("reference", where, message, remedies.words("name of another", path=word))
     if isinstance(e, errors.Silent):
-        message = "hangs when asked for " + snapshot.asking
-        if "port" in snapshot.asking:
-            paths, known = await waiting.culprits(snapshot, hung)
+        return await _hangs(snapshot, hung)
+    cure = await remedies.of_silence(e, snapshot.node.endpoint, where)
+    return fail("component", where, f"does not report {snapshot.asking} ({reason(e)})", cure)
+
+
+async def _hangs(snapshot, hung):
+    """It is silent when asked for one of its parts."""
+    e = snapshot.error
+    where = snapshot.where
+    endpoint = snapshot.node.endpoint
+    message = "hangs when asked for " + snapshot.asking
+    paths = []
+    if "port" in snapshot.asking:
+        paths, known = await waiting.culprits(snapshot, hung)
+    if paths:  # a port asks the far ends of its connections before it answers
+        if known:
+            message += ", waiting for a far end that does not answer"
         else:
-            paths = []
-            known = False
-        if paths:  # a port asks the far ends of its connections before it answers
-            message += f", {'' if known else 'maybe '}waiting for a far end that does not answer"
-            return fail(
-                "component", snapshot.where, message, remedies.words("hung first", paths=" and ".join(paths))
-            )
-        elif await remedies.may_be_lost(e, snapshot.node.endpoint):
-            message = f"answers small questions, but not when asked for {snapshot.asking}: large packets are lost on the way, perhaps"
-        elif session.current().timeout < PATIENT:
-            message = f"{reason(e)} when asked for {snapshot.asking}"
-            patience = remedies.words("more time", path=shell_word(snapshot.where))
-            cure = await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where, patience)
-            return fail("component", snapshot.where, message, cure)
-        return fail(
-            "component",
-            snapshot.where,
-            message,
-            await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where),
-        )
-    return fail(
-        "component",
-        snapshot.where,
-        f"does not report {snapshot.asking} ({reason(e)})",
-        await remedies.of_silence(e, snapshot.node.endpoint, snapshot.where),
-    )
+            message += ", maybe waiting for a far end that does not answer"
+        return fail("component", where, message, remedies.words("hung first", paths=" and ".join(paths)))
+    if await remedies.may_be_lost(e, endpoint):
+        message = f"answers small questions, but not when asked for {snapshot.asking}: "
+        message += "large packets are lost on the way, perhaps"
+    elif session.current().timeout < PATIENT:
+        message = f"{reason(e)} when asked for {snapshot.asking}"
+        patience = remedies.words("more time", path=shell_word(where))
+        return fail("component", where, message, await remedies.of_silence(e, endpoint, where, patience))
+    return fail("component", where, message, await remedies.of_silence(e, endpoint, where))
 
 
 def _restart(snapshot):
@@ -201,7 +195,10 @@ def _names(snapshot):
         return []
     own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
     nodes = [snapshot.node, *snapshot.others]
-    known = [node for node in nodes if _bound_as(node) in own.split(",")]
+    known = []
+    for node in nodes:
+        if _bound_as(node) in own.split(","):
+            known.append(node)
     strange = [node for node in nodes if node not in known]
     if known:
         message = "the same component as " + str(known[0].path)
@@ -211,17 +208,25 @@ def _names(snapshot):
         cure = "name taken"
     found = [_on_name(node, message, cure) for node in strange[:MOST]]
     if strange[MOST:]:
-        found.append(_on_name(strange[MOST], f"and {counted(len(strange) - MOST, 'name')} like it", cure))
+        more = f"and {counted(len(strange) - MOST, 'name')} like it"
+        found.append(_on_name(strange[MOST], more, cure))
     return found
 
 
 def _on_name(node, message, cure):
-    return warn("reference", str(node.path), message, remedies.words(cure, path=shell_word(str(node.path))))
+    where = str(node.path)
+    return warn("reference", where, message, remedies.words(cure, path=shell_word(where)))
+
+
+def _spelt(name):
+    if name.kind:
+        return name.id + "." + name.kind
+    return name.id
 
 
 def _bound_as(node):
     """Its path below the name server as OpenRTM writes it: no escapes."""
-    return "/".join(name.id + "." + name.kind if name.kind else name.id for name in node.path.names)
+    return "/".join(_spelt(name) for name in node.path.names)
 
 
 # ---- ports -------------------------------------------------------------------------------------------------
@@ -242,7 +247,8 @@ def _refusing(snapshot, number, e, endpoint):
             "port", snapshot.where, f"its port {number} refuses its profile ({reason(e)})", _restart(snapshot)
         )
     if not isinstance(e, errors.LostMember):
-        message = f"cannot tell from here about its port {number}, at {printable(endpoint[0])}:{endpoint[1]} ({reason(e)})"
+        place = f"{printable(endpoint[0])}:{endpoint[1]}"
+        message = f"cannot tell from here about its port {number}, at {place} ({reason(e)})"
         return fail("port", snapshot.where, message, remedies.network(endpoint))
     return fail(
         "port",
@@ -257,66 +263,42 @@ def _refusing(snapshot, number, e, endpoint):
 
 def _contexts(snapshot, log):
     """Errors, and what keeps a component from being executed."""
+    where = snapshot.where
     if not snapshot.contexts:
-        return [
-            fail(
-                "context", snapshot.where, "has no execution context: nothing executes it", _restart(snapshot)
-            )
-        ]
+        return [fail("context", where, "has no execution context: nothing executes it", _restart(snapshot))]
     found = []
     for index, (context, state) in enumerate(zip(snapshot.contexts, snapshot.states)):
         if context.handle is None:
             message = f"its execution context {index} belongs to another component, which does not answer"
-            found.append(
-                warn(
-                    "context",
-                    snapshot.where,
-                    message,
-                    remedies.words("look at contexts", path=shell_word(snapshot.where)),
-                )
-            )
+            cure = remedies.words("look at contexts", path=shell_word(where))
+            found.append(warn("context", where, message, cure))
         elif state == "Error":
-            message = "in Error" + (f"; its process writes its log to {log}" if log else "")
-            found.append(
-                fail(
-                    "component",
-                    snapshot.where,
-                    message,
-                    remedies.command("reset", option=remedies.option(index), path=snapshot.where),
-                )
-            )
+            found.append(_in_error(where, index, log))
     active = [str(index) for index, state in enumerate(snapshot.states) if state == "Active"]
     if len(active) > 1:
-        message = (
-            f"Active in its execution contexts {' and '.join(active)} at once: each that runs executes it"
-        )
-        found.append(
-            warn(
-                "context",
-                snapshot.where,
-                message,
-                remedies.words("active once", path=shell_word(snapshot.where)),
-            )
-        )
+        listed = " and ".join(active)
+        message = f"Active in its execution contexts {listed} at once: each that runs executes it"
+        cure = remedies.words("active once", path=shell_word(where))
+        found.append(warn("context", where, message, cure))
     alive = [context for context in snapshot.contexts if context.handle is not None]
     if alive and not any(context.running for context in alive):
         message = "its execution context is stopped: nothing executes it"
-        found.append(
-            fail("context", snapshot.where, message, remedies.command("start context", path=snapshot.where))
-        )
+        found.append(fail("context", where, message, remedies.command("start context", path=where)))
     for index, context in enumerate(snapshot.contexts):
         if _is_periodic(context) and not context.rate > 0:
-            found.append(
-                fail(
-                    "context",
-                    snapshot.where,
-                    f"its execution context has a rate of {context.rate:g} Hz",
-                    remedies.command(
-                        "set rate", option=remedies.option(index), path=snapshot.where, rate=100
-                    ),
-                )
-            )
+            message = f"its execution context has a rate of {context.rate:g} Hz"
+            option = remedies.option(index)
+            cure = remedies.command("set rate", option=option, path=where, rate=100)
+            found.append(fail("context", where, message, cure))
     return found
+
+
+def _in_error(where, index, log):
+    message = "in Error"
+    if log:
+        message += f"; its process writes its log to {log}"
+    cure = remedies.command("reset", option=remedies.option(index), path=where)
+    return fail("component", where, message, cure)
 
 
 def _is_periodic(context):

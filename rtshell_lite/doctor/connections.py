@@ -105,8 +105,8 @@ def _unserved(snapshots):
         ]
         if fitting:
             message = (
-                f"requires {printable(' and '.join(sorted(wanted)))} and is not connected, though {listed(fitting)} "
-                "provides it to nobody"
+                f"requires {printable(' and '.join(sorted(wanted)))} and is not connected, though "
+                f"{listed(fitting)} provides it to nobody"
             )
             found.append(
                 warn(
@@ -141,8 +141,8 @@ def _refs(connector):
 
 
 async def all_ends(snapshots):
-    """{identity of a port: places.End} of all ports of the components, and of those connected with them, which
-    are asked, one call each.
+    """{identity of a port: places.End} of all ports of the components, and of those connected with them,
+    which are asked, one call each.
     """
     own = [port for snapshot in snapshots for port in snapshot.ports]
     silent = {
@@ -174,7 +174,8 @@ async def _again(link, ends):
     own = link.port
     asked = [identity for identity in refs if ends[identity].port is not None]
     joining = dict.fromkeys(asked, {link.connector.id})
-    for identity, answer in zip(asked, await places.ask([refs[identity] for identity in asked], joining)):
+    refs_asked = [refs[identity] for identity in asked]
+    for identity, answer in zip(asked, await places.ask(refs_asked, joining)):
         before = ends[identity]
         if isinstance(answer, errors.Error):
             ends[identity] = before._replace(port=None, error=answer)
@@ -232,7 +233,8 @@ def _redo(link, others):
     if any(end.port is None or end.port.node is None for end in others):
         return remedies.reconnect(connector.id, where, None)
     given = {key: value for key, value in connector.properties if key in SETTLED}
-    labels = [ports.label(port) for port in [link.port] + [end.port for end in others]]
+    ends = [link.port] + [end.port for end in others]
+    labels = [ports.label(port) for port in ends]
     return remedies.reconnect(connector.id, where, connectors.command(labels, connector.name, "", given))
 
 
@@ -249,7 +251,10 @@ async def _lost(link, where, end, undo):
     if await liveness.shows_death(end.error, endpoint) and await networks.is_certain(end.ref, homes):
         return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
     if await remedies.is_of_network(end.error, endpoint):
-        message = f"cannot tell from here whether the far end of a connection, at {name}, lives ({reason(end.error)})"
+        message = (
+            f"cannot tell from here whether the far end of a connection, at {name}, lives "
+            f"({reason(end.error)})"
+        )
         return fail("connection", where, message, remedies.network(endpoint))
     message = f"the far end of a connection, at {name}, cannot be asked ({reason(end.error)})"
     return fail(
@@ -266,13 +271,20 @@ def _differences(link, end, remedy):
     """Properties on which the two ends of a connection differ."""
     where = ports.label(link.port)
     connector = link.connector
-    far = dict(next(here for here in end.port.connectors if here.id == connector.id).properties)
+    own = [each for each in end.port.connectors if each.id == connector.id]
+    far = dict(own[0].properties)
     near = dict(connector.properties)
     found = []
-    for key in sorted(set(near) & set(far) | set(SETTLED) & (set(near) | set(far))):
+    keys = set(near) & set(far)
+    keys.update(key for key in SETTLED if key in near or key in far)
+    for key in sorted(keys):
         here = near.get(key)
         there = far.get(key)
-        if _is_reference(key, here) or _is_reference(key, there) or _plain(key, here) == _plain(key, there):
+        if _is_reference(key, here):
+            continue
+        if _is_reference(key, there):
+            continue
+        if _plain(key, here) == _plain(key, there):
             continue
         message = f"{printable(key)} is {_shown(here)} here, {_shown(there)} at {_name(end)}"
         found.append(warn("connection", where, message, remedy))
@@ -302,7 +314,10 @@ def _mismatches(link, where, joined, undo):
     """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
     if any(port.node is None for port in joined):
         return []
-    properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
+    properties = {}
+    for key, value in link.connector.properties:
+        if key in SETTLED:
+            properties[key] = _plain(key, value)
     if properties.get("dataport.dataflow_type") == "pull":
         properties.pop("dataport.subscription_type", None)  # it has no effect then
     reasons = []

@@ -55,7 +55,8 @@ async def examine(tops=(), compare=None, seconds=0, keep=None):
 async def _steps(tops, compare, seconds, keep):
     found = await local.findings()
     yield found
-    if any(finding.check in ("ORB", "limit") and finding.level == "fail" for finding in found):
+    failed = [finding.check for finding in found if finding.level == "fail"]
+    if "ORB" in failed or "limit" in failed:
         return
     everything = not tops or path.ROOT in tops
     if everything:
@@ -65,7 +66,8 @@ async def _steps(tops, compare, seconds, keep):
     if compare:
         from rtshell_lite.doctor import profile
 
-        session.current().end = max(session.current().end, time.monotonic() + session.current().timeout)
+        now = session.current()
+        now.end = max(now.end, time.monotonic() + now.timeout)
         yield await profile.findings(*compare)
 
 
@@ -88,7 +90,8 @@ async def _robot(tops, seconds, stated, keep):
     answers = await managers.asked(nodes)
     managed = await managers.findings(answers)
     members = await composites.findings(examined)
-    hung = sorted((node for node in nodes if node.kind == "silent"), key=lambda node: str(node.path))
+    hung = [node for node in nodes if node.kind == "silent"]
+    hung.sort(key=lambda node: str(node.path))
     if seconds:
         rates = await _rates(examined, seconds)
     else:
@@ -120,7 +123,8 @@ async def _same_server(visits):
     seen = {}
     for visit in visits:
         for address in visit.addresses:
-            first = seen.setdefault((address, orb.endpoint((await tree.resolve(visit.path)).ref)[1]), visit)
+            server = await tree.resolve(visit.path)
+            first = seen.setdefault((address, orb.endpoint(server.ref)[1]), visit)
             if first is not visit:
                 found.append(
                     warn(

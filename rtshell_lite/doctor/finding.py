@@ -58,12 +58,16 @@ def grouped(findings):
     """
     groups = collections.OrderedDict()
     for number, finding in enumerate(sorted_by_level(findings)):
-        alone = finding.level != "warn" or finding.remedy.startswith(("rt", "unset"))
-        groups.setdefault(
-            number if alone else (finding.check, re.sub("[0-9]+", "0", finding.message)), []
-        ).append(finding)
+        if finding.level != "warn" or finding.remedy.startswith(("rt", "unset")):
+            key = number  # it stays alone
+        else:
+            key = (finding.check, re.sub("[0-9]+", "0", finding.message))
+        groups.setdefault(key, []).append(finding)
     for group in groups.values():
-        yield from group if len(group) < MANY else [_joined(group)]
+        if len(group) < MANY:
+            yield from group
+        else:
+            yield _joined(group)
 
 
 def _joined(group):
@@ -80,7 +84,9 @@ def listed(paths):
     rest = paths[SHOWN:]
     if rest:
         return f"{', '.join(shown)} and {len(rest)} more"
-    return " and ".join([", ".join(shown[:-1]), shown[-1]] if shown[1:] else shown)
+    if len(shown) < 2:
+        return "".join(shown)
+    return f"{', '.join(shown[:-1])} and {shown[-1]}"
 
 
 async def meaning(host):
@@ -98,11 +104,6 @@ async def meaning(host):
     else:
         here = ""
     return f" ({', '.join(known)}{here})"
-
-
-def counted(number, noun):
-    """`1 port`, `2 ports`."""
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def reason(e):

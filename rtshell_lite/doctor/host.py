@@ -30,16 +30,16 @@ def versions():
         [
             f"rtshell_lite {rtshell_lite.__version__}, {ours}, Python %d.%d.%d" % sys.version_info[:3],
             f"{platform.system()} {platform.release()} {platform.machine()}",
-            f"clock: {time.strftime('%Y-%m-%d %H:%M:%S', time.gmtime(now))} UTC, {now:.6f} s since the epoch; "
-            "with --measure, the clocks of components are compared with it",
+            f"clock: {time.strftime('%Y-%m-%d %H:%M:%S', time.gmtime(now))} UTC, {now:.6f} s since the "
+            "epoch; with --measure, the clocks of components are compared with it",
             _first_line("/proc/uptime", "seconds up, seconds idle: "),
         ]
     )
 
 
 def surroundings(ports):
-    """[(heading, text)] on this host: its names, its network, our environment, and the processes that listen on
-    these ports.
+    """[(heading, text)] on this host: its names, its network, our environment, and the processes that listen
+    on these ports.
     """
     return [
         ("Interfaces of this host", f"{socket.gethostname()}\n" + "\n".join(_interfaces())),
@@ -166,5 +166,9 @@ def _process(pid):
     known = dict(
         line.partition(":\t")[::2] for line in _content(f"/proc/{pid}/status").splitlines() if ":\t" in line
     )
-    more = [f"{name} {known[name].strip()}" for name in ("State", "Threads", "VmRSS") if name in known]
-    return f"{pid}  {', '.join(more)}  {' '.join(map(quoted, filter(None, words)))}"
+    more = []
+    for name in ("State", "Threads", "VmRSS"):
+        if name in known:
+            more.append(f"{name} {known[name].strip()}")
+    line = " ".join(map(quoted, filter(None, words)))
+    return f"{pid}  {', '.join(more)}  {line}"

@@ -6,9 +6,9 @@ from _thread import allocate_lock
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.doctor import remedies
-from rtshell_lite.doctor.finding import HERE, MANY, counted, fail, listed
+from rtshell_lite.doctor.finding import HERE, MANY, fail, listed
 from rtshell_lite.net import loop
-from rtshell_lite.text import shell_word
+from rtshell_lite.text import counted, shell_word
 
 LATE = "slow: " + session.NO_TIME
 # what an examination of a small system needs at a time
@@ -73,7 +73,8 @@ def left_out(findings):
         what = "name"
     else:
         what = missed[0].check
-    message = f"{counted(len(missed), what)} not looked at, as there was no time left: {listed(finding.path for finding in missed)}"
+    paths = listed(finding.path for finding in missed)
+    message = f"{counted(len(missed), what)} not looked at, as there was no time left: {paths}"
     return [finding for finding in findings if finding.message != LATE] + [
         fail("limit", HERE, message, remedies.words("in parts"))
     ]

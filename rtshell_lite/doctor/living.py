@@ -8,10 +8,11 @@ are named.
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import remedies
-from rtshell_lite.doctor.finding import counted, listed, warn
+from rtshell_lite.doctor.finding import listed, warn
 from rtshell_lite.path import MANAGER_PORT
 from rtshell_lite.robot import manager
 from rtshell_lite.system import capture
+from rtshell_lite.text import counted
 
 # Properties with a reference, and which of the ends has it
 SIDES = {"dataport.corba_cdr.outport_ior": 0, "dataport.corba_cdr.inport_ior": -1}
@@ -21,7 +22,8 @@ MOST = 100  # addresses that are asked
 async def found(profile, missing):
     """{path as text: where it answers, in words} of those `missing` Components of a profile that live."""
     known = await _at_references(profile, missing)
-    known.update(await _at_managers([each for each in missing if capture.shown_path(each) not in known]))
+    still_missing = [each for each in missing if capture.shown_path(each) not in known]
+    known.update(await _at_managers(still_missing))
     return known
 
 

@@ -108,7 +108,10 @@ def _settings(started):
         found.append(warn("ORB", HERE, message, remedies.command("unset", variable="OMNIORB_CONFIG")))
     for source, settings in sources:
         for option, value in settings:
-            why = _harm(option, value, OURS if source == ARGUMENTS else THEIRS)
+            if source == ARGUMENTS:
+                why = _harm(option, value, OURS)
+            else:
+                why = _harm(option, value, THEIRS)
             if why and (source != ARGUMENTS or orb.heeds(option)):
                 found.append(
                     warn(
@@ -135,9 +138,18 @@ def _sources():
         for key, value in sorted(os.environ.items())
         if re.match("ORB[a-z]+[A-Za-z]*$", key)
     ]
-    words = [word for word in os.environ.get(ARGUMENTS, "").split(";") if word]
-    arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
-    return [source for source in found if source[1]] + ([(ARGUMENTS, arguments)] if words else [])
+    words = []
+    for word in os.environ.get(ARGUMENTS, "").split(";"):
+        if word:
+            words.append(word)
+    arguments = []
+    for word, value in zip(words, words[1:] + [""]):
+        if word.startswith("-ORB"):
+            arguments.append((word[4:], value))
+    sources = [source for source in found if source[1]]
+    if words:
+        sources.append((ARGUMENTS, arguments))
+    return sources
 
 
 def _configured(name):
@@ -147,11 +159,12 @@ def _configured(name):
             lines = [line.partition("#")[0] for line in file]
     except OSError:
         return []
-    return [
-        tuple(part.strip() for part in line.split("=", 1)) if "=" in line else (line.strip(), "")
-        for line in lines
-        if line.strip()
-    ]
+    settings = []
+    for line in lines:
+        if line.strip():
+            option, _, value = line.partition("=")
+            settings.append((option.strip(), value.strip()))
+    return settings
 
 
 def _without(source):
@@ -202,7 +215,9 @@ def _harm_of_end_point(value, whom):
 
 def transport_rule():
     """The Rule that may forbid connections, or None; only reported where one fails."""
-    for source, settings in _sources() if orb.heeds("clientTransportRule") else ():
+    if not orb.heeds("clientTransportRule"):
+        return None
+    for source, settings in _sources():
         for option, value in settings:
             if option == "clientTransportRule":
                 return Rule(f"clientTransportRule {printable(value)} of {source}", _without(source))
@@ -259,7 +274,10 @@ def _patience():
     value = os.environ.get("RTSHELL_TIMEOUT", "")
     if not value or 1000 * session.current().timeout >= LEAST_PATIENCE:
         return []
-    message = f"RTSHELL_TIMEOUT is {printable(value)}: what answers after {session.current().timeout:g} s is taken for silent"
+    message = (
+        f"RTSHELL_TIMEOUT is {printable(value)}: what answers after {session.current().timeout:g} s is "
+        "taken for silent"
+    )
     return [warn("RTSHELL_TIMEOUT", HERE, message, remedies.command("unset", variable="RTSHELL_TIMEOUT"))]
 
 

@@ -3,14 +3,15 @@
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.doctor import limits, networks, remedies
-from rtshell_lite.doctor.finding import counted, fail, ok, published, reason
+from rtshell_lite.doctor.finding import fail, ok, published, reason
 from rtshell_lite.robot import component, tree
-from rtshell_lite.text import shell_word
+from rtshell_lite.text import counted, shell_word
 
 
 async def asked(nodes):
     """[(Node, what it has, see `_ask`, or errors.Error)] of the managers among the Nodes, sorted by path."""
-    managers = sorted((node for node in nodes if node.kind == "manager"), key=lambda node: str(node.path))
+    managers = [node for node in nodes if node.kind == "manager"]
+    managers.sort(key=lambda node: str(node.path))
     return list(zip(managers, await tree.on_nodes(managers, _ask)))
 
 
@@ -38,31 +39,14 @@ async def _is_of_network(node, homes):
 
 async def _troubles(node, answer):
     where = str(node.path)
-    word = shell_word(str(node.path))
-    if isinstance(answer, errors.Error) and answer.why == session.NO_TIME:
-        return [limits.late("manager", where)]
+    word = shell_word(where)
     if isinstance(answer, errors.Error):
-        both = isinstance(answer, errors.Silent)
-        restart = remedies.words("restart manager or slave" if both else "restart", port=node.endpoint[1])
-        return [
-            fail(
-                "manager",
-                where,
-                f"does not report what it has ({reason(answer)})",
-                await remedies.of_silence(answer, node.endpoint, where, restart),
-            )
-        ]
+        return [await _no_answer(node, where, answer)]
     slaves, components, twice = answer
     found = []
     if twice:
-        found = [
-            fail(
-                "manager",
-                where,
-                "one of its slaves has died, and its components with it",
-                remedies.words("restart slave"),
-            )
-        ]
+        message = "one of its slaves has died, and its components with it"
+        found = [fail("manager", where, message, remedies.words("restart slave"))]
     homes = await networks.homes_of(node.ref)
     for child in slaves + components:
         if child in slaves:
@@ -78,18 +62,21 @@ async def _troubles(node, answer):
             message = what + f"cannot be reached from here ({reason(child.error)})"
             found.append(fail("manager", where, message, remedies.network(child.endpoint)))
         elif child.kind == "zombie":
-            found.append(
-                fail("manager", where, what + "is gone", remedies.words("restart manager", path=word))
-            )
+            cure = remedies.words("restart manager", path=word)
+            found.append(fail("manager", where, what + "is gone", cure))
         elif child.kind == "silent":
-            found.append(
-                fail(
-                    "manager",
-                    where,
-                    what + f"does not answer ({reason(child.error)})",
-                    remedies.words("hung below", path=word),
-                )
-            )
+            message = what + f"does not answer ({reason(child.error)})"
+            found.append(fail("manager", where, message, remedies.words("hung below", path=word)))
     has = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}"
     shown = await published(node.ref)
     return found or [ok("manager", where, f"manager of {has}, at {shown}")]
+
+
+async def _no_answer(node, where, e):
+    if e.why == session.NO_TIME:
+        return limits.late("manager", where)
+    name = "restart"
+    if isinstance(e, errors.Silent):
+        name = "restart manager or slave"
+    cure = await remedies.of_silence(e, node.endpoint, where, remedies.words(name, port=node.endpoint[1]))
+    return fail("manager", where, f"does not report what it has ({reason(e)})", cure)

@@ -38,7 +38,10 @@ async def misled(check, where, ref, homes, elsewhere=""):
         return fail(check, where, message, _another_address(homes[0]))
     if all(_is_loopback(host) for host, _ in offered):
         if all(addresses.is_loopback(home) for home in homes):
-            message = f"publishes {shown}: only this host can reach it, and {printable(elsewhere)} takes part in the system"
+            message = (
+                f"publishes {shown}: only this host can reach it, and {printable(elsewhere)} takes part in "
+                "the system"
+            )
             if elsewhere:
                 return warn(check, where, message, _another_address(""))
             return None
@@ -55,7 +58,9 @@ async def misled(check, where, ref, homes, elsewhere=""):
     if not await is_apart(ref, homes):
         return None
     if here:  # an address of another interface is one of this host
-        if not elsewhere or not all(addresses.is_own(address) for address in numeric):
+        if not elsewhere:
+            return None
+        if not all(addresses.is_own(address) for address in numeric):
             return None
         message = (
             f"publishes {shown}, of another network than {homes[0]}: what finds it there may not reach it"
@@ -76,7 +81,9 @@ async def is_certain(ref, homes):
         return False
     for address in await _numeric(orb.addresses(ref)):
         number = ipaddress.ip_address(address.partition("%")[0])
-        if number.is_private and not any(together(home, address) or addresses.is_own(home) for home in homes):
+        if not number.is_private:
+            continue
+        if not any(together(home, address) or addresses.is_own(home) for home in homes):
             return False
     return True
 
@@ -100,7 +107,13 @@ async def names_here(ref, homes):
 async def is_apart(ref, homes):
     """True if all addresses that `ref` publishes are known to be of other networks than `homes`."""
     own = await _numeric(orb.addresses(ref))
-    return bool(own) and all(together(home, address) is False for address in own for home in homes)
+    if not own:
+        return False
+    for address in own:
+        for home in homes:
+            if together(home, address) is not False:
+                return False
+    return True
 
 
 async def homes_of(ref):
@@ -110,7 +123,11 @@ async def homes_of(ref):
 
 async def outside(refs):
     """The first address that references publish which is not of this host; '' if there is none."""
-    offered = collections.OrderedDict((host, None) for ref in refs for host, _ in orb.addresses(ref) if host)
+    offered = collections.OrderedDict()
+    for ref in refs:
+        for host, _ in orb.addresses(ref):
+            if host:
+                offered[host] = None
     for host in offered:
         if not await _is_here(host):
             return host
@@ -127,7 +144,9 @@ async def _is_here(host):
 
 def together(one, other):
     """Whether two IP addresses are in the same network; None if the networks of this host do not show it."""
-    if one == other or addresses.is_loopback(one) and addresses.is_loopback(other):
+    if one == other:
+        return True
+    if addresses.is_loopback(one) and addresses.is_loopback(other):
         return True
     known = False
     for network in _networks():

@@ -2,10 +2,10 @@
 
 from rtshell_lite import errors, path
 from rtshell_lite.doctor import living, remedies
-from rtshell_lite.doctor.finding import counted, fail, ok, reason, warn
+from rtshell_lite.doctor.finding import fail, ok, reason, warn
 from rtshell_lite.robot import contexts, snapshot
 from rtshell_lite.system import capture, compare
-from rtshell_lite.text import safe, shell_word
+from rtshell_lite.text import counted, safe, shell_word
 
 TRANSITIONS = {
     ("Inactive", "Active"): "activate",
@@ -102,8 +102,13 @@ async def _rates(profile):
             ):
                 continue
             for index, context in enumerate(owned):
-                if context.handle == int(wanted.id) and not contexts.same_rate(context.rate, wanted.rate):
-                    message = f"its execution context has a rate of {context.rate:g} Hz, in the file it is {wanted.rate:g} Hz"
+                if context.handle != int(wanted.id):
+                    continue
+                if not contexts.same_rate(context.rate, wanted.rate):
+                    message = (
+                        f"its execution context has a rate of {context.rate:g} Hz, in the file it is "
+                        f"{wanted.rate:g} Hz"
+                    )
                     found.append(
                         report(
                             "profile",

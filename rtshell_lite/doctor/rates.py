@@ -78,7 +78,10 @@ def _batch(waiting):
     batch = []
     rest = []
     for watched in waiting:
-        (batch if taken[watched.snapshot.node.endpoint] < TOGETHER else rest).append(watched)
+        if taken[watched.snapshot.node.endpoint] < TOGETHER:
+            batch.append(watched)
+        else:
+            rest.append(watched)
         taken[watched.snapshot.node.endpoint] += 1
     return batch, rest
 
@@ -143,10 +146,13 @@ async def _watch(batch, seconds):
             if watched.reader:
                 watched.count = watched.reader.count - before[watched.reader]
                 watched.failure = watched.reader.failure
-    return [
-        _unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent, missed)
-        for watched in batch
-    ]
+    findings = []
+    for watched in batch:
+        if watched.failure:
+            findings.append(_unmeasured(watched.where, watched.failure))
+        else:
+            findings.append(_finding(watched, spent, missed))
+    return findings
 
 
 async def _slept(seconds):
@@ -214,4 +220,7 @@ def _tracing(watched):
 
 def _is_fed(watched):
     """True if other components may send values to this one."""
-    return any(port.type == "DataInPort" and port.connectors for port in watched.snapshot.ports)
+    for port in watched.snapshot.ports:
+        if port.type == "DataInPort" and port.connectors:
+            return True
+    return False

@@ -57,7 +57,9 @@ async def _unreachable(visit, node):
         also = []
     if node.kind == "zombie":
         return [await _dead(visit, node, shown)] + also
-    if node.kind == "silent" or node.kind == "unknown" and _out_of_reach(visit, offered):
+    if node.kind == "silent":
+        return [await _silent(visit, node, offered, shown)] + also
+    if node.kind == "unknown" and _out_of_reach(visit, offered):
         return [await _silent(visit, node, offered, shown)] + also
     return also or _half_reachable(visit, where, offered)
 
@@ -66,14 +68,17 @@ async def _dead(visit, node, shown):
     where = str(node.path)
     names = await networks.names_here(node.ref, visit.addresses)
     if names:
-        message = f"cannot tell from here whether it lives: {shown} may mean another host where it runs, and this one refuses"
+        message = (
+            f"cannot tell from here whether it lives: {shown} may mean another host where it runs, and "
+            "this one refuses"
+        )
         return fail(
             "reference", where, message, remedies.words("name of this host", host=printable(names[0]))
         )
     if not await networks.is_certain(node.ref, visit.addresses):
         message = (
-            f"cannot tell from here whether it lives: {shown} is of another network than its name server, and the host that "
-            "has that address here refuses"
+            f"cannot tell from here whether it lives: {shown} is of another network than its name server, "
+            "and the host that has that address here refuses"
         )
         return fail("reference", where, message, remedies.network(node.endpoint))
     if isinstance(node.error, errors.Gone):
@@ -86,64 +91,51 @@ async def _dead(visit, node, shown):
 async def _silent(visit, node, offered, shown):
     """An object that does not answer: because of its host, the network, its process, or itself."""
     where = str(node.path)
+    e = node.error
     rule = local.transport_rule()
-    if node.error is not None and node.error.why == session.NO_TIME:
+    if e is not None and e.why == session.NO_TIME:
         return limits.late("reference", where)
     if _out_of_reach(visit, offered):
-        failure = visit.probes[offered[0]]
-        if isinstance(failure, errors.ConnectionRefused) and await networks.is_certain(
-            node.ref, visit.addresses
-        ):
-            return await _refused(where, offered[0], shown)
-        if failure.why == errors.NO_USABLE_ADDRESS or not await networks.homes_of(node.ref):
-            message = f"cannot tell from here whether it lives: publishes {shown}, a host name that is not known here"
-            return fail(
-                "reference",
-                where,
-                message,
-                remedies.words("name in reference", host=printable(offered[0][0])),
-            )
-        if await networks.is_apart(node.ref, visit.addresses):
-            apart = ", of another network than its name server"
-        else:
-            apart = ""
-        message = f"cannot tell from here whether it lives: publishes {shown}{apart}, out of reach ({reason(failure)})"
-        return fail("reference", where, message, remedies.network(offered[0]))
-    if rule and reason(node.error) == errors.NO_USABLE_ADDRESS:
-        return fail(
-            "reference",
-            where,
-            f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it",
-            rule.remedy,
-        )
-    is_silent = isinstance(node.error, errors.Silent)
-    if reason(node.error).startswith("garbled") or is_silent and await addresses.speaks_otherwise(offered[0]):
-        message = f"what listens at {shown} does not speak CORBA ({reason(node.error)})"
-        return fail("reference", where, message, remedies.words("who listens instead", port=offered[0][1]))
-    if await remedies.is_of_network(node.error, offered[0]):
-        if isinstance(node.error, errors.Silent):
+        return await _unreached(visit, node, offered[0], shown)
+    if rule and reason(e) == errors.NO_USABLE_ADDRESS:
+        message = f"at {shown}: TCP connects, omniORB does not: {rule.text} forbids it"
+        return fail("reference", where, message, rule.remedy)
+    port = offered[0][1]
+    is_other = reason(e).startswith("garbled")
+    if not is_other and isinstance(e, errors.Silent):
+        is_other = await addresses.speaks_otherwise(offered[0])
+    if is_other:
+        message = f"what listens at {shown} does not speak CORBA ({reason(e)})"
+        return fail("reference", where, message, remedies.words("who listens instead", port=port))
+    if await remedies.is_of_network(e, offered[0]):
+        what = reason(e)
+        if isinstance(e, errors.Silent):
             what = "TCP connects, but what is sent is not received"
-        else:
-            what = reason(node.error)
-        return fail(
-            "reference",
-            where,
-            f"cannot tell from here whether it lives: at {shown}, {what}",
-            remedies.network(offered[0]),
-        )
-    if isinstance(node.error, errors.Refused):
-        return fail(
-            "reference",
-            where,
-            f"at {shown}, answers the question whether it is there with {reason(node.error)}",
-            remedies.words("exception", port=offered[0][1]),
-        )
-    return fail(
-        "reference",
-        where,
-        f"hung: {shown} accepts TCP, but {reason(node.error)}",
-        remedies.words("restart", port=offered[0][1]),
-    )
+        message = f"cannot tell from here whether it lives: at {shown}, {what}"
+        return fail("reference", where, message, remedies.network(offered[0]))
+    if isinstance(e, errors.Refused):
+        message = f"at {shown}, answers the question whether it is there with {reason(e)}"
+        return fail("reference", where, message, remedies.words("exception", port=port))
+    message = f"hung: {shown} accepts TCP, but {reason(e)}"
+    return fail("reference", where, message, remedies.words("restart", port=port))
+
+
+async def _unreached(visit, node, endpoint, shown):
+    """None of its addresses accepts connections."""
+    where = str(node.path)
+    failure = visit.probes[endpoint]
+    if isinstance(failure, errors.ConnectionRefused):
+        if await networks.is_certain(node.ref, visit.addresses):
+            return await _refused(where, endpoint, shown)
+    message = f"cannot tell from here whether it lives: publishes {shown}, "
+    if failure.why == errors.NO_USABLE_ADDRESS or not await networks.homes_of(node.ref):
+        message += "a host name that is not known here"
+        cure = remedies.words("name in reference", host=printable(endpoint[0]))
+        return fail("reference", where, message, cure)
+    if await networks.is_apart(node.ref, visit.addresses):
+        message += "of another network than its name server, "
+    message += f"out of reach ({reason(failure)})"
+    return fail("reference", where, message, remedies.network(endpoint))
 
 
 async def _refused(where, endpoint, shown):
@@ -160,7 +152,10 @@ async def _refused(where, endpoint, shown):
 
 
 def _out_of_reach(visit, offered):
-    return all(isinstance(visit.probes.get(endpoint), errors.Error) for endpoint in offered)
+    for endpoint in offered:
+        if not isinstance(visit.probes.get(endpoint), errors.Error):
+            return False
+    return True
 
 
 def _half_reachable(visit, where, offered):
@@ -195,7 +190,9 @@ async def _not_what_it_says(node):
     if kind not in expected and node.kind == "unknown":
         shown = await published(node.ref)
         return [ok("reference", str(node.path), f"another CORBA object, {what}, at {shown}")]
-    if kind not in expected or node.kind == expected[kind] or node.kind in ("zombie", "silent"):
+    if kind not in expected or node.kind in ("zombie", "silent"):
+        return []
+    if node.kind == expected[kind]:
         return []
     message = f"somebody else's: not a {expected[kind]} but {what}"
     return [
@@ -269,7 +266,9 @@ async def _is_forsaken(node, shared):
     """True for a naming context that could be listed and has one name only;
     `shared` is an aliases.Known of those with more.
     """
-    return node.error is None and not node.foreign and await shared.path(node) is None
+    if node.error is not None or node.foreign:
+        return False
+    return await shared.path(node) is None
 
 
 def _content(nodes):

@@ -40,33 +40,60 @@ WORDS = {
     "raise limit": "raise the limit in this shell ({command}), or end the programs that use most {what} here",
     "name of host": "give it its real address in /etc/hosts",
     "localhost": "write into /etc/hosts: 127.0.0.1 localhost",
-    "correct addresses": "write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'",
+    "correct addresses": (
+        "write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'"
+    ),
     "one address": "take one of them out of RTCTREE_NAMESERVERS",
     "clock": "compare the clocks (date, here and there) and set the wrong one: timedatectl",
     # the network
-    "network": "look at what is between here and {host}: firewall (port {port}), route (ip route get {host}), MTU and loss (ping {host})",
-    "large packets": "ping -M do -s 1472 {host}, here and there back, shows whether large packets come through: if not, correct the "
-    "MTU on the way; if they do, it hangs: netstat -ltnp | grep :{port} there names its process",
-    "firewall": "netstat -ltnp | grep :{port} there shows whether its process runs: if so, let this host through its firewall; "
-    "if not, start it again",
-    "name in reference": "write the address of {host} into /etc/hosts here, or have its process publish an address: corba.endpoints "
-    "in rtc.conf",
-    "name of this host": "see what {host} means where its process runs, and have that publish an address: corba.endpoints in rtc.conf",
+    "network": (
+        "look at what is between here and {host}: firewall (port {port}), route (ip route get {host}), MTU "
+        "and loss (ping {host})"
+    ),
+    "large packets": (
+        "ping -M do -s 1472 {host}, here and there back, shows whether large packets come through: if not, "
+        "correct the MTU on the way; if they do, it hangs: netstat -ltnp | grep :{port} there names its "
+        "process"
+    ),
+    "firewall": (
+        "netstat -ltnp | grep :{port} there shows whether its process runs: if so, let this host through "
+        "its firewall; if not, start it again"
+    ),
+    "name in reference": (
+        "write the address of {host} into /etc/hosts here, or have its process publish an address: "
+        "corba.endpoints in rtc.conf"
+    ),
+    "name of this host": (
+        "see what {host} means where its process runs, and have that publish an address: corba.endpoints "
+        "in rtc.conf"
+    ),
     "exception": "see what it writes into its log; netstat -ltnp | grep :{port} there names its process",
-    "who listens instead": "netstat -ltnp | grep :{port} there names what listens; the component that had this port is gone, or elsewhere",
+    "who listens instead": (
+        "netstat -ltnp | grep :{port} there names what listens; the component that had this port is gone, "
+        "or elsewhere"
+    ),
     "host name": "correct the name, or write its address into /etc/hosts",
     "host file": "write its address into /etc/hosts",
     "slow": "ping {host}",
     "who listens": "netstat -ltnp | grep :{port} there names what listens; correct the address",
     "another address": "give its process an address that others reach: corba.endpoints: {host}: in rtc.conf",
-    "only good addresses": "have its process publish only addresses that others reach: corba.endpoints in rtc.conf",
+    "only good addresses": (
+        "have its process publish only addresses that others reach: corba.endpoints in rtc.conf"
+    ),
     # name servers
     "start name server": "start the name server: rtm-naming {port}",
-    "start name server there": "netstat -ltnp | grep :{port} there shows whether it runs: if so, let this host through its firewall; "
-    "if not: rtm-naming {port}",
-    "other port": "see whether it is the name server (rtls {server}), and correct the address; if not: rtm-naming {port} there",
-    "bind again": "look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that "
-    "do not",
+    "start name server there": (
+        "netstat -ltnp | grep :{port} there shows whether it runs: if so, let this host through its "
+        "firewall; if not: rtm-naming {port}"
+    ),
+    "other port": (
+        "see whether it is the name server (rtls {server}), and correct the address; if not: rtm-naming "
+        "{port} there"
+    ),
+    "bind again": (
+        "look again in some time, as many bind their names again by themselves (naming.update.enable); "
+        "restart those that do not"
+    ),
     "restart name server": "restart the name server that has it",
     "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
     "correct port": "correct the port; netstat -ltnp | grep omniNames there shows it",
@@ -87,9 +114,14 @@ WORDS = {
     "activate many": "activate those that are to move (rtact), or the whole system by its file (rtstart)",
     "restart composite": "restart its process, with all members alive (rtcomp cannot remove a dead one); "
     "netstat -ltnp | grep :{port} there names it",
-    "load": "look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping {host})",
-    "load or values": "see whether values come to it as often (rttrace -u {port}); if so, look for what takes the time of its host, or "
-    "of the component itself (top there), or what is lost on the way (ping {host})",
+    "load": (
+        "look for what takes the time of its host, or of the component itself (top there), or what is lost "
+        "on the way (ping {host})"
+    ),
+    "load or values": (
+        "see whether values come to it as often (rttrace -u {port}); if so, look for what takes the time "
+        "of its host, or of the component itself (top there), or what is lost on the way (ping {host})"
+    ),
     "measure again": "measure it alone: rtec --measure {path}",
     # connections
     "connect again": "disconnect it (rtdis -i {id} {port}), then connect its ends again: rtcon",
@@ -101,7 +133,9 @@ WORDS = {
     # managers
     "restart manager": "restart it; rtls {path} marks what is gone",
     "restart slave": "restart that slave",
-    "restart manager or slave": "restart it, or a slave that it waits for; netstat -ltnp | grep :{port} there names its process",
+    "restart manager or slave": (
+        "restart it, or a slave that it waits for; netstat -ltnp | grep :{port} there names its process"
+    ),
     "hung below": "see which: rtls -l {path}",
     # profiles
     "start component": "start it, or have its manager make it: rtresurrect --create {file}",
@@ -116,6 +150,12 @@ class Line(str):
     """Words of a command line, quoted already."""
 
 
+def _quoted(part):
+    if isinstance(part, Line):
+        return part
+    return shell_word(str(part))
+
+
 def command(name, **values):
     """The Remedy of that name in COMMANDS; a value is a word, a list of words or a Line."""
 
@@ -123,7 +163,7 @@ def command(name, **values):
         value = values[match.group(2)]
         if not isinstance(value, list):
             value = [value]
-        text = " ".join(part if isinstance(part, Line) else shell_word(str(part)) for part in value)
+        text = " ".join(_quoted(part) for part in value)
         if text:
             return match.group(1) + text
         return ""
@@ -178,7 +218,9 @@ async def may_be_lost(e, endpoint):
     """True if the errors.Error of a process may mean that its answer was too large for the network on the
     way.
     """
-    return isinstance(e, errors.Silent) and e.why != session.NO_TIME and await addresses.loses_large(endpoint)
+    if not isinstance(e, errors.Silent) or e.why == session.NO_TIME:
+        return False
+    return await addresses.loses_large(endpoint)
 
 
 async def is_of_network(e, endpoint):

@@ -1,4 +1,6 @@
-"""An examination as one file: a page with the findings, the map of the system, and what is known of all of it."""
+"""An examination as one file: a page with the findings, the map of the system, and what is known of all of
+it.
+"""
 
 import base64
 
@@ -6,11 +8,12 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.data import clocks
 from rtshell_lite.doctor import host
-from rtshell_lite.doctor.finding import LEVELS, Finding, counted, sorted_by_level
+from rtshell_lite.doctor.finding import LEVELS, Finding, sorted_by_level
 from rtshell_lite.robot import ports
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.views import live_graph, page
 from rtshell_lite.xmlprofile import rtsprofile
+from rtshell_lite.text import counted
 
 CONFIGURATION = ("conf.", "configuration.")  # begins the names of properties with what is configured
 WINDOW = 30  # seconds of a log that are shown, its last ones
@@ -31,14 +34,17 @@ def html(seen, findings, title, log=None, values=True, environment=True):
     system, lost = _system(seen)
     profile = rtsprofile.dump(system.profile, rtsprofile.YAML)
     drawing = live_graph.of_system(system, lost)
-    remarks = sorted_by_level(findings) + [page.Remark("note", "", "", line, "") for line in drawing.notes]
+    remarks = sorted_by_level(findings)
+    for line in drawing.notes:
+        remarks.append(page.Remark("note", "", "", line, ""))
     fields = page.fields(drawing.picture, drawing.profile, title, "", remarks)
     fields["what"] = page.origin("rtdoctor --report") + ". " + _contents(log, values, environment)
     fields["sections"] = [
         (heading, page.shown(text)) for heading, text in _sections(seen, environment) if text
     ]
     if log:
-        fields["plots"] = [(f"The last {WINDOW} s of {page.shown(log)}", _plot(log))]
+        title = f"The last {WINDOW} s of {page.shown(log)}"
+        fields["plots"] = [(title, _plot(log))]
     fields["profile"] = profile
     return page.html(fields)
 
@@ -100,7 +106,10 @@ def _leave_out_values(snapshots):
     for snapshot in snapshots:
         snapshot.configuration = None
         if snapshot.profile is not None:
-            kept = [pair for pair in snapshot.profile.properties if not pair[0].startswith(CONFIGURATION)]
+            kept = []
+            for pair in snapshot.profile.properties:
+                if not pair[0].startswith(CONFIGURATION):
+                    kept.append(pair)
             snapshot.profile = snapshot.profile._replace(properties=kept)
 
 
@@ -142,7 +151,8 @@ def _managers(answers):
             yield f"{node.path}: {answer.why}"
             continue
         slaves, components, _ = answer
-        yield f"{node.path}: {counted(len(slaves), 'slave')}, {counted(len(components), 'component')}"
+        has = f"{counted(len(slaves), 'slave')}, {counted(len(components), 'component')}"
+        yield f"{node.path}: {has}"
         for child in slaves + components:
             yield f"  {child.kind}  {child.name}  {_addresses(child)}"
 
@@ -153,7 +163,8 @@ def _clocks(snapshots):
         if each.stamp is not None:
             host, number = each.node.endpoint
             port = ports.short_name(each.written[0].name, each.node.path.instance)
-            yield f"{each.where}  at {host}:{number}: a value of {port} was {clocks.distance(*each.stamp)}"
+            stamped = clocks.distance(*each.stamp)
+            yield f"{each.where}  at {host}:{number}: a value of {port} was {stamped}"
 
 
 def _ports(visits):

@@ -8,9 +8,9 @@ import time
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, local, networks, references, remedies
-from rtshell_lite.doctor.finding import counted, fail, listed, ok, reason, warn
+from rtshell_lite.doctor.finding import fail, listed, ok, reason, warn
 from rtshell_lite.robot import aliases, manager, tree
-from rtshell_lite.text import printable, shell_word
+from rtshell_lite.text import counted, printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
 
@@ -33,10 +33,12 @@ async def visits(tops):
     places = [path.Path(server, (), None, False) for server in by_server]
     used = await _ports(places)
     answers = await tree.at_each(places, lambda place: _visit(place, by_server[place.server], used))
-    return [
-        _too_late(place, visit) if isinstance(visit, errors.Error) else visit
-        for place, visit in zip(places, answers)
-    ]
+    made = []
+    for place, visit in zip(places, answers):
+        if isinstance(visit, errors.Error):
+            visit = _too_late(place, visit)
+        made.append(visit)
+    return made
 
 
 async def _ports(places):
@@ -65,7 +67,9 @@ async def _visit(place, tops, used):
         return visit
     for top in tops:
         known = {node.path for node in visit.nodes}
-        visit.nodes.extend(node for node in await _below(visit, top) if node.path not in known)
+        for node in await _below(visit, top):
+            if node.path not in known:
+                visit.nodes.append(node)
     await _share(visit, tops)
     looked, probes = await session.each(
         [tree.check_alive, _probes],
@@ -95,7 +99,9 @@ async def _unbound(visit):
     """
     host = orb.endpoint((await tree.resolve(visit.path)).ref)[0]
     where = str(visit.path)
-    word = "corbaloc::%s:%d/manager" % (f"[{host}]" if ":" in host else host, path.MANAGER_PORT)
+    if ":" in host:
+        host = f"[{host}]"
+    word = "corbaloc::%s:%d/manager" % (host, path.MANAGER_PORT)
     try:
         living = await manager.components(await manager.find(word))
     except errors.Error:
@@ -103,8 +109,9 @@ async def _unbound(visit):
     if not living:
         return []
     message = (
-        f"has no names, though a manager at port {path.MANAGER_PORT} of its host has {counted(len(living), 'component')} "
-        f"({listed(printable(name) for name, _ in living)}): it was started again, perhaps, and they were not"
+        f"has no names, though a manager at port {path.MANAGER_PORT} of its host has "
+        f"{counted(len(living), 'component')} ({listed(printable(name) for name, _ in living)}): it was "
+        "started again, perhaps, and they were not"
     )
     return [warn("name server", where, message, remedies.words("bind again"))]
 
@@ -123,7 +130,10 @@ async def _reach(visit, server, used):
     shown = ", ".join(f"{name} {1000 * seconds:.1f} ms" for name, seconds in times)
     slow = [name for name, seconds in times if seconds > SLOW]
     if slow:
-        cure = remedies.words("host file" if slow == ["name"] else "slow", host=printable(server.endpoint[0]))
+        if slow == ["name"]:
+            cure = remedies.words("host file", host=printable(server.endpoint[0]))
+        else:
+            cure = remedies.words("slow", host=printable(server.endpoint[0]))
         visit.findings.append(warn("name server", where, f"slow ({shown})", cure))
     else:
         visit.findings.append(
@@ -143,7 +153,9 @@ def _used(visit, host):
         here = ", this host"
     else:
         here = ""
-    return f" at {used}{here}" + (f"; {printable(host)} also means {', '.join(others)}" if others else "")
+    if others:
+        here += f"; {printable(host)} also means {', '.join(others)}"
+    return f" at {used}{here}"
 
 
 class _Stop(Exception):
@@ -185,7 +197,8 @@ async def _transport(visit, endpoint, times, used):
         if other:
             raise _Stop(
                 where,
-                f"connection refused: nothing listens on port {port}, but something does on port {other} of that host",
+                f"connection refused: nothing listens on port {port}, but something does on port {other} "
+                "of that host",
                 remedies.words("other port", server=shell_word("/%s:%d" % (host, other)), port=port),
             )
         if any(addresses.is_own(address) for address in visit.addresses):
@@ -251,8 +264,8 @@ async def _is_there(where, ref):
             )
         raise _Stop(
             where,
-            f"cannot tell from here: TCP connects, then {reason(e)}; what listens there does not speak CORBA, or the "
-            "network is broken",
+            f"cannot tell from here: TCP connects, then {reason(e)}; what listens there does not speak "
+            "CORBA, or the network is broken",
             remedies.network(endpoint),
         )
     except errors.Refused as e:
@@ -331,7 +344,8 @@ async def _share(visit, tops):
     which may be outside the part of the name server that is examined.
     """
     nodes = visit.nodes
-    if any(top.names for top in tops) and any(node.kind == "directory" for node in nodes):
+    is_partial = any(top.names for top in tops)
+    if is_partial and any(node.kind == "directory" for node in nodes):
         nodes = await tree.walk(await tree.resolve(visit.path), managers=False)
     for node in nodes:
         if node.alias is not None:

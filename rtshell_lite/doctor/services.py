@@ -27,8 +27,8 @@ def mismatches(ends, properties):
     if not wanting:
         return ["each end provides something, and none requires anything"]
     return [
-        f"nobody in it provides interface {printable(interface.instance_name)} ({printable(interface.type_name)}), which "
-        f"{ports.label(port)} requires"
+        f"nobody in it provides interface {printable(interface.instance_name)} "
+        f"({printable(interface.type_name)}), which {ports.label(port)} requires"
         for port, interface in wanting
         if not _served(interface, properties)
         and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)
@@ -38,7 +38,10 @@ def mismatches(ends, properties):
 def _served(interface, properties):
     """True when the properties of a connection name a provider for a required interface."""
     name = f"{interface.type_name}.{interface.instance_name}"
-    mapped = [value for key, value in properties.items() if key.endswith(".required." + name)]
+    mapped = []
+    for key, value in properties.items():
+        if key.endswith(".required." + name):
+            mapped.append(value)
     if mapped:
         return mapped[0] in NOBODY or mapped[0] in properties
     return "port." + name in properties

@@ -4,9 +4,9 @@ import collections
 
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import remedies
-from rtshell_lite.doctor.finding import counted, warn
+from rtshell_lite.doctor.finding import warn
 from rtshell_lite.robot import component
-from rtshell_lite.text import shell_word
+from rtshell_lite.text import counted, shell_word
 
 MANY = 10  # components that one command activates
 
@@ -17,22 +17,30 @@ def findings(snapshots, failed):
 
     A system is what is connected. One with a failure is not judged: what is Inactive there may wait for it.
     """
-    answered = [(snapshot, component.merged(snapshot.states)) for snapshot in snapshots if snapshot.states]
-    if not failed and answered and all(state == "Inactive" for _, state in answered):
+    answered = []
+    for snapshot in snapshots:
+        if snapshot.states:
+            answered.append((snapshot, component.merged(snapshot.states)))
+    are_all_inactive = all(state == "Inactive" for _, state in answered)
+    if not failed and answered and are_all_inactive:
         return [_nothing_moves([snapshot for snapshot, _ in answered])]
     groups = _connected(snapshots)
     states = {id(snapshot): state for snapshot, state in answered}
     found = []
     for snapshot, state in answered:
         group = groups[id(snapshot)]
-        if state != "Inactive" or any(other.where in failed for other in group):
+        if state != "Inactive":
+            continue
+        if any(other.where in failed for other in group):
             continue
         active = collections.Counter(states.get(id(other)) for other in group)["Active"]
+        if active == 1:
+            are = "is"
+        else:
+            are = "are"
         if active:
-            message = (
-                f"Inactive, while {counted(active, 'component')} of its system {'is' if active == 1 else 'are'} Active; it may "
-                "have been reset"
-            )
+            of_system = f"{counted(active, 'component')} of its system {are} Active"
+            message = f"Inactive, while {of_system}; it may have been reset"
             found.append(
                 warn(
                     "component",

@@ -1,5 +1,5 @@
-"""Where a signal stops: follows the connections of data ports through components, measures every out port on the way at
-the same time, and finds the first stage that stops, holds, thins, delays or disorders the values.
+"""Where a signal stops: follows the connections of data ports through components, measures every out port on
+the way at the same time, and finds the first stage that stops, holds, thins, delays or disorders the values.
 
 Harmless as rtprint is: one connector a port, made and left by its rules.
 """
@@ -98,11 +98,14 @@ class Watch:
         return 0.0
 
     def delay_after(self, other):
-        """Mean seconds from a value of another Watch to the one of this with the same timestamp, None if unknown."""
+        """Mean seconds from a value of another Watch to the one of this with the same timestamp, None if
+        unknown.
+        """
         both = [stamp for stamp in self.arrivals if stamp in other.arrivals]
         if not both:
             return None
-        return sum(self.arrivals[stamp] - other.arrivals[stamp] for stamp in both) / len(both) / 1e9
+        delays = [self.arrivals[stamp] - other.arrivals[stamp] for stamp in both]
+        return sum(delays) / len(both) / 1e9
 
 
 class Stage:
@@ -122,7 +125,8 @@ class Stage:
     @property
     def rate(self):
         """What its running context claims, in Hz; 0 if none runs."""
-        return max([context.rate for context in self.contexts or () if context.running] or [0])
+        rates = [context.rate for context in self.contexts or () if context.running]
+        return max(rates, default=0)
 
 
 class Trace:
@@ -138,8 +142,8 @@ class Trace:
         self._following = self._measuring = None  # loop.Groups
 
     async def follow(self, start, seconds):
-        """Follow the connections from a ports.Port and measure, for `seconds` in all; for longer, where a busy machine
-        needs most of them to follow.
+        """Follow the connections from a ports.Port and measure, for `seconds` in all; for longer, where a
+        busy machine needs most of them to follow.
         """
         now = session.current()
         patience = now.timeout
@@ -200,7 +204,10 @@ class Trace:
         for port in outs:
             self._watch(stage, port)
         await self._show_services(stage, [port for port in listed if port.type == "CorbaPort"])
-        await self._go_on(stage, ins if self.against else outs)
+        if self.against:
+            await self._go_on(stage, ins)
+        else:
+            await self._go_on(stage, outs)
 
     def _watch(self, stage, port):
         if any(watch.port.name == port.name for watch in stage.watches):
@@ -252,7 +259,8 @@ class Trace:
             return
         if end.port.node is None:
             why = f"{places.name(end)} is bound nowhere"
-            self.silent.append(Far(ports.label(port), stage.depth + 1, ports.label(port), why))
+            where = ports.label(port)
+            self.silent.append(Far(where, stage.depth + 1, where, why))
             return
         far = self._enter(end.port.node, stage.depth + 1)
         if far is None:
@@ -270,19 +278,28 @@ class Trace:
     async def find_cause(self, stage):
         """Note what a Stage waits for, if it lives: asked for its ports, it asks their far ends."""
         session.current().silent.pop(stage.node.endpoint, None)  # its process may answer smaller questions
-        others = [node for node in await _bound(stage.node) if node.endpoint != stage.node.endpoint]
-        silent = [node for node in await tree.check_alive(others) if node.kind == "silent"]
+        others = []
+        for node in await _bound(stage.node):
+            if node.endpoint != stage.node.endpoint:
+                others.append(node)
+        silent = []
+        for node in await tree.check_alive(others):
+            if node.kind == "silent":
+                silent.append(node)
         (itself,) = await tree.check_alive([stage.node])
         if len(silent) == 1 and itself.kind != "silent":
             stage.error = errors.Silent(stage.where, f"it waits for {silent[0].path}, which does not answer")
             self.silent.append(Far(str(silent[0].path), stage.depth, stage.where, "it does not answer"))
 
     async def _bound_there(self, ref, near):
-        """The path, as text, of the only component bound with the address of a reference, or the only one of them that
-        does not answer; None if unknown.
+        """The path, as text, of the only component bound with the address of a reference, or the only one of
+        them that does not answer; None if unknown.
         """
         at = orb.endpoint(ref)
-        bound = [node for node in await _bound(near) if orb.endpoint(node.ref) == at]
+        bound = []
+        for node in await _bound(near):
+            if orb.endpoint(node.ref) == at:
+                bound.append(node)
         if len(bound) > 1:
             bound = [node for node in await tree.check_alive(bound) if node.kind == "silent"]
         if len(bound) == 1:
@@ -290,8 +307,8 @@ class Trace:
         return None
 
     def limit(self, to, back):
-        """Keep what leads to a Port; `back` is the Trace from there against the data. Where no way leads there, what
-        has been found from both ends is kept, and the gap is a fault.
+        """Keep what leads to a Port; `back` is the Trace from there against the data. Where no way leads
+        there, what has been found from both ends is kept, and the gap is a fault.
         """
         self.limit_to(str(to.node.path), back)
 
@@ -310,33 +327,42 @@ class Trace:
         self.links = [link for link in self.links if link.stage in kept]
 
     def _leads_to(self, stage, kept):
-        return any(link.stage in kept and link.watch in stage.watches for link in self.links)
+        for link in self.links:
+            if link.stage in kept and link.watch in stage.watches:
+                return True
+        return False
 
     # ---- judging ----
 
     def in_order(self):
         """The Stages, those where data comes from first."""
-        return sorted(self.stages.values(), key=lambda stage: -stage.depth if self.against else stage.depth)
+        return sorted(self.stages.values(), key=lambda stage: stage.depth, reverse=self.against)
 
     def feeding(self, stage):
         """The Links that lead to a Stage."""
         return [link for link in self.links if link.stage is stage]
 
     def culprit(self):
-        """(path of a component, Fault) of the first that does not pass values on, or of the first that does so slowly;
-        None if all do.
+        """(path of a component, Fault) of the first that does not pass values on, or of the first that does
+        so slowly; None if all do.
 
         What hangs or is dead explains why those around it seem to stop values.
         """
-        found = [(stage, fault) for stage, fault in self._faults() if fault is not None]
+        found = []
+        for stage, fault in self._faults():
+            if fault is not None:
+                found.append((stage, fault))
         first = min(found, key=lambda each: each[1].is_slight, default=None)
         if first is None and self.gap is not None:
-            sure = PROBABLE if self.is_cut else CERTAIN
+            sure = CERTAIN
+            if self.is_cut:
+                sure = PROBABLE
             first = self.in_order()[-1], _fault(f"no connection leads on from it to {self.gap}", sure)
         silent = self._silent()
-        if silent is not None:
-            if first is None or first[1].sure == PROBABLE or self._is_before(silent.depth, first[0].depth):
-                return silent.where, _fault(silent.why, _sure_of(silent))
+        if silent is None:
+            return first and (first[0].where, first[1])
+        if first is None or first[1].sure == PROBABLE or self._is_before(silent.depth, first[0].depth):
+            return silent.where, _fault(silent.why, _sure_of(silent))
         return first and (first[0].where, first[1])
 
     def _faults(self):
@@ -350,10 +376,14 @@ class Trace:
         for stage in self.stages.values():
             if stage.error is not None:
                 found.append(Far(stage.where, stage.depth, stage.where, stage.error.why))
-        return min(found, key=lambda far: -far.depth if self.against else far.depth, default=None)
+        if self.against:
+            return max(found, key=lambda far: far.depth, default=None)
+        return min(found, key=lambda far: far.depth, default=None)
 
     def _is_before(self, depth, other):
-        return depth > other if self.against else depth < other
+        if self.against:
+            return depth > other
+        return depth < other
 
     def note_delays(self):
         """Set the `delay` of Stages."""
@@ -391,12 +421,15 @@ class Trace:
         """Seconds that a Stage may take with a value: on a busy host all of them take longer."""
         others = sorted(each.delay for each in self.stages.values() if each.delay is not None)
         usual = others[len(others) // 2]
-        rate = stage.rate or max([watch.rate for watch in stage.watches] or [0]) or 1
-        return max(self._slower() * (LATE + CYCLES / rate), BUSY * usual if others[1:] else 0)
+        rate = stage.rate or max((watch.rate for watch in stage.watches), default=0) or 1
+        longest = self._slower() * (LATE + CYCLES / rate)
+        if others[1:]:
+            return max(longest, BUSY * usual)
+        return longest
 
     def _slower(self):
-        """How many times slower all stages are than their contexts claim, as far as the first values tell: 1 to
-        MOST_SLOWER.
+        """How many times slower all stages are than their contexts claim, as far as the first values tell: 1
+        to MOST_SLOWER.
         """
         for stage in self.in_order():
             measured = max([watch.rate for watch in stage.watches] or [0])
@@ -408,9 +441,12 @@ class Trace:
         """A Fault if values find the buffer of its in port full."""
         for link in feeding:
             policy = buffers.refusal(link.port)
-            if policy and stage.rate and stage.rate < THINNED * max(link.watch.rate, self._written(link)):
+            if not policy or not stage.rate:
+                continue
+            if stage.rate < THINNED * max(link.watch.rate, self._written(link)):
                 return _fault(
-                    f"{ports.label(link.port)} {buffers.POLICIES[policy]} ({policy}): it executes at {stage.rate:g} Hz",
+                    f"{ports.label(link.port)} {buffers.POLICIES[policy]} ({policy}): it executes at "
+                    f"{stage.rate:g} Hz",
                     PROBABLE,
                 )
         return None
@@ -418,7 +454,9 @@ class Trace:
     def _written(self, link):
         """The rate, in Hz, at which a Link would be written to if nothing held its writer up."""
         writer = next(stage for stage in self.stages.values() if link.watch in stage.watches)
-        return writer.rate if buffers.refusal(link.port) == "block" else 0
+        if buffers.refusal(link.port) == "block":
+            return writer.rate
+        return 0
 
 
 async def _bound(near):
@@ -437,27 +475,31 @@ def _fault(words, sure, is_slight=False):
 
 def _sure_of(failure):
     """How sure it is, by an errors.Error or a Far, that something does not answer."""
-    return PROBABLE if failure.why == UNANSWERED else CERTAIN
+    if failure.why == UNANSWERED:
+        return PROBABLE
+    return CERTAIN
 
 
 def _fault_of(watch, feeding, slower):
-    """The Fault that the values of a Watch show beside those of the Watches `feeding` its component, or None; `slower`:
-    how busy the host is, see Trace._slower.
+    """The Fault that the values of a Watch show beside those of the Watches `feeding` its component, or None;
+    `slower`: how busy the host is, see Trace._slower.
     """
     if watch.failure is not None:
         return _fault(f"{watch.name} could not be measured: {watch.failure.why}", _sure_of(watch.failure))
     fed = [each for each in feeding if each.count]
     if not watch.count:
         if not feeding:
-            sure = CERTAIN if watch.seconds >= LEAST else PROBABLE
+            if watch.seconds >= LEAST:
+                sure = CERTAIN
+            else:
+                sure = PROBABLE
             return _fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", sure)
         if fed and (watch.seconds >= LEAST or watch.seconds * fed[0].rate >= FEW):
             return _fault(f"values come in ({fed[0].rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
         return None
-    if watch.flow.total.disordered and not any(each.flow.total.disordered for each in fed):
-        return _fault(
-            f"{watch.flow.total.disordered} values of {watch.name} are older than the one before", CERTAIN
-        )
+    disordered = watch.flow.total.disordered
+    if disordered and not any(each.flow.total.disordered for each in fed):
+        return _fault(f"{disordered} values of {watch.name} are older than the one before", CERTAIN)
     if watch.count >= FEW and not watch.changes and any(each.changes for each in fed):
         return _fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
     rate = min([each.rate for each in fed if each.count >= MANY] or [0])
@@ -479,8 +521,8 @@ async def of_silent(where, error):
 
 
 async def between(start, to, against, seconds):
-    """The Trace from a ports.Port on, `against` the data or with it, measured for `seconds`; with a Port `to`, only the
-    ways that lead there.
+    """The Trace from a ports.Port on, `against` the data or with it, measured for `seconds`; with a Port
+    `to`, only the ways that lead there.
     """
     trace = Trace(against)
     if to is None:

@@ -1,4 +1,6 @@
-"""rttrace on a recording: the connections are those of the last profile in the log, the values those that were recorded."""
+"""rttrace on a recording: the connections are those of the last profile in the log, the values those that
+were recorded.
+"""
 
 from rtshell_lite import errors
 from rtshell_lite.data import reading
@@ -9,8 +11,8 @@ from rtshell_lite.xmlprofile import rtsprofile
 
 
 def recorded(log, start, to=None, against=False, seconds=None):
-    """The trace.Trace from a Path with a port on, `to` another one if given; of the last `seconds` of a log, None for all
-    of it. Raises errors.Failed, NoSuch.
+    """The trace.Trace from a Path with a port on, `to` another one if given; of the last `seconds` of a log,
+    None for all of it. Raises errors.Failed, NoSuch.
     """
     made = trace.Trace(against)
     profile = _profile(log)
@@ -73,17 +75,23 @@ def _follow(made, start, links, channels):
         where, depth = waiting.pop(0)
         _stage(made, where, depth)
         for out, into in links:
-            if made.against and into.object() == where and (depth or into.port == start.port):
-                far = out.object()
-            elif not made.against and out.object() == where and (depth or out.port == start.port):
-                far = into.object()
+            is_start = not depth
+            if made.against:
+                near, far = into, out
             else:
+                near, far = out, into
+            if near.object() != where or is_start and near.port != start.port:
                 continue
+            far = far.object()
             if str(far) not in made.stages:
                 waiting.append((far, depth + 1))
-            _join(made, out, into, depth + 1 if made.against else depth, channels)
+            if made.against:
+                _join(made, out, into, depth + 1, channels)
+            else:
+                _join(made, out, into, depth, channels)
             _stage(made, far, depth + 1)
-    if not made.against and made.stages[str(start.object())].watches == []:
+    begin = made.stages[str(start.object())]
+    if not made.against and begin.watches == []:
         _watch(made, start, 0, channels)
 
 
@@ -94,8 +102,13 @@ def _stage(made, where, depth):
 
 def _join(made, out, into, depth, channels):
     watch = _watch(made, out, depth, channels)
-    stage = _stage(made, into.object(), depth + (-1 if made.against else 1))
-    if not any(link.watch is watch and link.port == into for link in made.links):
+    if made.against:
+        depth -= 1
+    else:
+        depth += 1
+    stage = _stage(made, into.object(), depth)
+    is_known = any(link.watch is watch and link.port == into for link in made.links)
+    if not is_known:
         made.links.append(trace.Link(watch, stage, into, True))
 
 
@@ -119,7 +132,10 @@ def _watch(made, out, depth, channels):
 def _measure(made, log, channels, seconds):
     """Give the values of a log to the Watches."""
     watches = {watch.name: watch for stage in made.stages.values() for watch in stage.watches}
-    by_channel = {number: watches[name] for name, (number, _) in channels.items() if name in watches}
+    by_channel = {}
+    for name, (number, _) in channels.items():
+        if name in watches:
+            by_channel[number] = watches[name]
     first = 0
     if seconds is not None and log.last is not None:
         first = log.since(log.last - int(seconds * 1e9)) or 0

@@ -60,9 +60,13 @@ async def _sockets(endpoint):
     """Inodes of all sockets of the process that listens at an endpoint of this host;
     none if that is hidden from us.
     """
-    if not any(addresses.is_own(str(address)) for address, _ in await _numeric(endpoint)):
+    numeric = await _numeric(endpoint)
+    if not any(addresses.is_own(str(address)) for address, _ in numeric):
         return set()
-    listening = {inode for local, _, inode in _rows(LISTENING) if _end(local)[1] == endpoint[1]}
+    listening = set()
+    for local, _, inode in _rows(LISTENING):
+        if _end(local)[1] == endpoint[1]:
+            listening.add(inode)
     for process in glob.glob("/proc/[0-9]*"):
         inodes = _inodes(process)
         if inodes & listening:

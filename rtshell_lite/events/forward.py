@@ -1,4 +1,5 @@
-"""Receiving logs as fluentd does: OpenRTM-aist 2 sends its log through Fluent Bit, whose output `forward` connects to a TCP port.
+"""Receiving logs as fluentd does: OpenRTM-aist 2 sends its log through Fluent Bit, whose output `forward`
+connects to a TCP port.
 
 In rtc.conf, where its logger FluentBit is loaded (HOST is the host of this program):
 
@@ -6,8 +7,9 @@ In rtc.conf, where its logger FluentBit is loaded (HOST is the host of this prog
     logger.logstream.fluentd.output.conf.host: HOST
     logger.logstream.fluentd.output.conf.port: 24224
 
-A message is an array: [tag, time, record], [tag, [[time, record], …]], or [tag, octets] with such pairs one after the other,
-perhaps compressed by gzip; after these, perhaps, a map of options. `chunk` in it asks for an answer.
+A message is an array: [tag, time, record], [tag, [[time, record], …]], or [tag, octets] with such pairs one
+after the other, perhaps compressed by gzip; after these, perhaps, a map of options. `chunk` in it asks for an
+answer.
 """
 
 import collections
@@ -38,8 +40,8 @@ Source = collections.namedtuple("Source", "where name")
 
 
 def pairs(data):
-    """The tag of a message, octets that begin with it, and (time, record) one after the other; the last item is the map of
-    options. Raises Malformed, struct.error, IndexError.
+    """The tag of a message, octets that begin with it, and (time, record) one after the other; the last item
+    is the map of options. Raises Malformed, struct.error, IndexError.
     """
     kind, count, at = msgpack.head(data, 0)
     if kind != msgpack.ARRAY or not 2 <= count <= 4:
@@ -109,8 +111,8 @@ def _checked(pair):
 
 
 def record_of(tag, when, fields, address):
-    """(Source, Record) of a pair. OpenRTM's fields are name, level, host, manager, pid, time and message; those of others are
-    shown as they are.
+    """(Source, Record) of a pair. OpenRTM's fields are name, level, host, manager, pid, time and message;
+    those of others are shown as they are.
     """
     if isinstance(when, list) and when:  # [time, metadata]
         when = when[0]
@@ -118,10 +120,16 @@ def record_of(tag, when, fields, address):
         when = time.time()
     if not isinstance(fields, dict):
         fields = {"message": fields}
-    known = {key: _text(each) for key, each in fields.items() if isinstance(key, str)}
+    known = {}
+    for key, each in fields.items():
+        if isinstance(key, str):
+            known[key] = _text(each)
     host = known.get("host") or address
     manager = known.get("manager")
-    where = f"{host}/{manager}" if manager else host
+    if manager:
+        where = f"{host}/{manager}"
+    else:
+        where = host
     message = known.get("message", known.get("log"))
     if message is None:
         message = " ".join("%s=%s" % item for item in known.items())
@@ -258,7 +266,10 @@ class Door:
             message = bytes(sender.data[:end])
             del sender.data[:end]
             sender.scan = msgpack.Scan()
-            sender.begun = sender.heard if sender.data else None
+            if sender.data:
+                sender.begun = sender.heard
+            else:
+                sender.begun = None
             tag, found, options = pairs(message)
             for number, (when, fields) in enumerate(found, 1):
                 take(*record_of(tag, when, fields, sender.address))

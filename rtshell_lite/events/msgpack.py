@@ -3,8 +3,8 @@
     end = Scan(limit).end(data)      where the first value in `data` ends; None while it has not all come
     found, at = value(data, 0)       the value, and where the next one begins
 
-Texts are str, octets bytes, and a time of fluentd (extension 0) is a float; other extensions are None. Malformed is raised for
-anything else, and for values inside more than DEEPEST values.
+Texts are str, octets bytes, and a time of fluentd (extension 0) is a float; other extensions are None.
+Malformed is raised for anything else, and for values inside more than DEEPEST values.
 """
 
 import struct
@@ -46,13 +46,16 @@ def _read(form, data, at):
 
 
 def head(data, at):
-    """(kind, number, where what comes after begins) of the value at `at`: the number is the value itself, or how many octets
-    or values it has. Raises struct.error or IndexError where the head has not all come, Malformed.
+    """(kind, number, where what comes after begins) of the value at `at`: the number is the value itself, or
+    how many octets or values it has. Raises struct.error or IndexError where the head has not all come,
+    Malformed.
     """
     first = data[at]
     at += 1
     if first < 0x80 or first >= 0xE0:
-        return NUMBER, first if first < 0x80 else first - 0x100, at
+        if first >= 0x80:
+            first -= 0x100
+        return NUMBER, first, at
     if first < 0x90:
         return MAP, first & 0x0F, at
     if first < 0xA0:
@@ -78,7 +81,9 @@ def head(data, at):
 
 
 class Scan:
-    """Finds the end of the value with which `data` begins, without looking at any octet of it twice, however it comes."""
+    """Finds the end of the value with which `data` begins, without looking at any octet of it twice, however
+    it comes.
+    """
 
     def __init__(self):
         self._at = 0
@@ -102,14 +107,18 @@ class Scan:
             self._wanted -= 1
             self._seen += 1
             if kind in (ARRAY, MAP):
-                self._wanted += number * (2 if kind == MAP else 1)
+                if kind == MAP:
+                    number *= 2
+                self._wanted += number
             if self._seen + self._wanted > MOST:
                 raise Malformed("more than %d values" % MOST)
         return self._at
 
 
 def value(data, at, depth=0):
-    """(the value at `at`, where the next one begins). Raises Malformed, and struct.error or IndexError where `data` ends in it."""
+    """(the value at `at`, where the next one begins). Raises Malformed, and struct.error or IndexError where
+    `data` ends in it.
+    """
     if depth > DEEPEST:
         raise Malformed("more than %d values inside one another" % DEEPEST)
     kind, number, at = head(data, at)

@@ -113,7 +113,10 @@ class Poll:
         name, values = self.set
         if was[0] != name:
             return [("CONFIG_EVENT", name, "CFG_ACTIVATE_SET")]
-        changed = [parameter for parameter, value in values if (parameter, value) not in was[1]]
+        changed = []
+        for parameter, value in values:
+            if (parameter, value) not in was[1]:
+                changed.append(parameter)
         return [("CONFIG_EVENT", f"{name}.{parameter}", "CFG_UPDATE_PARAM") for parameter in changed]
 
 
@@ -121,10 +124,15 @@ def _run_events(seen, context):
     """What has changed since a _Seen, which is updated."""
     if context.running is None:  # it does not answer
         return
-    before, (seen.running, seen.rate) = (seen.running, seen.rate), (context.running, context.rate)
+    before = seen.running, seen.rate
+    seen.running = context.running
+    seen.rate = context.rate
     if None in before:
         return
     if before[0] != seen.running:
-        yield "EC_EVENT", seen.handle, "EC_STARTUP" if seen.running else "EC_SHUTDOWN"
+        if seen.running:
+            yield "EC_EVENT", seen.handle, "EC_STARTUP"
+        else:
+            yield "EC_EVENT", seen.handle, "EC_SHUTDOWN"
     if before[1] != seen.rate:
         yield "EC_EVENT", seen.handle, "EC_RATE_CHANGED"

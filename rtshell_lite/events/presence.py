@@ -4,7 +4,8 @@ Components that take observers report what changes. Of others, each process is a
 few seconds: the state of a component, or one of its connections. A connection that a process drops shows its
 end at once. Absent components are looked for by their names.
 
-Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its neighbours.
+Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its
+neighbours.
 """
 
 import collections
@@ -86,8 +87,8 @@ class Followed:
         """It reports an observer.Event, no heartbeat."""
 
     def seen(self, part):
-        """A question has shown that its "state", "contexts" (rates), "configuration" (the active set) or "ports"
-        are not what `shown` has.
+        """A question has shown that its "state", "contexts" (rates), "configuration" (the active set) or
+        "ports" are not what `shown` has.
         """
 
     async def observe(self):
@@ -180,7 +181,8 @@ class Presence:
     async def _examine(self, endpoint):
         try:
             here = self.at(endpoint)
-            for each in [each for each in here if each.is_hung or each.is_ending] or here[:1]:
+            doubtful = [each for each in here if each.is_hung or each.is_ending]
+            for each in doubtful or here[:1]:
                 await self.ask(each)
         finally:
             self._suspected.discard(endpoint)
@@ -369,7 +371,10 @@ async def _has_other_set(where, shown):
     known = shown.configuration
     active = await orb.call(where, known.ref, "get_active_configuration_set")
     now = from_wire(active.id), dict(orb.properties(active.configuration_data))
-    return now != (known.active, dict(known.set(known.active, True).values) if known.active else {})
+    values = {}
+    if known.active:
+        values = dict(known.set(known.active, True).values)
+    return now != (known.active, values)
 
 
 async def _has_lost(port, where, shown):

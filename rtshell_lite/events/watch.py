@@ -68,7 +68,9 @@ class Records:
         if self.names and record.logger not in self.names:
             return False
         known = list(observer.ALL_LEVELS)
-        return record.level not in known or known.index(record.level) <= known.index(self.level)
+        if record.level not in known:
+            return True
+        return known.index(record.level) <= known.index(self.level)
 
     async def subscription(self, node, heard):
         """The logger to attach to a component. Raises Refused for one that takes none."""
@@ -88,7 +90,9 @@ class Watched:
         self.watch = watch
         self.path = path
         self.where = str(path)
-        self.name = str(path.names[-1] if path.names else path)  # in lines; its path if two have the same
+        self.name = str(path)  # in lines; its path if two have the same
+        if path.names:
+            self.name = str(path.names[-1])
         self.node = self.subscription = self.poll = self.heard = None
         self.since = self.looked = time.monotonic()
         self.ending = False  # it has announced that it will exit
@@ -169,7 +173,9 @@ class Watched:
 
     def is_heard(self):
         """Whether it has called us recently, or recently got an observer."""
-        return self.reported_silence is None and time.monotonic() - max(self.heard or 0, self.since) < LATE
+        if self.reported_silence is not None:
+            return False
+        return time.monotonic() - max(self.heard or 0, self.since) < LATE
 
     async def _answers(self, now):
         """Note that it lives, and see whether it calls us, too."""
@@ -218,7 +224,10 @@ class Watched:
             self.subscription.forget()
             self.watch.subscriptions.remove(self.subscription)
         self.node = self.subscription = self.poll = None
-        self._report("EXITED" if exited else "DIED")
+        if exited:
+            self._report("EXITED")
+        else:
+            self._report("DIED")
 
     async def _return(self):
         """Check whether it is back."""
@@ -338,7 +347,10 @@ class Watch:
         end = time.monotonic() + seconds
         left = number
         while left and (self.watched or self._doors) and time.monotonic() < end:
-            batch = self._take(min(left, BATCH) if left > 0 else BATCH)
+            if left > 0:
+                batch = self._take(min(left, BATCH))
+            else:
+                batch = self._take(BATCH)
             if batch:
                 left -= len(batch)
                 yield batch
@@ -380,7 +392,10 @@ class Watch:
         places = {subscription: (subscription.node.endpoint, subscription.where) for subscription in stuck}
         all_of_them = session.each(list(stuck), detach, places.get)
         try:
-            await (loop.race(all_of_them, loop.sleep(HURRY)) if hurried else all_of_them)
+            if hurried:
+                await loop.race(all_of_them, loop.sleep(HURRY))
+            else:
+                await all_of_them
         finally:
             for subscription in self.subscriptions:
                 subscription.forget()
@@ -394,5 +409,6 @@ class Watch:
         for subscription in stuck:
             if subscription in unheard or not hurried:
                 self._note(
-                    f"{subscription.where}: does not answer; it still has our observer, and drops it when a call to it fails"
+                    f"{subscription.where}: does not answer; it still has our observer, and drops it when "
+                    "a call to it fails"
                 )

@@ -58,7 +58,9 @@ class TypeCode:
 
 
 class Maker(cdr.Maker):
-    """Readers and writers of one byte order, for the operations of the tables; `depth` counts the values around, each in an any."""
+    """Readers and writers of one byte order, for the operations of the tables; `depth` counts the values
+    around, each in an any.
+    """
 
     forms = dict(cdr.FORMS)
     forms.update(

@@ -22,8 +22,8 @@ def writer(descriptor):
 
 
 class Operation:
-    """How an operation is called: writers of its arguments, readers of its results by byte order, those of its
-    exceptions by their ids.
+    """How an operation is called: writers of its arguments, readers of its results by byte order, those of
+    its exceptions by their ids.
 
     carries_data: among its results are octets, of any number; all others are made of small parts, which take
     long to read. takes_values: it is one of a user's IDL, whose results may be large.

@@ -20,8 +20,8 @@ _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "H")) for order in
 
 
 class Thrown(Exception):
-    """An exception that an operation of ours raises: one of its IDL by its name (CosNaming.NamingContext.NotFound) and
-    its members, or one of CORBA by its name alone (BAD_PARAM).
+    """An exception that an operation of ours raises: one of its IDL by its name
+    (CosNaming.NamingContext.NotFound) and its members, or one of CORBA by its name alone (BAD_PARAM).
     """
 
     def __init__(self, name, *members):
@@ -31,14 +31,16 @@ class Thrown(Exception):
 
 
 def head(data, at):
-    """What two messages of GIOP 1.2 have in common that differ only in their ids and in their arguments, which begin at `at`."""
+    """What two messages of GIOP 1.2 have in common that differ only in their ids and in their arguments,
+    which begin at `at`.
+    """
     return bytes(data[4:8]) + bytes(data[16:at])
 
 
 class Request:
-    """A Request (it `is_request`) or LocateRequest, given whole: its id, its operation, the key of its object (None
-    where the caller names it otherwise), where the arguments begin in `data`. Raises Garbled, struct.error,
-    IndexError.
+    """A Request (it `is_request`) or LocateRequest, given whole: its id, its operation, the key of its object
+    (None where the caller names it otherwise), where the arguments begin in `data`. Raises Garbled,
+    struct.error, IndexError.
 
     result, reply   an enumerator that such a request was answered with, and that answer; most get the same again
     """

@@ -1,5 +1,5 @@
-"""TypeCodes as descriptors (CORBA 3.0, 15.3.5.1), read from what a peer sends, where every part is bounded, and
-written.
+"""TypeCodes as descriptors (CORBA 3.0, 15.3.5.1), read from what a peer sends, where every part is bounded,
+and written.
 
 What is read first has no classes for its values; descriptors.adopted checks it, and makes them.
 """
@@ -188,8 +188,8 @@ def write(out, descriptor, order):
 
 
 class _Writer:
-    """Appends to `out`; `base` is where alignment counts from, `known` {identity of a struct or union: place} is for
-    types inside themselves.
+    """Appends to `out`; `base` is where alignment counts from, `known` {identity of a struct or union: place}
+    is for types inside themselves.
     """
 
     def __init__(self, out, order, base, known):

@@ -1,10 +1,11 @@
 """Generate the tables: python3 -m rtshell_lite.idl_stubs.generate [FILE], in a checkout.
 
-FILE is by default tables.py, which says what the .idl files below idl/ say. To add an interface, edit or drop in an .idl file, run
-this command and commit everything; tests/unit/test_tables.py fails until then.
+FILE is by default tables.py, which says what the .idl files below idl/ say. To add an interface, edit or drop
+in an .idl file, run this command and commit everything; tests/unit/test_tables.py fails until then.
 
 It needs omniORBpy, and omniidl with its back end for Python (pip install jeteve-omniorb).
 """
+
 import functools
 import glob
 import os
@@ -26,25 +27,37 @@ class NoOmniidl(Exception):
 
 @functools.lru_cache(maxsize=None)
 def omniidl():
-    """The path of an omniidl that writes Python: beside this interpreter, whose environment need not be active, or on PATH.
+    """The path of an omniidl that writes Python: beside this interpreter, whose environment need not be
+    active, or on PATH.
 
     Debian's omniidl has no back end for Python.
     """
-    for directory in [os.path.dirname(sys.executable)] + os.environ.get("PATH", os.defpath).split(os.pathsep):
+    path = os.environ.get("PATH", os.defpath)
+    for directory in [os.path.dirname(sys.executable)] + path.split(os.pathsep):
         found = shutil.which("omniidl", path=directory)
-        if found and not subprocess.call([found, "-bpython", "-u"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+        if found and _writes_python(found):
             return found
     raise NoOmniidl()
 
 
+def _writes_python(command):
+    return not subprocess.call(
+        [command, "-bpython", "-u"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+
+
 def tables():
     """The text of tables.py."""
-    files = sorted(os.path.relpath(path, IDL) for path in glob.glob(os.path.join(glob.escape(IDL), "*", "*.idl")))
+    found = glob.glob(os.path.join(glob.escape(IDL), "*", "*.idl"))
+    files = sorted(os.path.relpath(path, IDL) for path in found)
     root = os.path.dirname(os.path.dirname(HERE))
     with tempfile.TemporaryDirectory() as directory:
         subprocess.check_call([omniidl(), "-I.", "-bpython", "-C" + directory] + files, cwd=IDL)
-        return subprocess.check_output([sys.executable, "-m", "rtshell_lite.idl_stubs.tabulate", directory], cwd=root,
-                                       universal_newlines=True)
+        return subprocess.check_output(
+            [sys.executable, "-m", "rtshell_lite.idl_stubs.tabulate", directory],
+            cwd=root,
+            universal_newlines=True,
+        )
 
 
 def main(arguments):
@@ -55,7 +68,11 @@ def main(arguments):
         text = tables()
     except (NoOmniidl, subprocess.CalledProcessError) as error:
         sys.exit("generate: {}".format(error))
-    with open(arguments[0] if arguments else os.path.join(HERE, "tables.py"), "w", newline="\n") as stream:
+    if arguments:
+        path = arguments[0]
+    else:
+        path = os.path.join(HERE, "tables.py")
+    with open(path, "w", newline="\n") as stream:
         stream.write(text)
 
 

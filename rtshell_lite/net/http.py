@@ -1,8 +1,9 @@
-"""A small HTTP/1.1 server on the loop, for a page that a few people look at: it answers GET, one request a connection.
+"""A small HTTP/1.1 server on the loop, for a page that a few people look at: it answers GET, one request a
+connection.
 
-Who connects may send anything, slowly, or nothing. So the head of a request has a largest size and a time in which
-it must come, there is no body, an answer has a time in which it must leave, and the number of connections has a
-limit: where it is reached, one that gets nothing gives its place, else the new one.
+Who connects may send anything, slowly, or nothing. So the head of a request has a largest size and a time in
+which it must come, there is no body, an answer has a time in which it must leave, and the number of
+connections has a limit: where it is reached, one that gets nothing gives its place, else the new one.
 """
 
 import collections
@@ -84,8 +85,8 @@ def listening(family, address):
 
 
 async def serve(listener, answer):
-    """Accept connections at a listening socket for ever, and answer each as the function answer(Request) says, which
-    returns an Answer. No failure of a connection ends it.
+    """Accept connections at a listening socket for ever, and answer each as the function answer(Request)
+    says, which returns an Answer. No failure of a connection ends it.
     """
     open_ones = []  # Connections, the oldest first
     async with loop.Group() as group:

@@ -4,8 +4,14 @@ import socket
 
 
 def socket_at(host, port):
-    """A socket that listens at an address, "" for all of this host, 0 for any port; None where that cannot be."""
-    for family in (socket.AF_INET, socket.AF_INET6) if host else (socket.AF_INET6, socket.AF_INET):
+    """A socket that listens at an address, "" for all of this host, 0 for any port; None where that cannot
+    be.
+    """
+    if host:
+        families = (socket.AF_INET, socket.AF_INET6)
+    else:
+        families = (socket.AF_INET6, socket.AF_INET)
+    for family in families:
         try:
             place = socket.getaddrinfo(host or None, 0, family, socket.SOCK_STREAM, 0, socket.AI_PASSIVE)[0][
                 4

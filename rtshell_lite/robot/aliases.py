@@ -61,7 +61,8 @@ async def is_foreign(above, node):
 
     Costs a call where a server is addressed otherwise than it publishes itself. A root is always foreign.
     """
-    (host, port, _), (own_host, own_port, key) = orb.identity(above.ref), orb.identity(node.ref)
+    host, port, _ = orb.identity(above.ref)
+    own_host, own_port, key = orb.identity(node.ref)
     if key == ROOT_KEY or port != own_port:
         return True
     if await same_host(host, own_host):
@@ -76,7 +77,10 @@ async def is_foreign(above, node):
 
 async def same_host(one, other):
     """True when two host names or addresses have an IP address in common."""
-    return one == other or not (await _addresses(one)).isdisjoint(await _addresses(other))
+    if one == other:
+        return True
+    own = await _addresses(one)
+    return not own.isdisjoint(await _addresses(other))
 
 
 async def _addresses(host):

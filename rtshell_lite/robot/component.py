@@ -76,7 +76,10 @@ async def profile(node, brief=False):
             parent,
         )
     ]
-    return Profile(*texts, orb.properties(raw.properties[:1] if brief else raw.properties))
+    listed = raw.properties
+    if brief:
+        listed = listed[:1]
+    return Profile(*texts, orb.properties(listed))
 
 
 async def instance_name(node, ref):
@@ -210,7 +213,10 @@ async def states(node, refs):
 
 def merged(states):
     """One state for a component from those in its contexts."""
-    return next((s for s in ("Error", "Active", "Inactive", "Created") if s in states), "Unknown")
+    for s in ("Error", "Active", "Inactive", "Created"):
+        if s in states:
+            return s
+    return "Unknown"
 
 
 async def state_in(node, ref):

@@ -30,7 +30,9 @@ async def owned(node, with_members=True):
     each of their members is asked for its name.
     """
     refs = await _refs(node, "get_owned_organizations")
-    return [await _organisation(node, ref) if with_members else Organisation("", ref, []) for ref in refs]
+    if not with_members:
+        return [Organisation("", ref, []) for ref in refs]
+    return [await _organisation(node, ref) for ref in refs]
 
 
 async def belonging(node, contexts):
@@ -169,7 +171,10 @@ async def check(node, organisation, joining, leaving):
     A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends,
     at once or when it is activated; Python: its execution context stops for good). Its ports can be hidden.
     """
-    known = {name: ref for name, ref in organisation.members if not isinstance(name, errors.Error)}
+    known = {}
+    for name, ref in organisation.members:
+        if not isinstance(name, errors.Error):
+            known[name] = ref
     for m in joining:
         if orb.same(m.node.ref, node.ref):
             raise errors.Failed(str(node.path), "cannot be a member of itself")
@@ -219,21 +224,28 @@ def _stays(node, m, error):
 
 
 async def _is(m, ref):
-    return orb.same(ref, m.node.ref) or orb.same(ref, await component.canonical(m.node))
+    if orb.same(ref, m.node.ref):
+        return True
+    return orb.same(ref, await component.canonical(m.node))
 
 
 async def add(node, organisation, members):
     """Make Members part of a composite and export their ports; lines that say what was done.
     Raises Refused.
     """
-    lines = await _export(node, add_ports=[f"{m.instance}.{port}" for m in members for port in m.ports])
+    shown = [f"{m.instance}.{port}" for m in members for port in m.ports]
+    lines = await _export(node, add_ports=shown)
     present = [name for name, _ in organisation.members]
     new = [m for m in members if m.instance not in present]
     if new:  # an empty list is refused
-        if not await orb.call(node.path, organisation.ref, "add_members", [m.node.typed for m in new]):
+        refs = [m.node.typed for m in new]
+        if not await orb.call(node.path, organisation.ref, "add_members", refs):
             raise errors.Refused(str(node.path), "does not take members")
         lines += [f"added component {m.node.path!s}" for m in new]
-    return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
+    for m in members:
+        if m not in new:
+            lines.append(f"component {m.node.path!s} is a member already")
+    return lines
 
 
 async def remove(node, organisation, members):
@@ -265,8 +277,14 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     """Change the list of exported ports and activate it; lines that say what was done."""
     sets = await configuration.of(node)
     within = sets.set("default")
-    now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
-    kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
+    now = []
+    for name in within.values.get(EXPORTED, "").split(","):
+        if name.strip():
+            now.append(name.strip())
+    kept = []
+    for name in now:
+        if name not in hide and name.rpartition(".")[0] not in hide_all_of:
+            kept.append(name)
     wanted = kept + [name for name in add_ports if name not in kept]
     if wanted != now:
         await sets.store({EXPORTED: ",".join(wanted)}, within)
@@ -289,7 +307,9 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     the first change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
     """
     name = target.port or DEFAULT_NAME
-    argument = f"{type_name}?instance_name={name}{'&' + options if options else ''}"
+    argument = f"{type_name}?instance_name={name}"
+    if options:
+        argument += "&" + options
     if any(c in name for c in "?&="):
         raise errors.Usage(f"a composite cannot be called {printable(name)}")
     manager.check_argument(argument)
@@ -334,7 +354,11 @@ async def _of_manager(holder, name):
 
 
 def _commands(target, composite, adding, removing, type_name, options):
-    words = ["rtcomp"] + ["-t", type_name] * (composite is None) + ["-o", options] * bool(options)
+    words = ["rtcomp"]
+    if composite is None:
+        words += ["-t", type_name]
+    if options:
+        words += ["-o", options]
     for option, paths in (("-a", adding), ("-r", removing)):
         for path in paths:
             words += [option, str(path)]

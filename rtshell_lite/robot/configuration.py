@@ -52,7 +52,8 @@ class Configuration:
 
     def sets(self, with_hidden=False):
         """The Sets, sorted by name."""
-        return [self._set(set_id) for set_id in sorted(self.raw) if with_hidden or not hidden(set_id)]
+        chosen = [set_id for set_id in sorted(self.raw) if with_hidden or not hidden(set_id)]
+        return [self._set(set_id) for set_id in chosen]
 
     def _set(self, set_id):
         raw = self.raw[set_id]
@@ -171,12 +172,20 @@ class Configuration:
 
 def command(where, set_id, *words):
     """An rtconf command on a set of the component at the path `where`, ready for a shell."""
-    options = ["-a"] * hidden(set_id) + ["-s", set_id] + ["--"] * any(word.startswith("-") for word in words)
-    return " ".join(["rtconf"] + [shell_word(word) for word in [where] + options + list(words)])
+    options = ["-s", set_id]
+    if hidden(set_id):
+        options.insert(0, "-a")
+    if any(word.startswith("-") for word in words):
+        options.append("--")
+    return " ".join(shell_word(word) for word in ["rtconf", where] + options + list(words))
 
 
 def _changed(within, values):
-    return {name: value for name, value in values.items() if within.values.get(name) != value}
+    changed = {}
+    for name, value in values.items():
+        if within.values.get(name) != value:
+            changed[name] = value
+    return changed
 
 
 # ---- as text -----------------------------------------------------------------------------------------------
@@ -188,10 +197,12 @@ def dumped(configuration, with_hidden=False):
     """
     lines = [f"# configuration of {configuration.where}"]
     for section in configuration.sets(with_hidden):
-        lines.append(f"[{_spelt(section.id, ']')}]{' active' if section.active else ''}")
-        lines += [
-            f"{_spelt(name, '=#[')}={_end_seen(printable(value))}" for name, value in section.values.items()
-        ]
+        active = ""
+        if section.active:
+            active = " active"
+        lines.append(f"[{_spelt(section.id, ']')}]{active}")
+        for name, value in section.values.items():
+            lines.append(f"{_spelt(name, '=#[')}={_end_seen(printable(value))}")
     return lines
 
 
@@ -203,7 +214,10 @@ def _end_seen(s):
 
 
 def _spelt(s, more):
-    return "".join("\\" + c if c in more else c for c in printable(s))
+    s = printable(s)
+    for c in more:
+        s = s.replace(c, "\\" + c)
+    return s
 
 
 _SET = r"\[((?:[^\]\\]|\\.)*)\]( +active)? *\Z"
@@ -266,12 +280,16 @@ def differences(left, right, with_hidden=False):
     The row of the active sets has None for the first two.
     """
     rows = []
-    sets = [{present.id: present.values for present in side.sets(with_hidden)} for side in (left, right)]
+    sets = []
+    for side in (left, right):
+        sets.append({present.id: present.values for present in side.sets(with_hidden)})
     for set_id in sorted(set(sets[0]) | set(sets[1])):
         values = [side.get(set_id, {}) for side in sets]
         for name in sorted(set(values[0]) | set(values[1])):
-            if values[0].get(name) != values[1].get(name):
-                rows.append((set_id, name, values[0].get(name), values[1].get(name)))
+            before = values[0].get(name)
+            after = values[1].get(name)
+            if before != after:
+                rows.append((set_id, name, before, after))
     if left.active != right.active:
         rows.append((None, None, left.active or None, right.active or None))
     return rows

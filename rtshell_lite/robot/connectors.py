@@ -44,15 +44,24 @@ def _differing(connector, name, connector_id, given):
     """What a Connector has, each as text, where something else is asked for."""
     known = dict(connector.properties)
     has = [("id", connector.id, connector_id), ("name", connector.name, name)]
-    has += [(key, known.get(key, ""), value) for key, value in sorted(given.items())]
-    return [f"its {key} is {printable(now) or 'empty'}" for key, now, asked in has if asked and asked != now]
+    for key, value in sorted(given.items()):
+        has.append((key, known.get(key, ""), value))
+    differing = []
+    for key, now, asked in has:
+        if asked and asked != now:
+            differing.append(f"its {key} is {printable(now) or 'empty'}")
+    return differing
 
 
 def command(labels, name, connector_id, given):
     """The rtcon command for a connection of the ports at these paths (texts, see `ports.label`),
     ready for a shell.
     """
-    words = ["rtcon"] + ["-n", name] * bool(name) + ["-i", connector_id] * bool(connector_id)
+    words = ["rtcon"]
+    if name:
+        words += ["-n", name]
+    if connector_id:
+        words += ["-i", connector_id]
     for item in sorted(given.items()):
         words += ["-p", "=".join(item)]
     return " ".join(shell_word(word) for word in words + labels)
@@ -81,7 +90,8 @@ async def connect(ends, name="", connector_id="", given=None):
     code, raw = await orb.call(ports.between(ends), refs[0], "connect", asked)
     if str(code) != "RTC_OK":
         await _tidy(ends)
-        raise errors.Refused(ports.between(ends), _why_refused(str(code), ends, connector_id), name=str(code))
+        why = _why_refused(str(code), ends, connector_id)
+        raise errors.Refused(ports.between(ends), why, name=str(code))
     return ports.connector(raw, ports.between(ends))
 
 
@@ -91,7 +101,8 @@ async def connect_alone(port, name, properties):
     """
     for reason in ports.without_rate([port], properties):
         raise errors.Mismatch(ports.label(port), reason)
-    asked = orb.struct(PROFILE)(to_wire(name), "", [port.ref], orb.nvlist(sorted(properties.items())))
+    values = orb.nvlist(sorted(properties.items()))
+    asked = orb.struct(PROFILE)(to_wire(name), "", [port.ref], values)
     code, raw = await orb.call(ports.label(port), port.ref, "connect", asked)
     if str(code) != "RTC_OK":
         raise errors.Refused(ports.label(port), f"refused by the component ({code})", name=str(code))
@@ -161,7 +172,8 @@ async def _forget_elsewhere(port, connector):
             pass
         except errors.Unreachable as e:
             host, tcp_port = orb.endpoint(ref)
-            why = f"connection {printable(connector.id)} is removed here, its end at {host}:{tcp_port} does not answer ({e.why})"
+            end = f"its end at {host}:{tcp_port} does not answer ({e.why})"
+            why = f"connection {printable(connector.id)} is removed here, {end}"
             raise errors.Uncertain(ports.label(port), why)
 
 

@@ -27,7 +27,7 @@ def doubts(present, values, sets):
     """
     reasons = []
     for name, value in values.items():
-        constraint = next((sets[set_id][name] for set_id in _SETS if sets.get(set_id, {}).get(name)), "")
+        constraint = _constraint(sets, name)
         if _are_numbers(present.get(name, "")) and not _are_numbers(value):
             reasons.append(
                 (name, f"{value or repr('')} is no number, as the present value is ({present[name]})")
@@ -39,9 +39,21 @@ def doubts(present, values, sets):
     return reasons
 
 
+def _constraint(sets, name):
+    """The constraint of a parameter; '' for none."""
+    for set_id in _SETS:
+        constraint = sets.get(set_id, {}).get(name)
+        if constraint:
+            return constraint
+    return ""
+
+
 def _are_numbers(value):
     """True for a number, and for several with commas between them."""
-    return all(_NUMBER.match(number.strip()) for number in value.split(","))
+    for number in value.split(","):
+        if not _NUMBER.match(number.strip()):
+            return False
+    return True
 
 
 def fits(constraint, value):
@@ -52,19 +64,27 @@ def fits(constraint, value):
         return True
     if constraint.startswith("(") and constraint.endswith(")"):
         choices = [element.strip() for element in constraint[1:-1].split(",")]
-        return value in choices or all(element.strip() in choices for element in value.split(","))
+        if value in choices:
+            return True
+        return all(element.strip() in choices for element in value.split(","))
     if constraint.startswith("{") and constraint.endswith("}"):
         return _map_fits(constraint[1:-1], value)
     parts = constraint.split(",")
     elements = value.split(",")
     if len(parts) == 1:
         parts *= len(elements)
-    return all(_fits_one(part.strip(), element.strip()) for part, element in zip(parts, elements))
+    for part, element in zip(parts, elements):
+        if not _fits_one(part.strip(), element.strip()):
+            return False
+    return True
 
 
 def _map_fits(constraints, value):
     wanted = dict(_pair(pair) for pair in constraints.split(","))
-    return all(_fits_one(wanted.get(key, ""), pair) for key, pair in map(_pair, value.strip("{}").split(",")))
+    for key, pair in map(_pair, value.strip("{}").split(",")):
+        if not _fits_one(wanted.get(key, ""), pair):
+            return False
+    return True
 
 
 def _pair(text):
@@ -82,7 +102,9 @@ def _fits_one(constraint, value):
     if not match:
         return True
     bounds = [bound for bound in match.group(1, 4) if bound is not None]
-    if not bounds or not all(_NUMBER.match(bound) for bound in bounds):
+    if not bounds:
+        return True
+    if not all(_NUMBER.match(bound) for bound in bounds):
         return True
     if not _NUMBER.match(value):
         return False

@@ -71,21 +71,23 @@ async def _run(node, index, operation, wanted):
     ref = await component.context_ref(node, index)
     where = str(node.path)
     code = str(await orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
-    if bool(await component.uncertain_if_refused(orb.call(where, ref, "is_running"))) != wanted:
+    running = await component.uncertain_if_refused(orb.call(where, ref, "is_running"))
+    if bool(running) != wanted:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
-    return f"{node.path}: {'running' if wanted else 'stopped'}"
+    if wanted:
+        return f"{where}: running"
+    return f"{where}: stopped"
 
 
 async def one_by_one(change, node, index, participants):
     """`attach` or `detach` the components, in their order; an errors.Error in the place of what failed."""
     results = []
     for participant in participants:
+        if isinstance(participant, errors.Error):
+            results.append(participant)
+            continue
         try:
-            results.append(
-                participant
-                if isinstance(participant, errors.Error)
-                else await change(node, index, participant)
-            )
+            results.append(await change(node, index, participant))
         except errors.Error as e:
             results.append(e)
     return results
@@ -106,16 +108,19 @@ async def attach(node, index, participant):
         raise errors.Failed(where, f"{participant.path!s} owns this execution context")
     if not _takes_part(profile, participant):
         code = str(await orb.call(where, ref, "add_component", participant.typed))
-        if code != "RTC_OK" or not _takes_part(
-            await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant
-        ):
+        is_taken = code == "RTC_OK"
+        if is_taken:
+            profile = await component.uncertain_if_refused(orb.call(where, ref, "get_profile"))
+            is_taken = _takes_part(profile, participant)
+        if not is_taken:
             raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
 
     async def is_executed():
         return await component.state_in(participant, ref) != "Created"
 
-    is_known = await component.until(is_executed, SETTLE_TIME)
-    return f"{node.path}: {participant.path} takes part{'' if is_known else ' from its next cycle on'}"
+    if await component.until(is_executed, SETTLE_TIME):
+        return f"{node.path}: {participant.path} takes part"
+    return f"{node.path}: {participant.path} takes part from its next cycle on"
 
 
 async def detach(node, index, participant):
@@ -128,7 +133,9 @@ async def detach(node, index, participant):
     if not _takes_part(profile, participant):
         raise errors.NoSuch(where, "participant", str(participant.path))
     code = str(await orb.call(where, ref, "remove_component", participant.typed))
-    seconds = max(SETTLE_TIME, 3 / profile.rate if profile.rate > 0 else 0)
+    seconds = SETTLE_TIME
+    if profile.rate > 0:
+        seconds = max(seconds, 3 / profile.rate)
     if not await component.until(lambda: _has_left(where, ref, participant), seconds):
         raise errors.Refused(where, f"its execution context does not let go of {participant.path!s} ({code})")
     return f"{node.path}: {participant.path} left"
@@ -138,9 +145,11 @@ async def _has_left(where, ref, participant):
     """Whether neither the context lists the component, nor the component the context,
     which may execute it until then.
     """
-    if _takes_part(await component.uncertain_if_refused(orb.call(where, ref, "get_profile")), participant):
+    profile = await component.uncertain_if_refused(orb.call(where, ref, "get_profile"))
+    if _takes_part(profile, participant):
         return False
-    return not any(orb.same(ref, other) for other in await component.participating_context_refs(participant))
+    others = await component.participating_context_refs(participant)
+    return not any(orb.same(ref, other) for other in others)
 
 
 def _takes_part(profile, participant):
@@ -150,6 +159,7 @@ def _takes_part(profile, participant):
 async def command(node, index, *words):
     """An rtec command for a context of a component, ready for a shell. Raises NoSuch."""
     await component.context_ref(node, index)
-    return " ".join(
-        ["rtec"] + (["-e", str(index)] if index else []) + [shell_word(w) for w in (str(node.path),) + words]
-    )
+    option = []
+    if index:
+        option = ["-e", str(index)]
+    return " ".join(["rtec"] + option + [shell_word(word) for word in (str(node.path),) + words])

@@ -49,7 +49,8 @@ async def leave(node):
         except errors.Error:
             continue  # it is gone, hangs or refuses
         asked.append(ref)
-        seconds = max(seconds, min(3 / rate, LEAVING_MOST) if rate > 0 else 0)
+        if rate > 0:
+            seconds = max(seconds, min(3 / rate, LEAVING_MOST))
 
     async def has_left():
         return not asked or not any(

@@ -79,9 +79,10 @@ class Machine:
             return True
         change(structure)
         code = str(await orb.call(self.where, self.ref, "set_fsm_structure", structure))
-        if code != "RTC_OK" or read(await self._raw()) != wanted:
-            why = code + (" but unchanged" if code == "RTC_OK" else "")
-            raise errors.Refused(self.where, f"does not take it ({why})")
+        if code != "RTC_OK":
+            raise errors.Refused(self.where, f"does not take it ({code})")
+        if read(await self._raw()) != wanted:
+            raise errors.Refused(self.where, "does not take it (RTC_OK but unchanged)")
         return True
 
 

@@ -48,7 +48,10 @@ async def tops(words, dotted=False):
     these are name servers in the first place (robot1.local), is a name server, too, where the working
     directory has no such entry. Raises Usage for a port.
     """
-    may_be_server = _may_be_dotted if dotted else _may_be_host
+    if dotted:
+        may_be_server = _may_be_dotted
+    else:
+        may_be_server = _may_be_host
     found = [await _path(word, may_be_server) for word in words]
     for word, path in zip(words, found):
         if path.port is not None:
@@ -63,7 +66,8 @@ async def _path(word, may_be_server=None):
         path = await _relative(word, may_be_server)
     if path.server == "**" and not path.names:
         return ROOT
-    if path.names and (path.server in ANY or any(_is_any(name) for name in path.names[:-1])):
+    is_pattern = path.server in ANY or any(_is_any(name) for name in path.names[:-1])
+    if is_pattern and path.names:
         path = await _single(path)
     if word.startswith("rtcloc"):
         await _check_category(path, word)
@@ -99,7 +103,9 @@ async def _relative(word, may_be_server):
 
 def is_found_by_name():
     """Whether a lone name is to be found wherever it is."""
-    return os.environ.get("RTSHELL_FIND", "") not in ("", "0") or parse(".") == EVERYWHERE
+    if os.environ.get("RTSHELL_FIND", "") not in ("", "0"):
+        return True
+    return parse(".") == EVERYWHERE
 
 
 async def _is_here(word, first, rest):
@@ -120,12 +126,16 @@ def _is_address(word):
     RTCTREE_NAMESERVERS.
     """
     host, port = split_address(word)
-    if host in ("", ".", "..") or has_kind(word.partition(":")[0]):
+    if host in ("", ".", ".."):
+        return False
+    if has_kind(word.partition(":")[0]):
         return False
     known = [split_address(address) for address in tree.servers()]
     if port is None:
         return _has_bad_port(word, [host for host, _ in known])
-    return (host, port) in known or host != word or host.startswith("[") or _is_ipv4(host)
+    if (host, port) in known:
+        return True
+    return host != word or host.startswith("[") or _is_ipv4(host)
 
 
 def _is_ipv4(host):
@@ -154,7 +164,9 @@ def explained(word, error):
     import re
 
     is_missing = type(error) is errors.NotFound and error.where == str(parse(word))
-    if not is_missing or has_kind(word) or not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
+    if not is_missing or has_kind(word):
+        return error
+    if not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
         return error
     return errors.NoEntry(error.where, "/" + word)
 
@@ -162,7 +174,9 @@ def explained(word, error):
 def is_path(word):
     """Whether a word that may be a file is a path in the RTC Tree by its looks."""
     names = elements(word)
-    return is_absolute(word) or names[-1] in (".", "..") or _is_address(names[0]) or has_kind(names[-1])
+    if is_absolute(word) or names[-1] in (".", ".."):
+        return True
+    return _is_address(names[0]) or has_kind(names[-1])
 
 
 # ---- patterns ----------------------------------------------------------------------------------------------
@@ -180,7 +194,11 @@ async def below(path):
     if path.server == "**":
         wanted = (Name("**", ""),) + wanted
     nodes = await _walk(path.child(Name("", "")))
-    return [node for node in nodes if _fits(node.path.names, wanted + node.path.names[-1:])]
+    fitting = []
+    for node in nodes:
+        if _fits(node.path.names, wanted + node.path.names[-1:]):
+            fitting.append(node)
+    return fitting
 
 
 def _is_any(name):
@@ -202,8 +220,10 @@ async def _single(path):
     candidates = sorted(map(str, found.values()))
     if len(candidates) > 1:
         raise errors.Ambiguous(str(path), f"is one of {len(candidates)}: {listed(candidates)}")
+    if not candidates and failed:
+        raise failed[0]
     if not candidates:
-        raise failed[0] if failed else errors.NotFound(str(path))
+        raise errors.NotFound(str(path))
     for failure in failed:
         notes.note(f"not searched: {failure}")
     (only,) = found.values()
@@ -213,7 +233,8 @@ async def _single(path):
 
 async def _walk(path):
     """The Nodes below what comes before the first pattern of a Path."""
-    if "**" in [path.server] + [name.id for name in path.names if _is_any(name)]:
+    patterns = [name.id for name in path.names if _is_any(name)]
+    if path.server == "**" or "**" in patterns:
         depth = None
     else:
         depth = len(path.names)
@@ -232,13 +253,18 @@ def _fits(names, wanted):
     """Whether the names of a Path fit those of one with patterns."""
     if not names:
         return False
+    if len(wanted) == 1 and len(names) > 1:
+        return False
     if len(wanted) == 1:  # of a component, the kind may be left out
-        return names[1:] == () and (
-            names[0] == wanted[0] or names[0] == Name(wanted[0].id, wanted[0].kind or "rtc")
-        )
+        return names[0] in (wanted[0], Name(wanted[0].id, wanted[0].kind or "rtc"))
     if wanted[0] == ("**", ""):
-        return any(_fits(names[at:], wanted[1:]) for at in range(len(names)))
-    return (_is_any(wanted[0]) or names[0] == wanted[0]) and _fits(names[1:], wanted[1:])
+        for at in range(len(names)):
+            if _fits(names[at:], wanted[1:]):
+                return True
+        return False
+    if _is_any(wanted[0]) or names[0] == wanted[0]:
+        return _fits(names[1:], wanted[1:])
+    return False
 
 
 # ---- OpenRTM's own -----------------------------------------------------------------------------------------

@@ -41,9 +41,11 @@ async def find(word):
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
     direct = _is_direct(word)
-    (node,) = await tree.check_alive(
-        [tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(word)]
-    )
+    if direct:
+        named = tree.Node(Address(word), "unsure", reference(word))
+    else:
+        named = await _bound(word)
+    (node,) = await tree.check_alive([named])
     if node.kind == "manager":
         return node
     if direct and isinstance(node.error, errors.Gone):
@@ -89,7 +91,11 @@ def check_argument(argument):
     Managers know no escaping: they refuse a second ? and skip what is not KEY=VALUE, both silently.
     """
     module, mark, pairs = argument.partition("?")
-    if not module or "?" in pairs or any(pair and pair.count("=") != 1 for pair in pairs.split("&")):
+    wrong = []
+    for pair in pairs.split("&"):
+        if pair and pair.count("=") != 1:
+            wrong.append(pair)
+    if not module or "?" in pairs or wrong:
         raise errors.Usage(f"not MODULE[?KEY=VALUE&KEY=VALUE…]: {printable(argument)}")
 
 
@@ -146,19 +152,24 @@ async def modules(node, operation="get_loadable_modules"):
     listed = await _modules(node, operation)
     if operation != "get_loadable_modules":
         for answer in await tree.on_nodes(await _slaves(node), lambda slave: _modules(slave, operation)):
-            if isinstance(answer, errors.Error):
-                listed += []
-            else:
+            if not isinstance(answer, errors.Error):
                 listed += answer
     distinct = {tuple(sorted(module.items())): module for module in listed}
-    return sorted(distinct.values(), key=lambda module: (component_id(module), module.get("file_path", "")))
+    return sorted(distinct.values(), key=_id_and_file)
+
+
+def _id_and_file(module):
+    return component_id(module), module.get("file_path", "")
 
 
 async def labels(node, operation, key=None):
     """What `modules` returns as texts, by a property or by their ids; neighbours that are alike once."""
-    listed = [
-        module.get(key, "") if key else component_id(module) for module in await modules(node, operation)
-    ]
+    listed = []
+    for module in await modules(node, operation):
+        if key:
+            listed.append(module.get(key, ""))
+        else:
+            listed.append(component_id(module))
     # a factory may have other defaults in another slave
     return [label for label, _ in itertools.groupby(listed)]
 
@@ -233,7 +244,10 @@ async def _same_name(node, created, name):
     """
     if await component.uncertain_if_refused(_lists(node, created.ref)):
         return f"made a second component called {name}: only one of them is found by that name; delete one"
-    return f"created nothing of use: it returned the name {name}, which is taken; give another one: ?instance_name=…"
+    return (
+        f"created nothing of use: it returned the name {name}, which is taken; give another one: "
+        "?instance_name=…"
+    )
 
 
 async def _spellings(node, argument):
@@ -248,13 +262,15 @@ async def _spellings(node, argument):
         return [argument]
     whole = await whole_id(node, ident)
     is_old = await _is_old(node)
-    if (
-        not is_old
-    ):  # it knows no id without a language, and a master of C++ 2.1 would start a slave to look there
+    if not is_old:
+        # it knows no id without a language, and a master of C++ 2.1 would start a slave to look there
         if whole.count(":") == 5:
             return [whole + mark + rest]
         return []
-    other = ":".join(fields[:4] + ([""] if whole.count(":") == 4 else []) + fields[-1:])
+    parts = fields[:4]
+    if whole.count(":") == 4:
+        parts.append("")
+    other = ":".join(parts + fields[-1:])
     return [whole + mark + rest, other + mark + rest]
 
 
@@ -319,13 +335,15 @@ async def delete(node, instance):
 
     Raises NoSuch, Refused, Unreachable.
     """
-    matching = [child for name, child in await components(node) if name == instance]
-    if len(matching) != 1:
-        raise errors.NoSuch(
-            str(node.path),
-            "component" if not matching else "single component (its slaves have several)",
-            printable(instance),
-        )
+    matching = []
+    for name, child in await components(node):
+        if name == instance:
+            matching.append(child)
+    if not matching:
+        raise errors.NoSuch(str(node.path), "component", printable(instance))
+    if len(matching) > 1:
+        what = "single component (its slaves have several)"
+        raise errors.NoSuch(str(node.path), what, printable(instance))
     # a master returns BAD_PARAMETER for the name of a slave's component, or RTC_OK and does nothing (C++ 1.1)
     holder = node
     for slave in await _slaves(node):
@@ -348,7 +366,10 @@ async def _slaves(node):
 
 
 async def _lists(node, ref):
-    return any(orb.same(listed, ref) for listed in await node.call("get_components"))
+    for listed in await node.call("get_components"):
+        if orb.same(listed, ref):
+            return True
+    return False
 
 
 async def load(node, file_path, function):
@@ -361,7 +382,8 @@ async def load(node, file_path, function):
     known = len(await _modules(node, "get_factory_profiles"))
     code = str(await node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = await _loaded(node)
-    if code != "RTC_OK" or not meant(file_path, after) and len(after) <= len(before):
+    is_loaded = meant(file_path, after) or len(after) > len(before)
+    if code != "RTC_OK" or not is_loaded:
         raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it returned {code})")
     return len(await _modules(node, "get_factory_profiles")) - known
 
@@ -408,10 +430,10 @@ async def unload(node, word):
     slaves = await _slaves(node)
     loaded = [(holder, await _loaded(holder)) for holder in [node] + slaves]
     paths = meant(word, [path for _, listed in loaded for path in listed])
-    if len(paths) != 1:
-        raise errors.NoSuch(
-            str(node.path), "loaded module" if not paths else "single loaded module", printable(word)
-        )
+    if not paths:
+        raise errors.NoSuch(str(node.path), "loaded module", printable(word))
+    if len(paths) > 1:
+        raise errors.NoSuch(str(node.path), "single loaded module", printable(word))
     path = paths[0]
     code = ""
     for holder, listed in loaded:
@@ -423,7 +445,9 @@ async def unload(node, word):
         except errors.Refused as e:
             code = e.why
             continue
-        if code == "RTC_OK" and (await _loaded(holder)).count(path) < listed.count(path):
+        if code != "RTC_OK":
+            continue
+        if (await _loaded(holder)).count(path) < listed.count(path):
             return await _still_offered(holder, path)
     raise errors.Refused(str(node.path), f"did not unload {printable(path)} (it returned {code})")
 
@@ -433,7 +457,9 @@ async def _must_be_unused(node, path):
     to lose its code would end its process (C++ 2.1).
     """
     for answer in await profiles(node, lambda child: child.endpoint == node.endpoint):
-        if not isinstance(answer, errors.Error) and _is_of(path, dict(answer[1].properties)):
+        if isinstance(answer, errors.Error):
+            continue
+        if _is_of(path, dict(answer[1].properties)):
             user = printable(answer[1].instance_name)
             raise errors.Failed(
                 str(node.path),
@@ -491,19 +517,20 @@ async def shut_down(node, wait=None, above=()):
     parts = await tree.on_nodes(
         [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known)
     )
-    results = [result for part in parts for result in ([part] if isinstance(part, errors.Error) else part)]
-    left = [
-        slave
-        for slave, part in zip(slaves, parts)
-        if isinstance(part, errors.Error) or not all(_done(line) for line in part)
-    ]
+    results = []
+    left = []
+    for slave, part in zip(slaves, parts):
+        if isinstance(part, errors.Error):
+            part = [part]
+        results += part
+        if not all(_done(line) for line in part):
+            left.append(slave)
     if left:
-        return results + [
-            errors.NotTried(
-                str(node.path), f"its slave {left[0].path!s} still runs, and cannot be found without it"
-            )
-        ]
-    return results + [await _ended(node, END_TIME if wait is None else wait)]
+        why = f"its slave {left[0].path!s} still runs, and cannot be found without it"
+        return results + [errors.NotTried(str(node.path), why)]
+    if wait is None:
+        wait = END_TIME
+    return results + [await _ended(node, wait)]
 
 
 def _done(result):

@@ -6,7 +6,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.path import REFERENCES, Path
 from rtshell_lite.robot import aliases, tree
-from rtshell_lite.text import printable, shell_word
+from rtshell_lite.text import counted, printable, shell_word
 
 MOST_WITNESSES = 8  # objects that are asked to find out whether a host lives
 WHY_LEFT = (
@@ -51,8 +51,8 @@ async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, 
 
 
 async def living(path):
-    """The Node of the component or manager at a Path if it answers, so that it would live on without its name;
-    else None.
+    """The Node of the component or manager at a Path if it answers, so that it would live on without its
+    name; else None.
     """
     try:
         (node,) = await tree.check_alive([await tree.resolve(path)])
@@ -133,8 +133,10 @@ async def _with_witnesses(node):
 
 
 async def _unbind(path, dry_run, zombie=False):
+    if dry_run and zombie:
+        return f"rtdel -z {shell_word(str(path))}"
     if dry_run:
-        return f"rtdel {'-z ' if zombie else ''}{shell_word(str(path))}"
+        return f"rtdel {shell_word(str(path))}"
     server = await tree.resolve(Path(path.server, (), None, False))
     try:
         await server.call("unbind", orb.naming_name(path.names))
@@ -176,7 +178,8 @@ class _Bindings:
                 self._roots.add(place)
             else:
                 self._bind(places, node, place)
-        self._without((await self.known.path(await tree.resolve(path.parent())), path.names[-1]))
+        above = await tree.resolve(path.parent())
+        self._without((await self.known.path(above), path.names[-1]))
         return self
 
     def _bind(self, places, node, place):
@@ -225,7 +228,7 @@ class _Deletion:
             return
         below = await tree.children(node)
         if below and not self.recursive:
-            names = f"{len(below)} name{'s' if len(below) > 1 else ''}"
+            names = counted(len(below), "name")
             raise errors.Failed(str(node.path), f"not empty ({names}); delete it with --recursive")
         self._entered.enter(node)
         for child in below:

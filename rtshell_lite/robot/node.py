@@ -103,11 +103,13 @@ class Node:
         try:
             return await orb.call(self.path, self.typed, operation, *args, **more)
         except errors.ConnectionRefused as e:
-            raise (
-                errors.NoNameServer(*e.args) if self.kind in ("server", "directory") else await _refusal(self)
-            )
-        except errors.Gone as e:
-            raise no_name_server(self) if self.kind == "server" else e
+            if self.kind in ("server", "directory"):
+                raise errors.NoNameServer(*e.args)
+            raise await _refusal(self)
+        except errors.Gone:
+            if self.kind == "server":
+                raise no_name_server(self)
+            raise
 
     def __repr__(self):
         return f"<{self.kind} {self.path}>"
@@ -171,7 +173,12 @@ async def check_alive(nodes):
         node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None
     ]
     answers = dict(zip(objects, await on_nodes(objects, _living)))
-    return [await classify_answer(node, answers[node]) if node in answers else node for node in nodes]
+    checked = []
+    for node in nodes:
+        if node in answers:
+            node = await classify_answer(node, answers[node])
+        checked.append(node)
+    return checked
 
 
 async def classify_answer(node, answer):
@@ -182,8 +189,9 @@ async def classify_answer(node, answer):
         return answer
     if isinstance(answer, errors.ConnectionRefused):
         answer = await _refusal(node)  # by now, others of its host may have answered
-    is_zombie = isinstance(answer, (errors.Gone, errors.ProcessGone))
-    return Node(node.path, "zombie" if is_zombie else "silent", node.ref, answer)
+    if isinstance(answer, (errors.Gone, errors.ProcessGone)):
+        return Node(node.path, "zombie", node.ref, answer)
+    return Node(node.path, "silent", node.ref, answer)
 
 
 async def _refusal(node):
@@ -214,15 +222,26 @@ async def on_nodes(nodes, function):
     """What function(node) returns for each Node, awaited in parallel by the process that answers;
     an errors.Error stays in its place.
     """
-    values = iter(await session.each([node for node in nodes if isinstance(node, Node)], function, _place))
-    return [next(values) if isinstance(node, Node) else node for node in nodes]
+    asked = [node for node in nodes if isinstance(node, Node)]
+    values = iter(await session.each(asked, function, _place))
+    answers = []
+    for node in nodes:
+        if isinstance(node, Node):
+            answers.append(next(values))
+        else:
+            answers.append(node)
+    return answers
 
 
 async def stream_nodes(nodes, function):
     """`on_nodes`, but an asynchronous generator that keeps no values."""
-    values = session.stream([node for node in nodes if isinstance(node, Node)], function, _place)
+    asked = [node for node in nodes if isinstance(node, Node)]
+    values = session.stream(asked, function, _place)
     for node in nodes:
-        yield await values.__anext__() if isinstance(node, Node) else node
+        if isinstance(node, Node):
+            yield await values.__anext__()
+        else:
+            yield node
 
 
 def _place(node):
@@ -262,7 +281,8 @@ async def bound(node):
             )
     if too_long:
         notes.left_out(
-            f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} characters"
+            f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} "
+            "characters"
         )
     return list(entries)
 
@@ -292,5 +312,6 @@ async def _batches(node, size=10000):
         await orb.call(str(node.path), iterator, "destroy")
     if more:
         notes.left_out(
-            f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not end"
+            f"{node.path}: only its first {min(received, MOST)} names are taken; its list of them does not "
+            "end"
         )

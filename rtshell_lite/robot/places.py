@@ -44,7 +44,10 @@ class Places:
                 for node in await tree.walk_servers(await tree.known_servers(server), managers=False)
                 if node.kind == "component" and node.ref is not None
             ]
-        return next((node.path for node in self.everywhere if orb.same(node.ref, ref)), None)
+        for node in self.everywhere:
+            if orb.same(node.ref, ref):
+                return node.path
+        return None
 
 
 # ---- the far ends of connections ---------------------------------------------------------------------------
@@ -68,10 +71,15 @@ async def far_ends(near, silent=None):
     joining = {}  # type: dict  # by identity: ids of the connectors that lead there
     for port in near:
         for connector in port.connectors:
-            for ref in [ref for ref in connector.ports if ref is not None and orb.identity(ref) not in own]:
-                wanted.setdefault(orb.identity(ref), (ref, port.node))
-                joining.setdefault(orb.identity(ref), set()).add(connector.id)
-    answers = await ask([ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent], joining)
+            for ref in connector.ports:
+                if ref is None:
+                    continue
+                identity = orb.identity(ref)
+                if identity not in own:
+                    wanted.setdefault(identity, (ref, port.node))
+                    joining.setdefault(identity, set()).add(connector.id)
+    asked = [ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent]
+    answers = await ask(asked, joining)
     places = Places()
     ends = {}
     for identity, (ref, node) in wanted.items():
@@ -98,7 +106,10 @@ async def ask(refs, joining):
             raise errors.Late(orb.at_address(ref), session.NO_TIME)
         port = await ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
         ids = joining[orb.identity(ref)]
-        joined = {connector.id: connector for connector in reversed(port.connectors) if connector.id in ids}
+        joined = {}
+        for connector in reversed(port.connectors):
+            if connector.id in ids:
+                joined[connector.id] = connector
         return port._replace(connectors=list(joined.values()))
 
     return iter(await orb.each(refs, one_port))

@@ -85,8 +85,9 @@ def is_of_tool(connector):
     name = connector.name
     if name.startswith("rtshell_lite") or name in TOOLS:
         return True
-    if any(name.startswith(tool) and name[len(tool) :][:1].isdecimal() for tool in NUMBERED_TOOLS):
-        return True
+    for tool in NUMBERED_TOOLS:
+        if name.startswith(tool) and name[len(tool) :][:1].isdecimal():
+            return True
     return len(connector.ports) == 1 and transport(connector) == ""
 
 
@@ -125,21 +126,24 @@ async def port(node, ref, failures=None, brief=False):
         if orb.endpoint(ref) == node.endpoint:
             raise
         why = (
-            "the process of one of its ports is gone; if that is a member's, restart this composite's process "
-            "(until then, rtcomp -r MEMBER:PORT hides the port)"
+            "the process of one of its ports is gone; if that is a member's, restart this composite's "
+            "process (until then, rtcomp -r MEMBER:PORT hides the port)"
         )
         raise errors.LostMember(str(node.path), why)
-    properties = dict(orb.properties(profile.properties, "port.port_type" if brief else None))
-    kind = properties.get("port.port_type")
     if brief:
+        properties = dict(orb.properties(profile.properties, "port.port_type"))
         interfaces = []
     else:
+        properties = dict(orb.properties(profile.properties))
         interfaces = notes.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
     connectors = notes.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")
+    kind = properties.get("port.port_type")
+    if kind not in DATA + ("CorbaPort",):
+        kind = "Port"
     return Port(
         node,
         cut(from_wire(profile.name)),
-        kind if kind in DATA + ("CorbaPort",) else "Port",
+        kind,
         properties,
         [_interface(i) for i in interfaces],
         [connector(c, node.path) for c in connectors],
@@ -183,18 +187,26 @@ async def find(paths):
     raises.
     """
     listed = await tree.on_components([path.object() for path in paths], ports)
-    return [
-        answer if isinstance(answer, errors.Error) else named(path, answer)
-        for path, answer in zip(paths, listed)
-    ]
+    found = []
+    for path, answer in zip(paths, listed):
+        if not isinstance(answer, errors.Error):
+            answer = named(path, answer)
+        found.append(answer)
+    return found
 
 
 def named(path, listed):
     """The one of these Ports that `path` names, or the error NoSuch."""
     instance = path.instance
-    exact = [port for port in listed if port.name in (path.port, instance + "." + path.port)]
+    exact = []
+    for port in listed:
+        if port.name in (path.port, instance + "." + path.port):
+            exact.append(port)
     # the instance name may differ from the bound one
-    same_end = [port for port in listed if port.name.endswith("." + path.port)]
+    same_end = []
+    for port in listed:
+        if port.name.endswith("." + path.port):
+            same_end.append(port)
     if exact or len(same_end) == 1:  # several: of members of a composite
         return (exact or same_end)[0]
     there = ", ".join(printable(short_name(port.name, instance)) for port in listed) or "none"
@@ -229,7 +241,11 @@ async def pairs(paths):
     if len(paths) != 2:
         return []
     one, other = [await offered(path) for path in paths]
-    fitting = [(port, far) for port in one for far in other if not mismatches([port, far], {})]
+    fitting = []
+    for port in one:
+        for far in other:
+            if not mismatches([port, far], {}):
+                fitting.append((port, far))
     return [" ".join((label(port), label(far))) for port, far in fitting]
 
 
@@ -265,28 +281,40 @@ def _data_mismatches(ends, types, properties):
     if len(ends) == 1 and interface.lower() not in CORBA_INTERFACES:
         return _not_offered(ends, "dataport.interface_type", interface)
     if len(set(types)) == 1:
-        return [
-            f"{'it is' if len(ends) == 1 else 'each is'} a {types[0]}; a connection needs an in port and an out port"
-        ]
+        if len(ends) == 1:
+            each_is = "it is"
+        else:
+            each_is = "each is"
+        return [f"{each_is} a {types[0]}; a connection needs an in port and an out port"]
     reasons = []
     data_types = [port.properties.get("dataport.data_type", "") for port in ends]
     if not all(same_type(data_types[0], data_type) for data_type in data_types[1:]):
-        reasons.append(f"data types differ ({', '.join((printable(_short_type(t)) for t in data_types))})")
+        shown = ", ".join(printable(_short_type(data_type)) for data_type in data_types)
+        reasons.append(f"data types differ ({shown})")
     for key, value in sorted(properties.items()):
         reasons += _not_offered(ends, key, value)
     for key, _ in DEFAULTS:
         if key not in properties and _chosen(ends, key, None) == "":
-            offers = "; ".join(printable(",".join(_choices(port, key) or ["any"])) for port in ends)
+            offers = "; ".join(_offer(port, key) for port in ends)
             reasons.append(f"no {_short_key(key)} in common ({offers})")
     return reasons
 
 
+def _offer(port, key):
+    """The values that a port offers for a property, for a message."""
+    return printable(",".join(_choices(port, key) or ["any"]))
+
+
 def _not_offered(ends, key, value):
     """Why some of the ports do not take this value of a property."""
-    lacking = [(port, offer_without(port, key, value)) for port in ends]
-    lacking = [(port, offer) for port, offer in lacking if offer is not None]
+    lacking = []
+    for port in ends:
+        offer = offer_without(port, key, value)
+        if offer is not None:
+            lacking.append((port, offer))
     what = f"{_short_key(key)} {printable(value)}"
-    if len(lacking) == len(ends) > 1 and len({offer for _, offer in lacking}) == 1:
+    offers = {offer for _, offer in lacking}
+    if len(lacking) == len(ends) > 1 and len(offers) == 1:
         return [f"no port has {what} (all have: {lacking[0][1]})"]
     return [f"{label(port)} has no {what} (it has: {offer})" for port, offer in lacking]
 
@@ -320,8 +348,11 @@ def same_type(one, other):
     """Repository ids name one type when their last parts agree and, where both have modules,
     the modules too.
     """
-    one, other = (_short_type(t).split("/") for t in (one, other))
-    if "any" in (one[-1].lower(), other[-1].lower()) or [""] in (one, other):
+    one = _short_type(one).split("/")
+    other = _short_type(other).split("/")
+    if "any" in (one[-1].lower(), other[-1].lower()):
+        return True
+    if [""] in (one, other):
         return True
     if len(one) > 1 and len(other) > 1:
         return one == other
@@ -343,14 +374,21 @@ def _choices(port, key):
 
 def _chosen(ends, key, preferred):
     """The preferred value when all ports allow it, else the first that they have in common, else ''."""
-    lists = [choices for choices in (_choices(port, key) for port in ends) if choices is not None]
+    lists = []
+    for choices in (_choices(port, key) for port in ends):
+        if choices is not None:
+            lists.append(choices)
     if not lists or all(preferred in choices for choices in lists):
         return preferred
-    return next((value for value in lists[0] if all(value in choices for choices in lists)), "")
+    for value in lists[0]:
+        if all(value in choices for choices in lists):
+            return value
+    return ""
 
 
 def _service_mismatches(ends, properties):
-    reasons, (first, *others) = [], ends
+    reasons = []
+    first, *others = ends
     for interface in first.interfaces:
         for port in others:
             if any(
@@ -402,10 +440,10 @@ def without_rate(ends, properties):
 
     C++ only returns RTC_ERROR then. The rate may be a property of the port, too.
     """
-    subscription, flow = [
-        properties.get("dataport." + key, "").lower() for key in ("subscription_type", "dataflow_type")
-    ]
-    if subscription != "periodic" or flow == "pull" or not any(port.type == "DataOutPort" for port in ends):
+    subscription = properties.get("dataport.subscription_type", "").lower()
+    flow = properties.get("dataport.dataflow_type", "").lower()
+    has_writer = any(port.type == "DataOutPort" for port in ends)
+    if subscription != "periodic" or flow == "pull" or not has_writer:
         return []
     rates = [
         given[key]

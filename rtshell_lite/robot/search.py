@@ -40,14 +40,21 @@ async def find(paths, wanted):
 
     These are nodes whose names would match without their kinds, if no name does.
     """
-    parts, failures = errors.split(await tree.at_each(paths, lambda path: _below(path, wanted)))
+    answers = await tree.at_each(paths, lambda path: _below(path, wanted))
+    parts, failures = errors.split(answers)
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
-    named = [node for node in nodes if not wanted.names or _matches(node.name, wanted.names)]
+    named = []
+    for node in nodes:
+        if not wanted.names or _matches(node.name, wanted.names):
+            named.append(node)
     if named:
         close = []
     else:
-        close = [node for node in nodes if node.path.names and _matches(node.path.names[-1].id, wanted.names)]
+        close = []
+        for node in nodes:
+            if node.path.names and _matches(node.path.names[-1].id, wanted.names):
+                close.append(node)
     nodes = named
     if wanted.kinds:
         nodes = [
@@ -83,8 +90,12 @@ async def components(tops=()):
     ]
     unsure = [node for node in walked if node.kind == "unsure"]
     sure = dict(zip(unsure, await tree.check_alive(unsure)))
-    walked = sorted([sure.get(node, node) for node in walked], key=lambda node: str(node.path))
-    managers = [node for node in walked if node.kind == "manager" and node.alias is None]
+    walked = [sure.get(node, node) for node in walked]
+    walked.sort(key=lambda node: str(node.path))
+    managers = []
+    for node in walked:
+        if node.kind == "manager" and node.alias is None:
+            managers.append(node)
     nodes = []
     notes = []
     seen = {}

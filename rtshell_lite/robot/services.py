@@ -40,8 +40,8 @@ def provided(port):
 
 
 async def of_port(port):
-    """The Services of a Port, in its order: references are in the connector of this port alone, which is made and
-    removed in one turn, whatever interrupts us.
+    """The Services of a Port, in its order: references are in the connector of this port alone, which is made
+    and removed in one turn, whatever interrupts us.
 
     Raises Refused, Unreachable; Garbled where a provided interface has no reference.
     """

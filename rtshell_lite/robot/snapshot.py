@@ -205,24 +205,26 @@ async def _members(snapshot, _):
 
 
 async def _names(snapshot, how):
-    refs = {
-        orb.identity(context.owner): context.owner
-        for context in snapshot.contexts
-        if context.owner is not None
-    }
-    if how == FULL:
-        refs.update((orb.identity(ref), ref) for context in snapshot.contexts for ref in context.participants)
+    refs = {}
+    for context in snapshot.contexts:
+        if context.owner is not None:
+            refs[orb.identity(context.owner)] = context.owner
+        if how == FULL:
+            for ref in context.participants:
+                refs[orb.identity(ref)] = ref
     own = orb.identity(snapshot.node.ref)
     others = [identity for identity in refs if identity != own]
 
     async def name_of(identity):
         return await component.instance_name(snapshot.node, refs[identity])
 
-    found = await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where))
-    return {
-        identity: "Unknown" if isinstance(name, errors.Error) else name
-        for identity, name in zip(others, found)
-    }
+    answers = await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where))
+    names = {}
+    for identity, name in zip(others, answers):
+        if isinstance(name, errors.Error):
+            name = "Unknown"
+        names[identity] = name
+    return names
 
 
 async def _profile(snapshot, how):

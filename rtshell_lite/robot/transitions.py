@@ -186,12 +186,13 @@ async def change(node, transition, index=None, wait=None):
         await _leave(node, places, transition, wait)
         return transition.target
     place = await _activate(node, places, wait)
+    done = await _where(node, place)
     if place.state == "Active" and place.index:
-        already = "already "
-    else:
-        already = ""
+        done = "already " + done
     silent = _all_in(places, "Unknown")
-    return already + await _where(node, place) + (f"; {_silence(silent[0])}" if silent else "")
+    if silent:
+        done += f"; {_silence(silent[0])}"
+    return done
 
 
 def _number(index):
@@ -411,7 +412,9 @@ async def check_still_active(node, ref, transition, seconds):
         return
     rate = await component.uncertain_if_refused(orb.call(node.path, ref, "get_rate"))
     start = time.monotonic()
-    end = start + (1 / rate if rate > 0 else 0) + JITTER
+    end = start + JITTER
+    if rate > 0:
+        end += 1 / rate
     limit = start + max(seconds, component.POLL)
     while time.monotonic() < end:
         if time.monotonic() > limit:

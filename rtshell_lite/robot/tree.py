@@ -42,7 +42,10 @@ DEPTH = 64  # contexts can be bound inside themselves by another name
 
 def servers():
     """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
-    listed = [address for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";") if address.strip()]
+    listed = []
+    for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";"):
+        if address.strip():
+            listed.append(address)
     return list(dict.fromkeys(address.strip() for address in listed or ["localhost"]))
 
 
@@ -77,7 +80,9 @@ def name_server(address):
     """
     if "," in address or len(address.split()) > 1:
         raise errors.BadPath(printable(address), "several name servers are separated by semicolons")
-    return _server(parse(address if address.startswith(REFERENCES) else "/" + address))
+    if not address.startswith(REFERENCES):
+        address = "/" + address
+    return _server(parse(address))
 
 
 def _object(reference):
@@ -114,7 +119,9 @@ async def resolve(path):
     what it is. Raises NotFound, Misspelt, WrongKind, and Unreachable or Silent when the name server does not
     answer.
     """
-    path = (parse(path) if isinstance(path, str) else path).object()
+    if isinstance(path, str):
+        path = parse(path)
+    path = path.object()
     if path.server is None:
         return Node(ROOT, "root")
     return await _resolved(_server(path), path)
@@ -145,7 +152,9 @@ async def _resolved(server, path):
             raise await _why_not_found(path)
         raise name_server_error(server, e)
     except errors.Unreachable as e:
-        raise e if isinstance(e, errors.Silent) else await _broken_off(server, path, e)
+        if isinstance(e, errors.Silent):
+            raise e
+        raise await _broken_off(server, path, e)
     node = classified(path, ref)
     if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
         node = classified(
@@ -192,13 +201,17 @@ async def _descend(node, names):
     """The Node below a manager that `names` lead to."""
     for name in names:
         below = await children(await _directory(node))
-        matching = [child for child in below if child.path.names[-1] == name]
+        matching = []
+        for child in below:
+            if child.path.names[-1] == name:
+                matching.append(child)
         if len(matching) > 1:  # of several slaves
             raise errors.Ambiguous(
                 str(node.path.child(name)), f"{node.path} has {len(matching)} of that name"
             )
         if not matching:
-            raise _near_miss(node.path.child(name), _by_id(child.path.names[-1] for child in below))
+            names = _by_id(child.path.names[-1] for child in below)
+            raise _near_miss(node.path.child(name), names)
         node = matching[0]
     return node
 
@@ -226,9 +239,10 @@ def _by_id(names):
 
 
 def _near_miss(path, names):
-    close = closest(path.names[-1].id, names)  # the kinds, all .rtc, would make any two names alike
-    if close is None and ("*" in path.names[-1].id or "?" in path.names[-1].id):
-        pattern = shell_word(str(path.names[-1]))
+    last = path.names[-1]
+    close = closest(last.id, names)  # the kinds, all .rtc, would make any two names alike
+    if close is None and ("*" in last.id or "?" in last.id):
+        pattern = shell_word(str(last))
         return errors.NoPattern(str(path), f"rtfind {shell_word(str(path.parent()))} -n {pattern}")
     if close is None:
         return errors.NotFound(str(path))
@@ -254,9 +268,9 @@ async def component(path, or_manager=False):
     if node.kind == "manager" and or_manager:
         return node
     if node.kind != "component":
-        raise errors.WrongKind(
-            str(node.path), "component or manager" if or_manager else "component", node.what
-        )
+        if or_manager:
+            raise errors.WrongKind(str(node.path), "component or manager", node.what)
+        raise errors.WrongKind(str(node.path), "component", node.what)
     if path.directory:
         raise errors.WrongKind(str(path), "directory", "component")
     return node
@@ -284,7 +298,9 @@ async def stream_components(paths, function, or_managers=False):
 
 async def _found(paths, or_managers):
     orb.start()  # its failures are not the failure of a path
-    return await at_each(paths, component_or_manager if or_managers else component)
+    if or_managers:
+        return await at_each(paths, component_or_manager)
+    return await at_each(paths, component)
 
 
 async def at_each(paths, function):
@@ -356,16 +372,17 @@ async def slaves(node):
         if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
             return []
         raise
-    asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
+    asked = []
+    for i, ref in enumerate(refs):
+        asked.append(Node(node.path.child(Name(f"slave{i}", "")), "manager", ref))
     answers = await on_nodes(asked, _manager_profile)
-    return [
-        (
-            await classify_answer(slave, answer)
-            if isinstance(answer, errors.Error)
-            else Node(node.path.child(Name(name, "")), "manager", slave.ref)
-        )
-        for slave, answer, name in zip(asked, answers, _distinct_names(answers))
-    ]
+    nodes = []
+    for slave, answer, name in zip(asked, answers, _distinct_names(answers)):
+        if isinstance(answer, errors.Error):
+            nodes.append(await classify_answer(slave, answer))
+        else:
+            nodes.append(Node(node.path.child(Name(name, "")), "manager", slave.ref))
+    return nodes
 
 
 async def _manager_profile(node):
@@ -374,14 +391,27 @@ async def _manager_profile(node):
 
 def _distinct_names(profiles):
     """A name for each slave. A dead one has none of its own."""
-    profiles = [{} if isinstance(profile, errors.Error) else profile for profile in profiles]
+    profiles = [_or_empty(profile) for profile in profiles]
     names = [profile.get("name") or f"slave{i}" for i, profile in enumerate(profiles)]
     for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
-        names = [
-            form.format(name, profile[key]) if names.count(name) > 1 and profile.get(key) else name
-            for name, profile in zip(names, profiles)
-        ]
-    return [name if name not in names[:i] else f"{name}_{i}" for i, name in enumerate(names)]
+        distinct = []
+        for name, profile in zip(names, profiles):
+            if names.count(name) > 1 and profile.get(key):
+                name = form.format(name, profile[key])
+            distinct.append(name)
+        names = distinct
+    distinct = []
+    for i, name in enumerate(names):
+        if name in names[:i]:
+            name = f"{name}_{i}"
+        distinct.append(name)
+    return distinct
+
+
+def _or_empty(profile):
+    if isinstance(profile, errors.Error):
+        return {}
+    return profile
 
 
 async def managed(node):
@@ -391,14 +421,13 @@ async def managed(node):
         Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)
     ]
     names = await on_nodes(asked, _instance_name)
-    return [
-        (
-            await classify_answer(child, name)
-            if isinstance(name, errors.Error)  # dead or silent: it cannot give its name
-            else Node(node.path.child(Name(name, "rtc")), "component", child.ref)
-        )
-        for child, name in zip(asked, names)
-    ]
+    nodes = []
+    for child, name in zip(asked, names):
+        if isinstance(name, errors.Error):  # dead or silent: it cannot give its name
+            nodes.append(await classify_answer(child, name))
+        else:
+            nodes.append(Node(node.path.child(Name(name, "rtc")), "component", child.ref))
+    return nodes
 
 
 async def _instance_name(node):
@@ -423,7 +452,10 @@ async def walk(node, depth=None, managers=True):
         depth = min(depth, DEPTH)
     if node.kind != "root":
         return await _walk(node, depth, managers, aliases.Known())
-    return [node] + (await walk_servers(await children(node), depth - 1, managers) if depth else [])
+    if not depth:
+        return [node]
+    below = await walk_servers(await children(node), depth - 1, managers)
+    return [node] + below
 
 
 async def walk_servers(servers, depth=DEPTH, managers=True):

@@ -1,4 +1,6 @@
-"""Name servers and managers at the usual TCP ports of this host, for people who do not know what theirs is called."""
+"""Name servers and managers at the usual TCP ports of this host, for people who do not know what theirs is
+called.
+"""
 
 import os
 
@@ -13,7 +15,9 @@ MANAGERS = (MANAGER_PORT,)
 
 
 async def advice():
-    """A line that names what is found where no name server is named and the usual one does not answer, or None."""
+    """A line that names what is found where no name server is named and the usual one does not answer, or
+    None.
+    """
     if os.environ.get("RTCTREE_NAMESERVERS", "").strip():
         return None
     usual, *others = ["%s:%d" % (HOST, port) for port in PORTS]

@@ -7,8 +7,8 @@ from rtshell_lite.robot import lookup
 
 
 async def offered(word, positional, idl):
-    """(text, whether it is complete, help) of each that may be the next word after these, which begin with a path; `idl`
-    are the IDL files that the line names.
+    """(text, whether it is complete, help) of each that may be the next word after these, which begin with a
+    path; `idl` are the IDL files that the line names.
     """
     (path,) = await lookup.paths(positional[:1])
     types = datatypes.Types(idl=idl)
@@ -38,8 +38,14 @@ def _named(member):
 def _arguments(operation, word, before):
     """The values of the next parameter, and the names of those that are not given yet."""
     given = operation.given()
-    named = [each.partition("=")[0] for each in before if "=" in each]
-    left = [parameter for parameter in given[len(before) - len(named) :] if parameter.name not in named]
+    named = []
+    for each in before:
+        if "=" in each:
+            named.append(each.partition("=")[0])
+    left = []
+    for parameter in given[len(before) - len(named) :]:
+        if parameter.name not in named:
+            left.append(parameter)
     name, equals, _ = word.partition("=")
     if equals:
         chosen = [parameter for parameter in left if parameter.name == name]

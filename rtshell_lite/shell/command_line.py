@@ -1,5 +1,5 @@
-"""The whole command line as one text, docs/command-line.txt: every option of every command, its default and one
-sentence. A change of it is seen in review.
+"""The whole command line as one text, docs/command-line.txt: every option of every command, its default and
+one sentence. A change of it is seen in review.
 """
 
 import argparse
@@ -20,7 +20,10 @@ def text():
     for name, path in sorted(installation.commands().items()):
         module = installation.load(path, "rtshell_lite command")
         parser = options.parser(module.arguments, module.__doc__, name)
-        own = [action for action in parser._actions if (action.dest, action.help) not in known]
+        own = []
+        for action in parser._actions:
+            if (action.dest, action.help) not in known:
+                own.append(action)
         parts.append(_part(name, parser, own))
     return "\n".join(parts)
 
@@ -39,7 +42,13 @@ def _usage(action):
     """-e, --exec-context N"""
     value = action.metavar or action.dest.upper()
     if not action.option_strings:
-        return {None: value, "?": f"[{value}]", "*": f"[{value} …]", "+": f"{value} …"}[action.nargs]
+        if action.nargs == "?":
+            return f"[{value}]"
+        if action.nargs == "*":
+            return f"[{value} …]"
+        if action.nargs == "+":
+            return f"{value} …"
+        return value
     names = ", ".join(action.option_strings)
     if action.nargs == 0:
         return names

@@ -124,7 +124,9 @@ async def _positional(parser, doc, positional, word):
         return [Candidate(use, True, "") for use in uses]
     if action.metavar == "ARG" and uses:
         chosen = uses.get(positional[number - 1], [])
-        kinds = chosen[len(positional) - number :] or [kind for kind in chosen[-1:] if kind == "PATH"]
+        kinds = chosen[len(positional) - number :]
+        if not kinds and chosen[-1:] == ["PATH"]:
+            kinds = ["PATH"]
         if kinds:
             return await _of_kind(kinds[0], word, positional)
         return []
@@ -139,7 +141,10 @@ def _uses(doc, prog):
     for line in doc.partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
         if line.startswith(f"  {prog} PATH "):
-            names = [word.strip("[]") for word in words[2:] if word.strip("[]").islower()]
+            names = []
+            for word in words[2:]:
+                if word.strip("[]").islower():
+                    names.append(word.strip("[]"))
             uses.update(
                 (name, [word.strip("[]") for word in words[2:] if word.strip("[]").isupper()])
                 for name in names
@@ -173,21 +178,22 @@ def _paths(wanted, port_types=(), port_needed=False):
     async def complete(word, _):
         above, last = _split(word)
         component, colon, _ = _cut_at_colon(last)
-        if colon and (parse(above or ".") != ROOT or lookup.is_path(component)):
+        is_port = colon and (parse(above or ".") != ROOT or lookup.is_path(component))
+        if is_port:
             if port_types:
                 return await _ports(above + component, port_types)
             return []
         found = []
         for entry in await _all_entries(above):
-            descend = entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted
-            if descend:
-                found.append(Candidate(_no_option(above + entry.name) + "/", False, ""))
+            place = _no_option(above + entry.name)
+            if entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted:
+                found.append(Candidate(place + "/", False, ""))
+            elif entry.kind == "component" and port_types and port_needed:
+                found.append(Candidate(place + ":", False, ""))
             elif entry.kind == "component" and port_types:
-                found.append(
-                    Candidate(_no_option(above + entry.name) + (":" if port_needed else ""), False, "")
-                )
+                found.append(Candidate(place, False, ""))
             elif entry.kind in wanted and not port_needed:
-                found.append(Candidate(_no_option(above + entry.name), True, ""))
+                found.append(Candidate(place, True, ""))
         return found
 
     return complete
@@ -227,13 +233,14 @@ async def _all_entries(above):
 
 async def _entries_below(path):
     """The _Entries of all directories that a Path with * or ** fits; no component is asked."""
-    return [
-        _Entry(
-            node.name,
-            "directory" if node.kind == "server" else _BY_NAME.get(node.path.names[-1].kind, node.kind),
-        )
-        for node in await lookup.below(path)
-    ]
+    entries = []
+    for node in await lookup.below(path):
+        if node.kind == "server":
+            kind = "directory"
+        else:
+            kind = _BY_NAME.get(node.path.names[-1].kind, node.kind)
+        entries.append(_Entry(node.name, kind))
+    return entries
 
 
 async def _entries(path):
@@ -242,16 +249,23 @@ async def _entries(path):
     if node.kind == "unsure":
         (node,) = await tree.check_alive([node])
     if node.kind in ("server", "directory"):
-        return [
-            _Entry(str(name), "directory" if context else _BY_NAME.get(name.kind, "object"))
-            for name, context in await tree.bound(node)
-        ]
+        entries = []
+        for name, is_context in await tree.bound(node):
+            if is_context:
+                kind = "directory"
+            else:
+                kind = _BY_NAME.get(name.kind, "object")
+            entries.append(_Entry(str(name), kind))
+        return entries
     if node.kind not in tree.DIRECTORIES:
         return []
-    return [
-        _Entry(child.name, "directory" if child.kind == "server" else child.kind)
-        for child in await tree.children(node)
-    ]
+    entries = []
+    for child in await tree.children(node):
+        kind = child.kind
+        if kind == "server":
+            kind = "directory"
+        entries.append(_Entry(child.name, kind))
+    return entries
 
 
 _BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
@@ -312,7 +326,10 @@ async def _calls(word, positional):
         return await _services(word, positional)
     from rtshell_lite.shell import calls
 
-    idl = [value for option, value in zip(positional.line, positional.line[1:]) if option == "--idl"]
+    idl = []
+    for option, value in zip(positional.line, positional.line[1:]):
+        if option == "--idl":
+            idl.append(value)
     return [Candidate(*found) for found in await calls.offered(word, positional, idl)]
 
 
@@ -325,12 +342,18 @@ async def _files(word, _):
 
 def _listed(word):
     above = word[: word.rfind("/") + 1]
+    begun = word[len(above) :]
+    directory = os.path.expanduser(above)
     found = []
-    for name in os.listdir(os.path.expanduser(above) or "."):
-        directory = os.path.isdir(os.path.join(os.path.expanduser(above), name))
-        hidden = name.startswith(".") and not word[len(above) :].startswith(".")
-        if is_plain(name) and not hidden:
-            found.append(Candidate(_no_option(above + name) + ("/" if directory else ""), not directory, ""))
+    for name in os.listdir(directory or "."):
+        is_hidden = name.startswith(".") and not begun.startswith(".")
+        if is_hidden or not is_plain(name):
+            continue
+        place = _no_option(above + name)
+        if os.path.isdir(os.path.join(directory, name)):
+            found.append(Candidate(place + "/", False, ""))
+        else:
+            found.append(Candidate(place, True, ""))
     return found
 
 

@@ -1,7 +1,8 @@
 """Writes the documents that are generated: `python3 -m rtshell_lite.shell.documentation`, in a checkout.
 
-They are the manual pages below man/, docs/command-line.txt, and in README.ja.md a row for each command that its table lacks, in
-English until somebody translates it. tests/unit/test_documentation.py fails when one of them is out of date.
+They are the manual pages below man/, docs/command-line.txt, and in README.ja.md a row for each command that
+its table lacks, in English until somebody translates it. tests/unit/test_documentation.py fails when one of
+them is out of date.
 """
 
 import os
@@ -16,7 +17,8 @@ ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
 
 def documents():
     """All generated documents, {path below the checkout: text}."""
-    english, japanese = (files.read(os.path.join(ROOT, name)) for name in ("README.md", "README.ja.md"))
+    english = files.read(os.path.join(ROOT, "README.md"))
+    japanese = files.read(os.path.join(ROOT, "README.ja.md"))
     japanese = with_rows(japanese, english)
     found = {
         "man/" + name: text
@@ -30,7 +32,8 @@ def documents():
 def released():
     """The date of this version, in the first heading of CHANGELOG.md: `## 1.0.0 (2026-11-25)`."""
     changelog = files.read(os.path.join(ROOT, "CHANGELOG.md"))
-    return re.search(r"^## %s \((\d{4}-\d\d-\d\d)\)$" % re.escape(__version__), changelog, re.MULTILINE).group(1)
+    heading = r"^## %s \((\d{4}-\d\d-\d\d)\)$" % re.escape(__version__)
+    return re.search(heading, changelog, re.MULTILINE).group(1)
 
 
 def with_rows(japanese, english):
@@ -40,7 +43,8 @@ def with_rows(japanese, english):
     wanted = [name for row in ROW.finditer(source) for name in _names(row)]
     present = [name for row in ROW.finditer(target) for name in _names(row)]
     rows = [_only(row, wanted) for row in ROW.finditer(target)]
-    rows += [_only(row, set(wanted) - set(present)) for row in ROW.finditer(source)]
+    absent = set(wanted) - set(present)
+    rows += [_only(row, absent) for row in ROW.finditer(source)]
     begin, end = re.search(ROW.pattern + "(?:.+\n)*", target, re.MULTILINE).span()
     return japanese.replace(target, target[:begin] + "".join(rows) + target[end:])
 

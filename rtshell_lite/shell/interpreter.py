@@ -110,7 +110,8 @@ class Interpreter:
         for name in ({"cd": "rtcwd", "wait": "rtkeep"}.get(word, word), "rt" + word):
             if name in self.files:
                 return name
-        raise errors.BadLine(f"{printable(word) or repr('')}: no such command{near(word, self._names())}")
+        shown = printable(word) or "''"
+        raise errors.BadLine(f"{shown}: no such command{near(word, self._names())}")
 
     def _names(self):
         """The names of commands, with and without their `rt`."""

@@ -32,7 +32,9 @@ WIDEST = 76
 
 
 def pages(readmes, date):
-    """All pages, {path below man/: text}; `readmes` are the texts of both READMEs by name, `date` that of the version."""
+    """All pages, {path below man/: text}; `readmes` are the texts of both READMEs by name, `date` that of the
+    version.
+    """
     commands = installation.commands()
     found = {f"man1/{name}.1": _command_page(name, path, date) for name, path in commands.items()}
     found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands, date)
@@ -97,24 +99,30 @@ def _page(lines):
         if literal or line.startswith(".") or page[-1] == ".TP":
             page.append(line)
         else:
-            page += [
-                "\\&" + part if part[0] in ".'" else part
-                for part in re.findall(r"(?! ).{1,79}(?![^ ])|[^ ]+", line)
-            ]
+            for part in re.findall(r"(?! ).{1,79}(?![^ ])|[^ ]+", line):
+                if part[0] in ".'":
+                    part = "\\&" + part
+                page.append(part)
     return "\n".join(page) + "\n"
 
 
 def _header(name, section, date):
     return (
-        '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" "rtshell_lite"\n.nh\n.ad l'
-        % (name.upper(), section, date, __version__)
+        '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" '
+        '"rtshell_lite"\n.nh\n.ad l' % (name.upper(), section, date, __version__)
     )
 
 
 def _argument(action):
     """A positional argument in the synopsis."""
     word = f"\\fI{_text(action.metavar or action.dest.upper())}\\fR"
-    return {None: word, "?": f"[{word}]", "*": f"[{word} ...]", "+": f"{word} ..."}[action.nargs]
+    if action.nargs == "?":
+        return f"[{word}]"
+    if action.nargs == "*":
+        return f"[{word} ...]"
+    if action.nargs == "+":
+        return f"{word} ..."
+    return word
 
 
 def _label(action):
@@ -125,7 +133,9 @@ def _label(action):
     names = ", ".join(f"\\fB{_text(name)}\\fR" for name in action.option_strings)
     if action.nargs == 0:
         return names
-    return names + (" [\\fI%s\\fR]" if action.nargs == "?" else " \\fI%s\\fR") % value
+    if action.nargs == "?":
+        return f"{names} [\\fI{value}\\fR]"
+    return f"{names} \\fI{value}\\fR"
 
 
 def _paragraphs(text):
@@ -136,7 +146,9 @@ def _paragraphs(text):
         if all(line.startswith("  ") for line in block):
             lines += _literal(block)
         else:
-            lines += [".PP"] * bool(number) + [_prose(" ".join(block))]
+            if number:
+                lines.append(".PP")
+            lines.append(_prose(" ".join(block)))
     return lines
 
 
@@ -194,7 +206,10 @@ def _joined(rows):
     """The lines of a paragraph; between Japanese characters a line end is not a blank."""
     text = rows[0].strip()
     for row in rows[1:]:
-        text += ("" if _wide(text[-1]) and _wide(row.strip()[0]) else " ") + row.strip()
+        row = row.strip()
+        if not _wide(text[-1]) or not _wide(row[0]):
+            text += " "
+        text += row
     return text
 
 
@@ -204,12 +219,18 @@ def _joined(rows):
 def _text(s):
     """Plain text for troff; characters beyond ASCII are written so that every troff can show them."""
     s = s.replace("\\", "\\e").replace("-", "\\-")
-    s = "".join(c if c < "\x80" or _wide(c) else f"\\[u{ord(c):04X}]" for c in s)
+    s = "".join(map(_character, s))
     # Japanese lines may break between any two characters except before 、。 and closing brackets
     s = re.sub("([\u3000-\u9fff\uff00-\uffef])(?=[\u3010-\u9fff])", r"\1\\:", s)
     if s[:1] in (".", "'"):
         return "\\&" + s
     return s
+
+
+def _character(c):
+    if c < "\x80" or _wide(c):
+        return c
+    return f"\\[u{ord(c):04X}]"
 
 
 def _wide(c):
@@ -219,8 +240,13 @@ def _wide(c):
 def _prose(s):
     """Text with `code` in bold and [links](elsewhere) as their text."""
     s = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", s)
-    pieces = s.split("`")
-    return "".join(f"\\fB{_text(piece)}\\fR" if i % 2 else _text(piece) for i, piece in enumerate(pieces))
+    text = ""
+    for number, piece in enumerate(s.split("`")):
+        if number % 2:
+            text += f"\\fB{_text(piece)}\\fR"
+        else:
+            text += _text(piece)
+    return text
 
 
 def _literal(lines):
@@ -228,7 +254,5 @@ def _literal(lines):
     if they are too wide, remarks beside them go below.
     """
     if max(map(len, lines)) > WIDEST:
-        lines = [
-            part for line in lines for part in re.sub(r"(?<=\S) {2,}", "\n        ", line, 1).split("\n")
-        ]
+        lines = "\n".join(re.sub(r"(?<=\S) {2,}", "\n        ", line, 1) for line in lines).split("\n")
     return [".PP", ".RS 2", ".nf"] + [_text(line[2:]) or "\\&" for line in lines] + [".fi", ".RE"]

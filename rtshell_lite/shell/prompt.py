@@ -36,9 +36,11 @@ class Editor:
             return self
         self.readline.set_completer(self._complete)
         self.readline.set_completer_delims(" \t;")
-        self.readline.parse_and_bind(
-            "bind ^I rl_complete" if "libedit" in (self.readline.__doc__ or "") else "tab: complete"
-        )
+        is_libedit = "libedit" in (self.readline.__doc__ or "")
+        if is_libedit:
+            self.readline.parse_and_bind("bind ^I rl_complete")
+        else:
+            self.readline.parse_and_bind("tab: complete")
         try:
             self.readline.read_history_file(os.path.expanduser(HISTORY))
         except OSError:
@@ -49,9 +51,12 @@ class Editor:
         if self.readline is None:
             return
         last = self.readline.get_current_history_length()
-        lines = [self.readline.get_history_item(i) or "" for i in range(max(1, last - LENGTH + 1), last + 1)]
+        lines = []
+        for i in range(max(1, last - LENGTH + 1), last + 1):
+            line = self.readline.get_history_item(i) or ""
+            lines.append(line + "\n")
         try:
-            files.write(os.path.expanduser(HISTORY), "".join(line + "\n" for line in lines))
+            files.write(os.path.expanduser(HISTORY), "".join(lines))
         except OSError:
             pass  # the home directory is read-only, say
 

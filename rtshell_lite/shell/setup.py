@@ -41,7 +41,8 @@ _COMPLETE_BASH = """\
 _rtshell_lite() {
     local answers answer
     COMPREPLY=()
-    answers=$(command rtcwd --shell=bash --line="${COMP_LINE:0:COMP_POINT}" --word="=$2" 2>/dev/null </dev/null)
+    local line=${COMP_LINE:0:COMP_POINT}
+    answers=$(command rtcwd --shell=bash --line="$line" --word="=$2" 2>/dev/null </dev/null)
     while IFS= read -r answer; do
         [ -n "$answer" ] && COMPREPLY+=("$answer")
     done <<<"$answers"
@@ -53,7 +54,8 @@ _COMPLETE_ZSH = """\
 _rtshell_lite() {
     local line="${(j: :)words[1,CURRENT-1]} $QIPREFIX$IPREFIX$PREFIX"
     local -a answers
-    answers=("${(@f)$(command rtcwd --shell=zsh --line="$line" --word="=$IPREFIX$PREFIX" 2>/dev/null </dev/null)}")
+    local word="=$IPREFIX$PREFIX"
+    answers=("${(@f)$(command rtcwd --shell=zsh --line="$line" --word="$word" 2>/dev/null </dev/null)}")
     [[ -n "$answers" ]] && compadd -Q -U -S '' -- "${answers[@]}"
 }
 if [[ -o interactive ]]; then
@@ -77,7 +79,9 @@ _COMPLETIONS = {"bash": _COMPLETE_BASH, "zsh": _COMPLETE_ZSH, "fish": _COMPLETE_
 def code(shell, commands):
     """The code for a shell: its function rtcwd and, for most shells, completion of the `commands`."""
     completion = _COMPLETIONS.get(shell)
-    return FUNCTIONS[shell] + (completion % " ".join(sorted(commands)) if completion else "")
+    if completion is None:
+        return FUNCTIONS[shell]
+    return FUNCTIONS[shell] + completion % " ".join(sorted(commands))
 
 
 # ---- words on a line that is being typed -------------------------------------------------------------------
@@ -115,7 +119,10 @@ def split(line, fish=False):
             c = next(rest, None)
             if c is None:
                 return Line(words + [word or ""], "\\", opened or bool(quote), redirected)
-            word = (word or "") + ("\\" if quote and c not in special + '"\\' else "") + c
+            word = word or ""
+            if quote and c not in special + '"\\':
+                word += "\\"
+            word += c
         elif quote:
             if c == '"':
                 quote = ""
@@ -126,7 +133,8 @@ def split(line, fish=False):
             quote = c
             word = word or ""
         elif c in " \t" + _BETWEEN_COMMANDS + "<>":
-            if word is not None and not (c in "<>" and word.isdigit()) and not redirected:
+            is_descriptor = word is not None and c in "<>" and word.isdigit()
+            if word is not None and not is_descriptor and not redirected:
                 words.append(word)
             redirected = c in "<>" or redirected and word is None
             word = None
@@ -144,16 +152,32 @@ def answers(shell, line, candidates, typed):
     """The lines that complete a Line in a shell, for candidates (text, final, help);
     `typed` is what they replace.
     """
-    if shell == "fish":  # which quotes by itself, and adds a blank after all but / : =
-        more = [text + ":" for text, final, _ in candidates if not final and text[-1] not in "/:="]
-        return [f"{text}\t{help}" if help else text for text, _, help in candidates] + more
+    if shell == "fish":
+        return _answers_for_fish(candidates)
     written = []
     for text, final, _ in candidates:
         rest = _quoted(text[len(line.words[-1]) :], line.quote)
-        if line.quote != "\\" or rest.startswith("\\"):
-            written.append(
-                typed + rest[line.quote == "\\" :] + (" " if final and line.quote in ("", "\\") else "")
-            )
+        if line.quote == "\\":
+            if not rest.startswith("\\"):
+                continue
+            rest = rest[1:]
+        end = ""
+        if final and line.quote in ("", "\\"):
+            end = " "
+        written.append(typed + rest + end)
+    return written
+
+
+def _answers_for_fish(candidates):
+    """fish quotes by itself, and adds a blank after all but / : ="""
+    written = []
+    for text, _, help in candidates:
+        if help:
+            text += "\t" + help
+        written.append(text)
+    for text, final, _ in candidates:
+        if not final and text[-1] not in "/:=":
+            written.append(text + ":")
     return written
 
 

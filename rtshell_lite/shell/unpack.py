@@ -68,7 +68,8 @@ class Files:
                 os.path.join(directory, name) for name in names if not name.endswith((".pyc", ".tmp"))
             ]:
                 with open(path, "rb") as file:
-                    self.add("/".join(["lib"] + os.path.relpath(path, above).split(os.sep)), file.read())
+                    parts = os.path.relpath(path, above).split(os.sep)
+                    self.add("/".join(["lib"] + parts), file.read())
 
     def add_wheel(self, path):
         """Add what can be imported from a wheel; scripts, headers and data are left out."""
@@ -81,7 +82,8 @@ class Files:
                 for member in wheel.infolist():
                     target = _target(path, member.filename)
                     if target:
-                        self.add(target, wheel.read(member), bool(member.external_attr >> 16 & 0o111))
+                        is_program = bool(member.external_attr >> 16 & 0o111)
+                        self.add(target, wheel.read(member), is_program)
         except OSError as e:
             raise errors.Error(f"{path}: {e.strerror or e}")
         except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, ValueError) as e:
@@ -117,14 +119,19 @@ class Files:
 
     def _write_temporary(self, name):
         content, program = self.contents[name]
-        directory, _, last = os.path.join(self.directory, *name.split("/")).rpartition(os.sep)
+        place = os.path.join(self.directory, *name.split("/"))
+        directory, last = os.path.split(place)
         os.makedirs(directory, exist_ok=True)
         temporary = os.path.join(directory, f".{last[:50]}.{os.urandom(8).hex()}.tmp")
         file = create(temporary, 0o600)
         try:
             with file:
                 file.write(content)
-                os.fchmod(file.fileno(), (0o777 if program else 0o666) & ~umask())
+                if program:
+                    mode = 0o777
+                else:
+                    mode = 0o666
+                os.fchmod(file.fileno(), mode & ~umask())
         except OSError:
             os.unlink(temporary)
             raise
@@ -167,7 +174,8 @@ def _command(source):
     and with FIND_LIBRARY after its docstring.
     """
     python = sys.executable or "/usr/bin/env python3"
-    if sys.executable and (re.search(r"\s", python) or len(os.fsencode(python)) > 120):
+    cannot_be_named = re.search(r"\s", python) or len(os.fsencode(python)) > 120
+    if sys.executable and cannot_be_named:
         raise errors.Error(f"{python}: cannot be named in the first line of a script (blanks, or too long)")
     lines = source.decode("utf-8").replace(FIND_LIBRARY, "").splitlines(True)
     first = ast.parse("".join(lines)).body[1].lineno - 1  # the docstring is statement 0

@@ -9,20 +9,25 @@ KINDS = ("data_port_connectors", "service_port_connectors", "one_port_connectors
 async def adopt(profile):
     """Give a profile the configuration, rates, members and connections that its components have now.
 
-    Of configuration only what the file has changes; connections are those among its components. Raises the first
-    error of a component that is absent or does not answer: half a system is not to be adopted.
+    Of configuration only what the file has changes; connections are those among its components. Raises the
+    first error of a component that is absent or does not answer: half a system is not to be adopted.
     """
     listed = restore.places(profile)
     tops = sorted({site.path._replace(names=()) for site in listed}, key=str)
     now = await capture.capture(tops, all_components=True)
-    found = {each.node.path: (each, made) for each, made in zip(now.found, now.profile.components)}
+    found = {}
+    for each, made in zip(now.found, now.profile.components):
+        found[each.node.path] = each, made
     for site in listed:
         if site.path not in found:
             mine = [error for error in now.failures if error.where == site.where]
             raise (mine + now.failures + [errors.NotFound(site.where)])[0]
     for site in listed:
         _take_component(site.component, *found[site.path])
-    wanted = {id(made) for path, (_, made) in found.items() if path in {site.path for site in listed}}
+    wanted = set()
+    for path, (_, made) in found.items():
+        if path in {site.path for site in listed}:
+            wanted.add(id(made))
     locate = capture.locator(now.profile)
     for kind in KINDS:
         present = [

@@ -55,13 +55,16 @@ class Outcome:
         result = self.status
         if result == ALREADY:
             result = "already"
+        error = None
+        if self.error is not None:
+            error = str(self.error)
         return {
             "step": step.kind,
             "path": step.where,
             "required": step.required,
             "command": step.command or None,
             "result": result,
-            "error": str(self.error) if self.error is not None else None,
+            "error": error,
         }
 
 
@@ -72,15 +75,17 @@ async def assess(step):
     outcome = Outcome(step)
     if not step.tolerant:
         outcome.error = step.site_error()
-    if outcome.error is None and all(site.found is not None or site.error is not None for site in step.sites):
-        try:
-            if await step.is_done(steps.raise_first(step.found())):
-                outcome.status = ALREADY
-        except errors.Error as e:
-            if any(e is site.error for site in step.sites):  # reported with the component itself
-                outcome.error = e
-            else:
-                outcome.fail(e)
+    are_known = all(site.found is not None or site.error is not None for site in step.sites)
+    if outcome.error is not None or not are_known:
+        return outcome
+    try:
+        if await step.is_done(steps.raise_first(step.found())):
+            outcome.status = ALREADY
+    except errors.Error as e:
+        if any(e is site.error for site in step.sites):  # reported with the component itself
+            outcome.error = e
+        else:
+            outcome.fail(e)
     return outcome
 
 
@@ -158,11 +163,19 @@ async def _answers(outcomes):
     an errors.Error in the place of what failed.
     """
     asked = [_questions(outcome.step) for outcome in outcomes]
-    questions = [question for part in asked if isinstance(part, list) for question in part]
-    values = iter(
-        await session.each(questions, lambda question: question.ask(), lambda question: question[:2])
-    )
-    return [[next(values) for _ in part] if isinstance(part, list) else [part] for part in asked]
+    questions = []
+    for part in asked:
+        if isinstance(part, list):
+            questions += part
+    values = await session.each(questions, lambda question: question.ask(), lambda question: question[:2])
+    coming = iter(values)
+    answers = []
+    for part in asked:
+        if isinstance(part, list):
+            answers.append([next(coming) for _ in part])
+        else:
+            answers.append([part])
+    return answers
 
 
 def _questions(step):

@@ -47,8 +47,8 @@ _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 async def ask(node, brief=False, states=True, everything=False):
     """The Found of a component. Its ports come before its profile (docs/protocol.md 1.1).
 
-    brief       of properties and references only those that go into a file or are compared with one, a quarter
-                of the memory
+    brief       of properties and references only those that go into a file or are compared with one:
+                a quarter of the memory
     everything  all that rtcat shows, too, which stays in a snapshot.Snapshot
     """
     if brief:
@@ -123,8 +123,8 @@ async def capture(
     """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a
     composite of it.
 
-    `with_managers`: which manager lists a component goes into the profile; `with_snapshots`: ask each component
-    for everything, see `ask`.
+    `with_managers`: which manager lists a component goes into the profile; `with_snapshots`: ask each
+    component for everything, see `ask`.
     """
     nodes, managers, failures, notes = await search.components(tops)
     if with_managers:
@@ -219,7 +219,10 @@ def _in_use(found):
     """Those of the Found that have a connection, that are composites of such, or their members;
     and the others.
     """
-    used = {id(each) for each in found if any(port.connectors for port in each.ports)}
+    used = set()
+    for each in found:
+        if any(port.connectors for port in each.ports):
+            used.add(id(each))
     for each in found:
         members = [_member(ref, found) for _, ref in each.members]
         family = [each] + [member for member in members if member is not None]
@@ -229,7 +232,10 @@ def _in_use(found):
 
 
 def _member(ref, found):
-    return next((each for each in found if orb.same(each.node.ref, ref)), None)
+    for each in found:
+        if orb.same(each.node.ref, ref):
+            return each
+    return None
 
 
 # ---- one component -----------------------------------------------------------------------------------------
@@ -284,12 +290,14 @@ def _context(each, context, found, notes):
     RTSystemEditor writes the same. The members of a composite are listed by the composite itself.
     """
     made = model.ExecutionContext(id=str(context.handle), kind=context.kind.upper(), rate=context.rate)
-    for ref in () if each.members else context.participants:
+    if each.members:
+        return made
+    for ref in context.participants:
         other = _member(ref, found)
         if other is None:
             notes.append(
-                f"{each.node.path}: a component that takes part in its execution context {context.handle} is not in the "
-                "system, left out"
+                f"{each.node.path}: a component that takes part in its execution context {context.handle} "
+                "is not in the system, left out"
             )
         elif other is not each:
             made.participants.append(_target(model.TargetComponent, other))
@@ -311,8 +319,8 @@ def _target(kind, each, **more):
 
 
 def _connectors(found, outside, silent, notes):
-    """(the model's connectors, each once, with all its ends; Looses); what ends outside the system is reported
-    in `notes`.
+    """(the model's connectors, each once, with all its ends; Looses); what ends outside the system is
+    reported in `notes`.
 
     `outside` are places.Ends by identity;
     `silent` are the processes that did not answer, {endpoint: errors.Error}.
@@ -334,7 +342,10 @@ def _connectors(found, outside, silent, notes):
     made = []
     loose = []
     for port, one, refs in connectors.values():
-        known = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
+        known = []
+        for ref in refs:
+            if orb.identity(ref) in ends:
+                known.append(ends[orb.identity(ref)])
         unknown = [ref for ref in refs if orb.identity(ref) not in ends]
         for ref in unknown:
             name = _name(outside[orb.identity(ref)], ref, silent)
@@ -390,7 +401,10 @@ def _connector(one, known):
         )
         for each, port in known
     ]
-    properties = [(name, value) for name, value in sorted(one.properties) if not is_reference(name, value)]
+    properties = []
+    for name, value in sorted(one.properties):
+        if not is_reference(name, value):
+            properties.append((name, value))
     if data:
         given = dict(properties)
         made = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
@@ -460,7 +474,9 @@ def locator(profile, strict=False):
         if named is not None and (both is None or named.instance_name == target.instance_name):
             return named
         alike = by_instance.get(target.instance_name, [])
-        return both or (alike[0] if len(alike) == 1 else None)
+        if both is None and len(alike) == 1:
+            return alike[0]
+        return both
 
     return locate
 
@@ -495,10 +511,15 @@ async def ask_each(profile, function=ask):
             paths.append(path_of(each))
         except errors.BadPath as e:
             paths.append(errors.Failed("/" + printable(each.path_uri), e))
-    answers = iter(
-        await tree.on_components([one for one in paths if not isinstance(one, errors.Error)], function)
-    )
-    return [one if isinstance(one, errors.Error) else next(answers) for one in paths]
+    valid = [one for one in paths if not isinstance(one, errors.Error)]
+    coming = iter(await tree.on_components(valid, function))
+    answers = []
+    for one in paths:
+        if isinstance(one, errors.Error):
+            answers.append(one)
+        else:
+            answers.append(next(coming))
+    return answers
 
 
 async def states(profile):

@@ -29,7 +29,9 @@ MESSAGES = {
     "active set": "Wrong configuration set is active[ on {path}] (Active set: {actual})",
     "set": "Invalid configuration set: {set}[ on component {path}]",
     "parameter": "Invalid configuration parameter: {name} in set {set}[ on component {path}]",
-    "value": "Configuration parameter {name} in set {set}[ on component {path}] is incorrect (value: {actual})",
+    "value": (
+        "Configuration parameter {name} in set {set}[ on component {path}] is incorrect (value: {actual})"
+    ),
     "member": "Component {member} is not a member[ of {path}]",
     "wrong member": "Wrong member[ of {path}]: {name}",
     "participant": "Component {member} does not take part in an execution context[ of {path}]",
@@ -178,7 +180,10 @@ class _State(steps.Step):
             return None
         handle = int(self.handle)
         own = {context.handle: context for context in found.owned}
-        others = [state for other, state in found.states.items() if (other in own) != (handle in own)]
+        others = []
+        for other, state in found.states.items():
+            if (other in own) != (handle in own):
+                others.append(state)
         is_stopped = handle in own and not own[handle].running
         if "Active" in others or is_stopped and others:
             return None
@@ -190,26 +195,27 @@ class _State(steps.Step):
 
 def plan(profile, state):
     """The checks that would be done, as lines."""
-    return [
-        f"Check {line}{' (Required)' if _is_required(step) else ''}"
-        for step in checks(profile, state, sites.of(profile))
-        for line in _lines(step, 'for {0} component "{1}", "{2}" at path {3}')
-    ]
+    lines = []
+    for step in checks(profile, state, sites.of(profile)):
+        end = ""
+        if _is_required(step):
+            end = " (Required)"
+        for line in _lines(step, 'for {0} component "{1}", "{2}" at path {3}'):
+            lines.append(f"Check {line}{end}")
+    return lines
 
 
 def _lines(step, component='for {0} component {3} with ID "{1}" and instance name "{2}"'):
     """What a step checks, in words that complete "Checking …"."""
     where = step.where
     if step.kind == "component":
-        return [
-            component.format(
-                _need(step), printable(step.site.component.id), printable(step.site.instance), where
-            )
-        ]
+        instance = printable(step.site.instance)
+        return [component.format(_need(step), printable(step.site.component.id), instance, where)]
     if step.kind == "connect":
-        return [
-            f"for connection {'of' if len(step.ends) == 1 else 'between'} " + " and ".join(_end_names(step))
-        ]
+        ends = " and ".join(_end_names(step))
+        if len(step.ends) == 1:
+            return [f"for connection of {ends}"]
+        return [f"for connection between {ends}"]
     if step.kind == "active set":
         return [f'configuration set "{printable(step.set_id)}" is active on component {where}']
     if step.kind == "configuration":
@@ -222,9 +228,9 @@ def _lines(step, component='for {0} component {3} with ID "{1}" and instance nam
         return [f"members of {where}"]
     if step.kind == "participants":
         return [f"participants in execution context {step.handle} of {where}"]
-    return [
-        f"state is {step.state} for {where}{'' if step.handle is None else f' in execution context {step.handle}'}"
-    ]
+    if step.handle is None:
+        return [f"state is {step.state} for {where}"]
+    return [f"state is {step.state} for {where} in execution context {step.handle}"]
 
 
 def _need(step):
@@ -235,10 +241,14 @@ def _need(step):
 
 def _end_names(step):
     """What the ends of a connection are called, also where the file has no component for one."""
-    return [
-        (f"({printable(end.instance_name)})" if site is None else site.where) + ":" + printable(port)
-        for (site, port), end in zip(step.ends, step.connector.ends)
-    ]
+    names = []
+    for (site, port), end in zip(step.ends, step.connector.ends):
+        if site is None:
+            component = f"({printable(end.instance_name)})"
+        else:
+            component = site.where
+        names.append(f"{component}:{printable(port)}")
+    return names
 
 
 def _differences(step):
@@ -253,7 +263,9 @@ def _differences(step):
 
 def _remarks(step):
     """A Difference that does not count, for a connection that is like that of the file in all but its id."""
-    if not isinstance(step, connect_steps.Connect) or any(site.found is None for site in step.sites):
+    if not isinstance(step, connect_steps.Connect):
+        return []
+    if any(site.found is None for site in step.sites):
         return []
     at = step.found()
     if errors.split(at)[1]:
@@ -273,10 +285,11 @@ def _missing(step):
     if isinstance(step, steps.Present):
         ends = [(_need(step).capitalize(), step.site, None)]
     elif isinstance(step, connect_steps.Connect):
-        ends = [
-            ("Destination" if number else "Source", site, port)
-            for number, (site, port) in enumerate(step.ends)
-        ]
+        ends = []
+        role = "Source"
+        for site, port in step.ends:
+            ends.append((role, site, port))
+            role = "Destination"
     else:
         return []
     components = [
@@ -296,15 +309,19 @@ def _missing(step):
 
 def _in_words(step, difference):
     """The Difference for a steps.Difference."""
-    path = step.where
-    if step.kind == "connect":
-        path = (" to " if difference.what == "property" else " and ").join(_end_names(step))
     words = {
         "set": printable(getattr(step, "set_id", "")),
         "name": printable(str(difference.name)),
         "member": difference.expected,
-        "between": "of" if len(step.sites) == 1 else "between",
+        "between": "between",
     }
+    if len(step.sites) == 1:
+        words["between"] = "of"
+    path = step.where
+    if step.kind == "connect" and difference.what == "property":
+        path = " to ".join(_end_names(step))
+    elif step.kind == "connect":
+        path = " and ".join(_end_names(step))
     return _difference(step, MESSAGES[difference.what], path, difference.expected, difference.actual, words)
 
 
@@ -314,13 +331,16 @@ def _difference(step, template, path, expected=None, actual=None, words=()):
         check = "connection"
     else:
         check = step.kind
-    named = dict(words, path=path)
-    named.update(
-        (key, "" if value is None else printable(str(value)))
-        for key, value in (("expected", expected), ("actual", actual))
-    )
-    message, brief = [re.sub(pattern, "", template).format(**named) for pattern in (r"[][]", r"\[.*?\]")]
+    named = dict(words, path=path, expected=_shown(expected), actual=_shown(actual))
+    message = re.sub(r"[][]", "", template).format(**named)
+    brief = re.sub(r"\[.*?\]", "", template).format(**named)
     return Difference(check, _is_required(step), message, path, expected, actual, brief)
+
+
+def _shown(value):
+    if value is None:
+        return ""
+    return printable(str(value))
 
 
 # ---- what there is beyond the profile ----------------------------------------------------------------------
@@ -332,12 +352,18 @@ def _beyond(check, required, message, path, actual):
 
 async def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
-    servers = {site.path._replace(names=()) for site in listed if site.path.server is not None}
+    servers = set()
+    for site in listed:
+        if site.path.server is not None:
+            servers.add(site.path._replace(names=()))
     nodes, _, failures, _ = await search.components(sorted(servers, key=str))
     known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {
         site.where for site in listed
     }
-    strange = [node for node in nodes if orb.identity(node.ref) not in known and str(node.path) not in known]
+    strange = []
+    for node in nodes:
+        if orb.identity(node.ref) not in known and str(node.path) not in known:
+            strange.append(node)
     for node in await tree.check_alive(strange):
         if node.kind == "silent":
             failures.append(node.error)

@@ -26,11 +26,15 @@ def disconnecting(profile, site_of):
 
 def _placed(profile, site_of, kind, only=None):
     ids = {connector.connector_id for connector in profile.connectors}
+    if only is None:
+        only = profile.connectors
     steps_of_all = []
-    for connector in profile.connectors if only is None else only:
+    for connector in only:
         ends = [(site_of(end), capture.port_of(end)) for end in connector.ends]
-        is_lost = any(site is None for site, _ in ends)
-        steps_of_all.append(Unplaced(connector, ends) if is_lost else kind(connector, ends, ids))
+        if any(site is None for site, _ in ends):
+            steps_of_all.append(Unplaced(connector, ends))
+        else:
+            steps_of_all.append(kind(connector, ends, ids))
     return steps_of_all
 
 
@@ -76,7 +80,8 @@ class Connection(steps.Step):
             if site not in concerned:
                 concerned.append(site)
         label = printable(connector.connector_id) or "without id"
-        super().__init__(concerned, " to ".join(paths), f"connection {label} of {' to '.join(paths)}")
+        where = " to ".join(paths)
+        super().__init__(concerned, where, f"connection {label} of {where}")
         self.connector = connector
         self.ends = ends
         self.paths = paths
@@ -197,15 +202,20 @@ class Connect(Connection):
     def leftovers(self, at):
         """What `having` returns for a connection that is not complete; [] for one that is, or is nowhere."""
         having = self.having(at)
+        if len(having) != len(at):
+            return having
         wanted = {orb.identity(port.ref) for port in at}
-        if len(having) == len(at) and all(_joined(connector) == wanted for _, connector in having):
+        if all(_joined(connector) == wanted for _, connector in having):
             return []
         return having
 
     def differences(self, answers):
         having = self.having(answers)
         obstacle = self._incomplete(answers)
-        if len(having) < len(answers) or obstacle and len(having[0][1].ports) == len(answers):
+        is_absent = len(having) < len(answers)
+        if obstacle and not is_absent:
+            is_absent = len(having[0][1].ports) == len(answers)
+        if is_absent:
             yield self._absence(answers, obstacle)
             return
         if obstacle:
@@ -218,8 +228,8 @@ class Connect(Connection):
                 actual,
                 errors.Refused(
                     self.where,
-                    f"is connected with {printable(name)}={printable(actual or '')}, not {printable(expected)}; "
-                    "rtdis removes that",
+                    f"is connected with {printable(name)}={printable(actual or '')}, not "
+                    f"{printable(expected)}; rtdis removes that",
                 ),
             )
 
@@ -239,8 +249,11 @@ class Connect(Connection):
             return Difference("one-port connection", self.connector.interface_type, wanted_id, None, obstacle)
         for other in self.others(at):
             return Difference("other connection", None, wanted_id, other.id, obstacle)
+        actual = None
         joining = ports.joining(at)
-        return Difference("connection", None, wanted_id, joining[0].id if joining else None, obstacle)
+        if joining:
+            actual = joining[0].id
+        return Difference("connection", None, wanted_id, actual, obstacle)
 
     def _obstacle(self, at):
         """The error that says why the Ports `at` cannot be connected, or None.
@@ -250,10 +263,11 @@ class Connect(Connection):
             ports.check(at, self.requested)
         except errors.Error as e:
             return e
-        for other in self.others(at) if len(at) > 1 else []:
-            return errors.Refused(
-                self.where, f"already connected with another id ({printable(other.id)}); rtdis removes that"
-            )
+        if len(at) == 1:
+            return None
+        for other in self.others(at):
+            why = f"already connected with another id ({printable(other.id)}); rtdis removes that"
+            return errors.Refused(self.where, why)
         return None
 
     def other_id(self, at):

@@ -1,8 +1,9 @@
-"""What a recording keeps of components beside the profile of their system: all that is needed to show them again.
+"""What a recording keeps of components beside the profile of their system: all that is needed to show them
+again.
 
-A list of objects in JSON, one a component: path, instance_name, type_name, description, version, vendor, category, properties
-[[name, value]]; ports: name type properties interfaces [[instance, type, polarity]]; contexts: handle kind rate running
-properties; states {handle: state}.
+A list of objects in JSON, one a component: path, instance_name, type_name, description, version, vendor,
+category, properties [[name, value]]; ports: name type properties interfaces [[instance, type, polarity]];
+contexts: handle kind rate running properties; states {handle: state}.
 """
 
 import json

@@ -1,5 +1,5 @@
-"""What ends the processes that rtkeep has started when it is gone itself, even by kill -9: a small process that
-watches it, and on Linux the kernel.
+"""What ends the processes that rtkeep has started when it is gone itself, even by kill -9: a small process
+that watches it, and on Linux the kernel.
 """
 
 import os
@@ -40,7 +40,9 @@ class Guardian:
 
 
 def reap(ended):
-    """Take the status of processes that end, and call ended(pid, status); as process 1 also of those of others."""
+    """Take the status of processes that end, and call ended(pid, status); as process 1 also of those of
+    others.
+    """
 
     def take():
         try:

@@ -1,19 +1,24 @@
-"""What has happened to a component or a process that is kept, and what was done about it: for people, logs, programs."""
+"""What has happened to a component or a process that is kept, and what was done about it: for people, logs,
+programs.
+"""
 
 import collections
 import time
 
 
 class Happening(collections.namedtuple("Happening", "time object seen done seconds error")):
-    """What has happened: when (seconds since 1970), to which object, what was seen, what was done about it (""
-    for nothing), how many seconds that took, and the errors.Error that says why it failed, or None.
+    """What has happened: when (seconds since 1970), to which object, what was seen, what was done about it
+    ("" for nothing), how many seconds that took, and the errors.Error that says why it failed, or None.
     """
 
     __slots__ = ()
 
     def as_dict(self):
         """For JSON."""
-        return dict(self._asdict(), error=str(self.error) if self.error else None)
+        values = dict(self._asdict())
+        if self.error:
+            values["error"] = str(self.error)
+        return values
 
     def words(self):
         """What was seen and done."""

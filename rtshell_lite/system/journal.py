@@ -1,7 +1,8 @@
-"""What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the whole system.
+"""What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the
+whole system.
 
-Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as rtcryo writes it, with another one for what
-details.py keeps: at the start, and after changes.
+Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as rtcryo writes it, with another
+one for what details.py keeps: at the start, and after changes.
 """
 
 import json
@@ -30,10 +31,14 @@ _RECORDS = schemas.of_json(
 
 
 class Journal:
-    """Events and logs of the components of a datalog.flight.Flight. `listener`, if any, is called with each event's fields."""
+    """Events and logs of the components of a datalog.flight.Flight. `listener`, if any, is called with each
+    event's fields.
+    """
 
     def __init__(self, tops, listener=None, door=None):
-        """`tops`: the Paths below which the system is that is described. `door`: a forward.Door for more logs, or None."""
+        """`tops`: the Paths below which the system is that is described. `door`: a forward.Door for more
+        logs, or None.
+        """
         self._tops = tops
         self._listener = listener
         self._door = door
@@ -56,7 +61,10 @@ class Journal:
                 if self._door is not None:
                     logs.listen(self._door)
                 while True:
-                    new = [path for text, path in flight.components.items() if text not in known]
+                    new = []
+                    for text, path in flight.components.items():
+                        if text not in known:
+                            new.append(path)
                     known |= {str(path) for path in new}
                     if new:
                         await self._begin(new, events, logs)
@@ -96,7 +104,8 @@ class Journal:
 
     def _put(self, which, fields):
         data = json.dumps(fields, sort_keys=True).encode("ascii")
-        self._work.box.put(self._numbers[which], Message(int(time.time() * 1e9), data, True))
+        message = Message(int(time.time() * 1e9), data, True)
+        self._work.box.put(self._numbers[which], message)
 
     async def _describe(self):
         """Attach the profile of the system: at the start, and when it has changed and is quiet."""
@@ -123,7 +132,9 @@ def _ignore(line):
 
 
 async def describe(tops):
-    """(the RtsProfile of the system below some Paths, as octets of XML; its details.dump). Raises errors.Error."""
+    """(the RtsProfile of the system below some Paths, as octets of XML; its details.dump). Raises
+    errors.Error.
+    """
     from rtshell_lite.system import capture, details
 
     found = await capture.capture(tops, True, with_states=True, with_snapshots=True)

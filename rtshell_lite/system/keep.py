@@ -1,7 +1,7 @@
 """Keeping a system as its RtsProfile says: look, compare, mend, wait until something happens.
 
-What has changed is noticed by events/presence.py. Only that is looked at again, by the steps of restore.py, and
-started by the plan of the file.
+What has changed is noticed by events/presence.py. Only that is looked at again, by the steps of restore.py,
+and started by the plan of the file.
 
 What hangs is left alone: its neighbours look hung, too, and a second process of a name makes things worse
 (docs/protocol.md 5a). So is what a person has done: a component that went from Active to Inactive without an
@@ -112,11 +112,16 @@ class Kept(presence.Followed):
 
     def as_dict(self):
         """For `rtkeep status`."""
-        wanted = "Active" if self.is_started else "any"
+        if self.is_paused:
+            wanted = "paused"
+        elif self.is_started:
+            wanted = "Active"
+        else:
+            wanted = "any"
         return {
             "kind": "component",
             "object": self.where,
-            "wanted": "paused" if self.is_paused else wanted,
+            "wanted": wanted,
             "state": self.state,
             "since": self.since,
             "restarts": self.restarts,
@@ -179,7 +184,8 @@ class Kept(presence.Followed):
         self.site.node = self.shown.node
         self.site.error = self.site.found = None
         restart = self.trial.policy.restart
-        if self.restarts == 0 or restart == "always" or restart == "on-error" and not self.has_exited:
+        is_to_start = restart == "always" or restart == "on-error" and not self.has_exited
+        if self.restarts == 0 or is_to_start:
             self.has_failed = False
             self.change(WHOLE)
         else:
@@ -241,10 +247,15 @@ class Keeper(presence.Presence):
         self._site_of = sites.finder(self._locate, listed)
         super().__init__([Kept(site, self) for site in listed], options.look)
         # by the ids of their Sites and model.Components
-        self._kept_of = {id(key): kept for kept in self.followed for key in (kept.site, kept.site.component)}
+        self._kept_of = {}
+        for kept in self.followed:
+            self._kept_of[id(kept.site)] = kept
+            self._kept_of[id(kept.site.component)] = kept
         self._connections = reconnect.Connections(profile, self._site_of, self._kept_at)
         self._is_ending = False
-        earlier = {kept.where: kept for kept in before.followed} if before else {}
+        earlier = {}
+        if before:
+            earlier = {kept.where: kept for kept in before.followed}
         for kept in self.followed:
             kept.drives = list(filter(None, map(self._kept_at, _executed(kept.site.component))))
             for other in kept.drives:
@@ -288,7 +299,10 @@ class Keeper(presence.Presence):
 
     def named(self, name):
         """The Kept of a path or an instance name, or None."""
-        return next((kept for kept in self.followed if name in (kept.where, kept.site.instance)), None)
+        for kept in self.followed:
+            if name in (kept.where, kept.site.instance):
+                return kept
+        return None
 
     async def until_settled(self, seconds):
         """Wait until all is as the file says, for at most `seconds`: whether it is."""
@@ -299,11 +313,13 @@ class Keeper(presence.Presence):
 
     def is_settled(self):
         """Whether all is as the file says, as far as is known."""
-        return not any(kept.changed or kept.is_busy for kept in self.followed) and not list(self.unsettled())
+        if any(kept.changed or kept.is_busy for kept in self.followed):
+            return False
+        return not list(self.unsettled())
 
     def unsettled(self):
-        """The errors.Errors that say what is not as the file says; components that are not required count only
-        while they are there.
+        """The errors.Errors that say what is not as the file says; components that are not required count
+        only while they are there.
         """
         for kept in self.followed:
             if not kept.is_there and kept.site.required:
@@ -345,7 +361,10 @@ class Keeper(presence.Presence):
             if batch:
                 self.start(self._mend(batch))
             due = min([kept.due for kept in waiting if kept.due > now], default=None)
-            await self.bell.wait(None if due is None else due - now)
+            if due is None:
+                await self.bell.wait(None)
+            else:
+                await self.bell.wait(due - now)
 
     async def _mend(self, batch):
         """Look at components again, where they have changed, and bring them to what the file says."""
@@ -471,7 +490,11 @@ class Keeper(presence.Presence):
         kept = self._kept_of[id(step.sites[0])]
         if outcome.status == apply.ALREADY and kept.hands.pop(key, None):
             self.happened(kept, f"{_title(step)} is again as in the file")
-        if not outcome.pending or kept.settled.get(key) != step.setting or self.options.strict:
+        if not outcome.pending:
+            return False
+        if kept.settled.get(key) != step.setting:
+            return False
+        if self.options.strict:
             return False
         if not outcome.likely:
             self._leave_alone(kept, key, _title(step) + " was changed by hand")
@@ -483,9 +506,14 @@ class Keeper(presence.Presence):
         if not self.options.create:
             return
         now = time.monotonic()
-        due = [kept for kept in absent if sites.is_gone(kept.error) and kept.repairs.until <= now]
-        due = [kept for kept in due if not kept.repairs.given_up and not kept.is_paused and not kept.is_busy]
-        due = [kept for kept in due if time.time() - kept.since > FAREWELL]
+        due = []
+        for kept in absent:
+            if not sites.is_gone(kept.error) or kept.repairs.until > now:
+                continue
+            if kept.repairs.given_up or kept.is_paused or kept.is_busy:
+                continue
+            if time.time() - kept.since > FAREWELL:
+                due.append(kept)
         for kept in due:
             kept.is_busy = True
         if due:
@@ -532,7 +560,9 @@ class Keeper(presence.Presence):
         kept.has_failed = False
         if kept.hands.pop(STATE, None):
             self.happened(kept, "is Active again")
-        for other in self.followed if is_new else ():
+        if not is_new:
+            return
+        for other in self.followed:
             if isinstance(other.said.get(STATE), errors.NotTried):
                 other.change(STATE)
 
@@ -581,13 +611,17 @@ class Keeper(presence.Presence):
             kept.has_failed = False
 
         def reached(other):
-            is_reached = other.state == "Active" or other.is_usable and not other.is_started
-            return plan.ALREADY if is_reached else plan.FAILED
+            if other.state == "Active" or other.is_usable and not other.is_started:
+                return plan.ALREADY
+            return plan.FAILED
 
         begun = time.monotonic()
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
         for kept in todo:
-            own = [result.error for result in results if result.action.component is kept.site.component]
+            own = []
+            for result in results:
+                if result.action.component is kept.site.component:
+                    own.append(result.error)
             self._started(kept, list(filter(None, own)), begun)
 
     async def _carry_out(self, actions, transition, some, outcome_of):
@@ -597,7 +631,10 @@ class Keeper(presence.Presence):
         progress = run_plan.Progress()
         run = run_plan.Run(actions, transition, progress)
         of_actions = [(action, self._kept_of[id(action.component)]) for action in actions]
-        ended = {action.number: outcome_of(kept) for action, kept in of_actions if kept not in some}
+        ended = {}
+        for action, kept in of_actions:
+            if kept not in some:
+                ended[action.number] = outcome_of(kept)
         run.take({id(kept.site.component): kept.node for kept in some}, ended)
         await run.carry_out()
         return progress.results
@@ -629,7 +666,10 @@ class Keeper(presence.Presence):
 
     async def _stop_dependents(self, kept):
         """A required component is given up: deactivate what the plan starts after it, the last first."""
-        numbers = {action.number for action in self.actions if action.component is kept.site.component}
+        numbers = set()
+        for action in self.actions:
+            if action.component is kept.site.component:
+                numbers.add(action.number)
         for action in reversed(plan.dependents(self.actions, numbers)):
             other = self._kept_of[id(action.component)]
             if other.state == "Active":

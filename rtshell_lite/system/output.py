@@ -43,7 +43,9 @@ class Output:
             rest[0] = lines.pop()
         else:
             rest[0] = b""
-        for line in filter(None, lines) if not data else lines:
+        if not data:
+            lines = list(filter(None, lines))
+        for line in lines:
             text = line[:LONGEST].decode("utf-8", "replace").rstrip("\r")
             self.lines.append(text)
             self._wrote(self.name, text)

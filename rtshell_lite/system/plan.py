@@ -52,15 +52,17 @@ def make(profile, section, name, start=True):
     targets = _Targets(profile, actions)
     found = {action.number: [] for action in actions}
     sending = getattr(profile, section)
-    for condition in sending.targets if sending is not None else []:
-        for number in targets.of(condition.target):
-            found[number].append(condition)
+    if sending is not None:
+        for condition in sending.targets:
+            for number in targets.of(condition.target):
+                found[number].append(condition)
     notes = []
     planned = [_with_conditions(action, found[action.number], targets, notes) for action in actions]
     contradictions = [line for action in planned for line in _contradictions(action, found[action.number])]
     problems = targets.problems + contradictions + list(_circles(planned))
     if problems:
-        raise errors.Failed(printable(name), f"{section.capitalize()}: {'; '.join(_once(problems))}")
+        why = "; ".join(_once(problems))
+        raise errors.Failed(printable(name), f"{section.capitalize()}: {why}")
     if start:
         notes += _optional_before_required(planned)
     return Plan(planned, _once(notes))
@@ -125,7 +127,10 @@ class _Targets:
             self.problems.append(f"{called} may be {paths} (the property {capture.PATH_ID} decides)")
             return []
         actions = self._actions[id(component)]
-        found = [action.number for action in actions if target.id in ("", action.context)]
+        found = []
+        for action in actions:
+            if target.id in ("", action.context):
+                found.append(action.number)
         if not found:
             self.problems.append(
                 f"{actions[0].path} has no execution context {printable(target.id)} in the file"
@@ -147,7 +152,10 @@ def _with_conditions(action, conditions, targets, notes):
         if condition.preceding is not None:
             sync = condition.preceding.sending_timing.upper() == "SYNC"
             for target in condition.preceding.preceding_components:
-                text = ("Sync to %s" if sync else "After %s's action") % printable(target.instance_name)
+                if sync:
+                    text = f"Sync to {printable(target.instance_name)}"
+                else:
+                    text = f"After {printable(target.instance_name)}'s action"
                 after += [
                     After(number, sync, condition.preceding.timeout, text) for number in targets.of(target)
                 ]
@@ -197,7 +205,8 @@ def _circles(actions):
             return
         way = [min(waiting)]
         while way[-1] not in way[:-1]:
-            way.append(min(number for number in waiting[way[-1]] if number in waiting))
+            following = [number for number in waiting[way[-1]] if number in waiting]
+            way.append(min(following))
         circle = way[way.index(way[-1]) :]
         yield "these wait for each other: " + " for ".join(actions[number - 1].path for number in circle)
         for number in circle[1:]:
@@ -210,12 +219,17 @@ def _remove_free(waiting):
     for number, others in waiting.items():
         for other in others:
             waited_for.setdefault(other, []).append(number)
-    free = [number for number in waiting if not any(other in waiting for other in waiting[number])]
+    free = []
+    for number in waiting:
+        if not any(other in waiting for other in waiting[number]):
+            free.append(number)
     while free:
         gone = free.pop()
         del waiting[gone]
         for number in waited_for.get(gone, []):
-            if number in waiting and not any(other in waiting for other in waiting[number]):
+            if number not in waiting:
+                continue
+            if not any(other in waiting for other in waiting[number]):
                 free.append(number)
 
 
@@ -249,7 +263,10 @@ def _depends(action, other):
     is_step = other.required and other.order is not None and not _waits(other)
     if is_step and action.order is not None and other.order < action.order:
         return True
-    return any(after.number == other.number and (after.sync or other.required) for after in action.after)
+    for after in action.after:
+        if after.number == other.number and (after.sync or other.required):
+            return True
+    return False
 
 
 def _once(items):
@@ -273,21 +290,21 @@ def lines(actions, verb):
     """The actions as rtshell shows a plan; `verb` is Activate or Deactivate.
     An empty line stands for an empty plan.
     """
-    return [
-        "{%d} %s%s"
-        % (action.number, "[%s] " % ", ".join(action.texts) if action.texts else "", plain_line(action, verb))
-        for action in in_order(actions)
-    ] or [""]
+    lines = []
+    for action in in_order(actions):
+        conditions = ""
+        if action.texts:
+            conditions = f"[{', '.join(action.texts)}] "
+        lines.append("{%d} %s%s" % (action.number, conditions, plain_line(action, verb)))
+    return lines or [""]
 
 
 def plain_line(action, verb):
     """An action without its number and its conditions."""
-    return "%s %s in execution context %s%s" % (
-        verb,
-        action.path,
-        printable(action.context),
-        " (Required)" if action.required else "",
-    )
+    line = f"{verb} {action.path} in execution context {printable(action.context)}"
+    if action.required:
+        line += " (Required)"
+    return line
 
 
 def in_order(actions):
@@ -314,7 +331,11 @@ def _steps(actions):
     for action in actions:
         if not _waits(action):
             is_member = (action.component.id, action.component.instance_name) in members
-            steps.setdefault((-1 if action.order is None else action.order, is_member), []).append(action)
+            if action.order is None:
+                order = -1
+            else:
+                order = action.order
+            steps.setdefault((order, is_member), []).append(action)
     return [steps[key] for key in sorted(steps)]
 
 
@@ -372,7 +393,10 @@ class Schedule:
             fresh = [action for action in self._waiting if action.number not in self.ended]
             judged = [(action, self._verdict(action, now)) for action in fresh]
             self._waiting = [action for action, verdict in judged if verdict == "wait"]
-            new = [self._judged(action, verdict) for action, verdict in judged if verdict != "wait"]
+            new = []
+            for action, verdict in judged:
+                if verdict != "wait":
+                    new.append(self._judged(action, verdict))
             found += new
             if all(reason is None for _, reason in new):  # what will not be tried stops others
                 break
@@ -391,12 +415,13 @@ class Schedule:
         open_ones = [after for after in action.after if not self._holds(after)]
         for after in open_ones:
             if after.timeout and now >= self.armed + after.timeout / 1000:
-                return "%s: not %s within %dms" % (
-                    after.text,
-                    self.target if after.sync else "told",
-                    after.timeout,
-                )
-        if open_ones or now < self.armed + (action.wait or 0) / 1000:
+                wanted = "told"
+                if after.sync:
+                    wanted = self.target
+                return "%s: not %s within %dms" % (after.text, wanted, after.timeout)
+        if open_ones:
+            return "wait"
+        if now < self.armed + (action.wait or 0) / 1000:
             return "wait"
         return None
 

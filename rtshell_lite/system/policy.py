@@ -19,8 +19,8 @@ USUAL = Policy("always", 5, 60.0, 0.5, 30.0)
 
 
 def of(component, usual):
-    """The Policy of a model.Component: its extended properties keep.restart, keep.burst and keep.delay, words as
-    `parse` takes them, go before those of `usual`. Raises Failed.
+    """The Policy of a model.Component: its extended properties keep.restart, keep.burst and keep.delay, words
+    as `parse` takes them, go before those of `usual`. Raises Failed.
     """
     words = [component.property(PREFIX + name) for name in ("restart", "burst", "delay")]
     try:
@@ -80,11 +80,15 @@ class Trial:
         if self.failures and now - self.failures[-1] > HEALTH:
             self.failures = []
         self.failures.append(now)
-        recent = [when for when in self.failures if now - when < self.policy.within]
+        recent = []
+        for when in self.failures:
+            if now - when < self.policy.within:
+                recent.append(when)
         self.given_up = len(recent) > self.policy.burst
         delay = 0.0
         if len(self.failures) > 1:
-            delay = min(self.policy.most, self.policy.first * 2 ** min(len(self.failures) - 2, 20))
+            doublings = min(len(self.failures) - 2, 20)
+            delay = min(self.policy.most, self.policy.first * 2**doublings)
         jitter = os.urandom(1)[0] / 1020  # at most a quarter; `random` would take 300 kB
         self.until = now + delay * (1 + jitter)
 

@@ -124,13 +124,14 @@ class Processes:
                 await self._ended(process, f"cannot be started: {os.strerror(e.errno)}", True)
                 continue
             self.happened(process.name, "", f"started, pid {process.pid}", begun)
-            await loop.race(self._until_ready(process, begun), process.until(lambda: process.pid is None))
+            has_ended = process.until(lambda: process.pid is None)
+            await loop.race(self._until_ready(process, begun), has_ended)
             await process.until(lambda: process.pid is None)
             await self._ended(process, _in_words(process.status), process.status != 0)
 
     async def _is_foreign(self, process):
-        """Whether somebody else has started it: then wait until that one is gone. One that hangs lives: a second one
-        would take its name.
+        """Whether somebody else has started it: then wait until that one is gone. One that hangs lives: a
+        second one would take its name.
         """
         seen = await _seen(process)
         if seen is None:
@@ -176,7 +177,10 @@ class Processes:
     def _spawn(self, process):
         import subprocess
 
-        inherited = {name: value for name, value in os.environ.items() if name not in OURS}
+        inherited = {}
+        for name, value in os.environ.items():
+            if name not in OURS:
+                inherited[name] = value
         child = subprocess.Popen(
             process.spec.command,
             stdin=subprocess.DEVNULL,
@@ -213,7 +217,10 @@ class Processes:
 
     async def stop(self, stopped=None):
         """End some processes (default: all), each when those after it have ended."""
-        stopped = self.all if stopped is None else stopped
+        if stopped is None:
+            stopped = self.all
+        else:
+            stopped = stopped
         for process in stopped:
             process.is_wanted = False
         await loop.each(stopped, self._stop)

@@ -1,7 +1,7 @@
 """Procfiles: the processes of a robot, in what order they start, and when each is ready.
 
 nameserver: rtm-naming                      a name and a command; words are split as in sh, $NAME is replaced
-nameserver.ready: localhost                 what answers when it is ready: a component, a manager, a name server
+nameserver.ready: localhost                 what answers when it is ready: a component, manager, name server
 arm: ./Arm0Comp -f rtc.conf
 arm.after: nameserver                       names: it starts when these are ready
 arm.env: LANG=C                             more environment
@@ -89,7 +89,10 @@ def _in_order(specs, name):
     ordered = []
     while len(ordered) < len(specs):
         started = {spec.name for spec in ordered}
-        due = [spec for spec in specs if spec not in ordered and started.issuperset(spec.after)]
+        due = []
+        for spec in specs:
+            if spec not in ordered and started.issuperset(spec.after):
+                due.append(spec)
         if not due:
             rest = ", ".join(spec.name for spec in specs if spec not in ordered)
             raise errors.Failed(printable(name), "these wait for each other: " + rest)

@@ -24,8 +24,8 @@ class Connections:
                 yield connector, ends
 
     async def take(self, batch):
-        """The connectors of some Kepts whose ports have changed that these do not show as the file has them. No
-        other task works on them until they are released; all of their ends have been asked since.
+        """The connectors of some Kepts whose ports have changed that these do not show as the file has them.
+        No other task works on them until they are released; all of their ends have been asked since.
         """
         taken = []
         for connector, ends in self.of(batch):
@@ -41,7 +41,10 @@ class Connections:
                 taken.append((connector, ends))
         asked = list({kept for _, ends in taken for kept in ends})
         answers = await session.each(asked, _look_at_ports, lambda kept: kept.place)
-        failed = {kept for kept, answer in zip(asked, answers) if isinstance(answer, errors.Error)}
+        failed = set()
+        for kept, answer in zip(asked, answers):
+            if isinstance(answer, errors.Error):
+                failed.add(kept)
         for kept in failed:
             kept.change("ports")
         self.release([connector for connector, ends in taken if failed.intersection(ends)])
@@ -52,13 +55,16 @@ class Connections:
         self._making.difference_update(map(id, connectors))
 
     async def outcomes(self, connectors):
-        """The apply.Outcomes of the steps that make connectors, without those of a connection that has just lost an
-        end: somebody may be about to connect, or to disconnect. What is half there at the next look, too, is
-        removed.
+        """The apply.Outcomes of the steps that make connectors, without those of a connection that has just
+        lost an end: somebody may be about to connect, or to disconnect. What is half there at the next look,
+        too, is removed.
         """
         connecting = connect_steps.connecting(self._profile, self._site_of, connectors)
         outcomes = await restore.connections(connecting)
-        removed = {id(outcome.step.connector) for outcome in outcomes if outcome.step.kind == "disconnect"}
+        removed = set()
+        for outcome in outcomes:
+            if outcome.step.kind == "disconnect":
+                removed.add(id(outcome.step.connector))
         doubtful = removed - self._halves
         self._halves = doubtful
         for outcome in outcomes:
@@ -76,13 +82,22 @@ def _is_shown(connector, ends, batch):
     """Whether those of the ends of a connector that are in the batch show it as the file has it: with its id,
     between the ports that the others had when they were last asked.
     """
-    found = [kept.site.port(capture.port_of(end)) for kept, end in zip(ends, connector.ends)]
+    found = []
+    for kept, end in zip(ends, connector.ends):
+        found.append(kept.site.port(capture.port_of(end)))
     if any(isinstance(port, errors.Error) for port in found):
         return False
     wanted = {orb.identity(port.ref) for port in found}
     for kept, port in zip(ends, found):
-        same = [one for one in port.connectors if one.id and one.id == connector.connector_id]
-        joined = {orb.identity(ref) for one in same for ref in one.ports if ref is not None}
+        same = []
+        for one in port.connectors:
+            if one.id and one.id == connector.connector_id:
+                same.append(one)
+        joined = set()
+        for one in same:
+            for ref in one.ports:
+                if ref is not None:
+                    joined.add(orb.identity(ref))
         if kept in batch and joined != wanted:
             return False
     return True

@@ -39,11 +39,16 @@ def move(profile, maps):
     wherever the profile has them. Raises Failed where that is not clear.
     """
     locate = capture.locator(profile)
-    targets = [(each, locate(each)) for each in _elements(profile) if isinstance(each, TARGETS)]
+    targets = []
+    for each in _elements(profile):
+        if isinstance(each, TARGETS):
+            targets.append((each, locate(each)))
     members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
     names = _move_components(profile.components, maps)
     _refuse_unclear(targets, profile.components, names)
-    within = {key: dict(names[id(one)] for one in some if one is not None) for key, some in members.items()}
+    within = {}
+    for key, some in members.items():
+        within[key] = dict(names[id(one)] for one in some if one is not None)
     for each in profile.components:
         _rename([each] + each.data_ports + each.service_ports, names[id(each)], within[id(each)])
         if within[id(each)]:
@@ -68,8 +73,10 @@ def _move_components(components, maps):
         now = path_in(each.path_uri)
         if now.names and taken.setdefault(now, before) != before:
             raise errors.Failed(str(now), "the file has two components here")
-        is_bound_so = before.names and now.names and before.names[-1].id == each.instance_name
-        names[id(each)] = each.instance_name, now.names[-1].id if is_bound_so else each.instance_name
+        last = each.instance_name
+        if before.names and now.names and before.names[-1].id == last:
+            last = now.names[-1].id
+        names[id(each)] = each.instance_name, last
     return names
 
 
@@ -77,13 +84,17 @@ def _refuse_unclear(targets, components, names):
     """Raise Failed for a target that may mean several components of which only some have been renamed."""
     called = {}  # what a target says of a component: the names that those have now
     for each in components:
-        called.setdefault((each.id, each.instance_name), set()).add(names[id(each)][1])
+        key = each.id, each.instance_name
+        called.setdefault(key, set()).add(names[id(each)][1])
     for target, _ in targets:
         key = target.component_id, target.instance_name
-        if not target.property(capture.PATH_ID) and len(called.get(key, ())) > 1:
+        if target.property(capture.PATH_ID):
+            continue
+        if len(called.get(key, ())) > 1:
             raise errors.Failed(
                 f"{printable(key[1])} ({printable(key[0])})",
-                f"there are several, of which --map renames some (the property {capture.PATH_ID} decides which is meant)",
+                f"there are several, of which --map renames some (the property {capture.PATH_ID} decides "
+                "which is meant)",
             )
 
 
@@ -92,7 +103,9 @@ def _elements(element):
     yield element
     for field in element.FIELDS:
         value = getattr(element, field.name)
-        for child in value if isinstance(value, list) else [value]:
+        if not isinstance(value, list):
+            value = [value]
+        for child in value:
             if isinstance(child, model.Element):
                 yield from _elements(child)
 
@@ -109,10 +122,13 @@ def _rename(elements, own, within):
             element.instance_name = new
         for field in ("name", "port_name"):
             port = getattr(element, field, None)
-            if port is not None:
-                is_own = port.startswith(old + ".")
-                rest = _renamed(port[len(old) + 1 :] if is_own else port, within)
-                setattr(element, field, new + "." + rest if is_own else rest)
+            if port is None:
+                continue
+            if port.startswith(old + "."):
+                rest = _renamed(port[len(old) + 1 :], within)
+                setattr(element, field, new + "." + rest)
+            else:
+                setattr(element, field, _renamed(port, within))
 
 
 def _rename_lists(composite, within):
@@ -197,7 +213,9 @@ class Map:
             below = path.parse("/x/" + word)
         except errors.BadPath:
             below = top  # a server with a port
-        return top.object(), below.names if below.port is None and below.server == "x" else None
+        if below.port is None and below.server == "x":
+            return top.object(), below.names
+        return top.object(), None
 
     def at_start(self, where):
         """How many names after the server of a Path it replaces; None if it does not fit there."""
@@ -222,12 +240,15 @@ def mapped(where, maps):
     if where.server is None:
         return where
     for each in maps:
-        each.used = (
-            each.used
-            or each.at_start(where) is not None
-            or any(each.fits(where.names[i:]) for i in range(len(where.names)))
-        )
-    fitting = [(each.at_start(where), each) for each in maps if each.at_start(where) is not None]
+        if each.at_start(where) is not None:
+            each.used = True
+        for i in range(len(where.names)):
+            if each.fits(where.names[i:]):
+                each.used = True
+    fitting = []
+    for each in maps:
+        if each.at_start(where) is not None:
+            fitting.append((each.at_start(where), each))
     server = where.server
     at = 0
     names = ()

@@ -48,7 +48,8 @@ def _report(args, outcomes):
             tell = notes.note
         else:
             tell = notes.detail
-        tell(", ".join("%d %s" % (number, status) for status, number in counts.items() if number))
+        parts = ["%d %s" % (number, status) for status, number in counts.items() if number]
+        tell(", ".join(parts))
     return tally.status()
 
 
@@ -75,7 +76,10 @@ class Progress(notes.Tally):
         self._as_json(result)
         if error is None:
             self.add(action)
-            notes.detail(f"{action.path}: {'already ' if result.outcome == 'already' else ''}{self.state}")
+            already = ""
+            if result.outcome == "already":
+                already = "already "
+            notes.detail(f"{action.path}: {already}{self.state}")
         elif action.component.is_required:
             self.add(error)
         else:
@@ -86,19 +90,19 @@ class Progress(notes.Tally):
         self._as_json(result)
 
     def _as_json(self, result):
+        if not self.as_json:
+            return
         action = result.action
-        error = result.error
-        if self.as_json:
-            print(
-                text.json_line(
-                    {
-                        "action": self.verb.lower(),
-                        "number": action.number,
-                        "path": action.path,
-                        "context": action.context,
-                        "required": action.component.is_required,
-                        "result": result.outcome,
-                        "error": str(error) if error else None,
-                    }
-                )
-            )
+        error = None
+        if result.error:
+            error = str(result.error)
+        values = {
+            "action": self.verb.lower(),
+            "number": action.number,
+            "path": action.path,
+            "context": action.context,
+            "required": action.component.is_required,
+            "result": result.outcome,
+            "error": error,
+        }
+        print(text.json_line(values))

@@ -46,7 +46,10 @@ async def restoring(profile, options):
 async def commands(profile, planned, options):
     """The commands that would bring the system to what a profile says now, its states by its Plan."""
     outcomes = await restoring(profile, options)
-    found = [outcome.step.command for outcome in outcomes if outcome.pending and not outcome.likely]
+    found = []
+    for outcome in outcomes:
+        if outcome.pending and not outcome.likely:
+            found.append(outcome.step.command)
     states = dict(zip(map(id, profile.components), await capture.states(profile)))
     for action in plan.in_order(planned.actions):
         state = states.pop(id(action.component), "Active")
@@ -66,7 +69,9 @@ async def parts(listed, site_of):
     for site in listed:
         outcomes += await memberships(site, site_of)
     for site in listed:
-        outcomes += await _configurations(site) + await _rates(site) + await _participations(site, site_of)
+        outcomes += await _configurations(site)
+        outcomes += await _rates(site)
+        outcomes += await _participations(site, site_of)
     return outcomes
 
 
@@ -185,7 +190,10 @@ async def _configurations(site):
         known = collections.OrderedDict(
             (name, value) for name, value in wanted.items() if name not in unknown
         )
-        for part in [{name: wanted[name]} for name in unknown] + [known] * bool(known):
+        parts = [{name: wanted[name]} for name in unknown]
+        if known:
+            parts.append(known)
+        for part in parts:
             outcomes.append(await apply.assess(steps.Values(site, one.id, part)))
     if site.component.active_configuration_set:
         active = await apply.assess(steps.Active(site, site.component.active_configuration_set))
@@ -283,12 +291,23 @@ async def tearing_down(profile, options):
     listed = places(profile)
     await sites.find(listed, _ports_only)
     lost = [site for site in listed if site.error is not None]
-    some = not listed or any(site.error is None or site.error.where == site.where for site in listed)
-    outcomes = [await presence(site) for site in lost if not (some and sites.is_gone(site.error))]
-    notes = [str(site.error) for site in lost if some and sites.is_gone(site.error)]
+    some = not listed
+    for site in listed:
+        if site.error is None or site.error.where == site.where:
+            some = True
+    outcomes = []
+    for site in lost:
+        if not (some and sites.is_gone(site.error)):
+            outcomes.append(await presence(site))
+    notes = []
+    for site in lost:
+        if some and sites.is_gone(site.error):
+            notes.append(str(site.error))
     site_of = sites.finder(capture.locator(profile, options.strict), listed)
     removals = connect_steps.disconnecting(profile, site_of)
-    notes += [str(error) for step in removals if step.kind == "disconnect" for error in step.lost_ports()]
+    for step in removals:
+        if step.kind == "disconnect":
+            notes += map(str, step.lost_ports())
     outcomes += [await apply.assess(step) for step in removals]
     if not some:
         for outcome in outcomes:
@@ -305,4 +324,5 @@ async def tear_down(profile, options):
 
 
 async def _ports_only(node):
-    return capture.Found(node, ports.in_system(await ports.ports(node)), [], {}, [], "", [], None, None)
+    listed = ports.in_system(await ports.ports(node))
+    return capture.Found(node, listed, [], {}, [], "", [], None, None)

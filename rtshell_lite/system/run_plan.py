@@ -69,8 +69,8 @@ class Run:
     async def check(self, profile, on_required=lambda line: None):
         """Find the components and their contexts, and check that they are those of the profile.
 
-        Returns the errors of required components: after any of these, nothing is to be started. `on_required` is
-        called with a line for each of them.
+        Returns the errors of required components: after any of these, nothing is to be started. `on_required`
+        is called with a line for each of them.
         """
         failures = []
         for wanted, answer in zip(profile.components, await self._look(profile, _ask)):
@@ -162,8 +162,12 @@ class Run:
 
     async def _wait(self, until):
         """Wait until an action begins or ends; no longer than `until`, by time.monotonic(), or None."""
-        if not self._schedule.is_over():
-            await self._changed.wait(None if until is None else max(0, until - time.monotonic()))
+        if self._schedule.is_over():
+            return
+        seconds = None
+        if until is not None:
+            seconds = max(0, until - time.monotonic())
+        await self._changed.wait(seconds)
 
     def _start(self, action, group):
         found = self._found[id(action.component)]
@@ -219,7 +223,9 @@ class Run:
         try:
             index = _context(node, contexts or await _contexts(node), action)
             has_changed = await transitions.change_as_planned(node, self.transition, index, self.wait, stage)
-            return Result(action, plan.DONE if has_changed else plan.ALREADY, None)
+            if has_changed:
+                return Result(action, plan.DONE, None)
+            return Result(action, plan.ALREADY, None)
         except errors.Unreachable as e:
             if action.number in self._asked:
                 return await self._seen(action, node, e)
@@ -248,8 +254,9 @@ class Run:
         return self._failed(action, failure)
 
     def _failed(self, action, error):
-        gone = self.transition is transitions.DEACTIVATE and sites.is_gone(error)
-        return Result(action, plan.GONE if gone else plan.FAILED, error)
+        if self.transition is transitions.DEACTIVATE and sites.is_gone(error):
+            return Result(action, plan.GONE, error)
+        return Result(action, plan.FAILED, error)
 
 
 # ---- asking ------------------------------------------------------------------------------------------------

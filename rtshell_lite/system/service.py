@@ -77,8 +77,8 @@ class Service:
         self.tell(happening.now(name, seen, done, begun))
 
     async def run(self, processes):
-        """Keep it, and Processes or Nothing, until a signal or a request ends that; a second signal ends it at
-        once.
+        """Keep it, and Processes or Nothing, until a signal or a request ends that; a second signal ends it
+        at once.
         """
         self.processes = processes
         here = loop.current()
@@ -91,7 +91,9 @@ class Service:
                 self._wanted = None
                 await self._keep(*self._files)
             await loop.race(self.processes.stop(), self._second.wait())
-        return 128 + self._wanted if self._is_hurried else 0
+        if self._is_hurried:
+            return 128 + self._wanted
+        return 0
 
     async def _keep(self, profile, starting, stopping):
         before = self.keeper
@@ -119,7 +121,10 @@ class Service:
                 steering.notify(READY=1)
             if is_ready and every is None:
                 return
-            await loop.sleep(LOOK if every is None else min(LOOK, every))
+            if every is None:
+                await loop.sleep(LOOK)
+            else:
+                await loop.sleep(min(LOOK, every))
 
     def _reload(self):
         """Read the files again. Raises what is wrong with them; then nothing changes."""
@@ -150,7 +155,8 @@ class Service:
         """The lines of the answer to a request of `rtkeep COMMAND NAME …`. Raises NoSuch."""
         command = request["command"]
         if command == "status":
-            return [self.as_dict()] + [one.as_dict() for one in [*self.keeper.followed, *self.processes.all]]
+            kept = [*self.keeper.followed, *self.processes.all]
+            return [self.as_dict()] + [one.as_dict() for one in kept]
         if command == "reload":
             self._reload()
         elif command == "stop" and not request["names"]:

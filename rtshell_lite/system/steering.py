@@ -34,7 +34,8 @@ def directory():
     except FileExistsError:
         pass
     found = os.lstat(made)
-    if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.geteuid() or found.st_mode & 0o077:
+    is_ours = stat.S_ISDIR(found.st_mode) and found.st_uid == os.geteuid()
+    if not is_ours or found.st_mode & 0o077:
         raise errors.Failed(made, "not a directory of ours that nobody else can write to")
     return made
 
@@ -51,7 +52,8 @@ class Lock:
 
     def __init__(self, name):
         self.path = place(name) + ".lock"
-        self.fd = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
+        flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
+        self.fd = os.open(self.path, flags, 0o600)
         try:
             fcntl.flock(self.fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -67,7 +69,8 @@ class Lock:
 
 
 class Door:
-    """Answers requests: `async with Door(name, answer):`; answer(request) returns the lines, dicts, of an answer.
+    """Answers requests: `async with Door(name, answer):`; answer(request) returns the lines, dicts, of an
+    answer.
 
     It may raise errors.Error.
     """
@@ -152,11 +155,14 @@ async def _send(connection, text):
 
 
 def running():
-    """The paths of the sockets of all rtkeeps of this user, sorted. Raises as `directory` does; makes nothing."""
+    """The paths of the sockets of all rtkeeps of this user, sorted. Raises as `directory` does; makes
+    nothing.
+    """
     if not os.path.isdir(_directory()):
         return []
     where = directory()
-    return sorted(os.path.join(where, name) for name in os.listdir(where) if name.endswith(".socket"))
+    names = [name for name in os.listdir(where) if name.endswith(".socket")]
+    return sorted(os.path.join(where, name) for name in names)
 
 
 async def ask(door, request):
@@ -202,7 +208,9 @@ async def marks():
             lines = await ask(door, {"command": "status", "names": []})
         except errors.Error:
             continue
-        found.update((line["object"], _mark(line)) for line in lines if line["kind"] == "component")
+        for line in lines:
+            if line["kind"] == "component":
+                found[line["object"]] = _mark(line)
     return found
 
 
@@ -224,10 +232,12 @@ def notify(**said):
     where = os.environ.get("NOTIFY_SOCKET")
     if not where:
         return
+    if where[0] == "@":
+        where = "\0" + where[1:]
     message = "\n".join(f"{name}={value}" for name, value in said.items())
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as out:
         try:
-            out.sendto(message.encode("utf-8", "replace"), "\0" + where[1:] if where[0] == "@" else where)
+            out.sendto(message.encode("utf-8", "replace"), where)
         except OSError:
             pass
 

@@ -48,7 +48,10 @@ class Step:
 
     def site_error(self):
         """The error of the first Site that has one, or None."""
-        return next((site.error for site in self.sites if site.error is not None), None)
+        for site in self.sites:
+            if site.error is not None:
+                return site.error
+        return None
 
     def questions(self):
         """What has to be asked to know whether it is done: Questions."""
@@ -205,7 +208,10 @@ class Members(Step):
             for member in members
             if member.node is None or site.found is None or _is_missing(member, site.found)
         ]
-        words = ["rtcomp"] + [word for member in added for word in ("-a", member.where)] + [site.where]
+        words = ["rtcomp"]
+        for member in added:
+            words += ["-a", member.where]
+        words.append(site.where)
         self.command = " ".join(map(shell_word, words))
 
     def questions(self):
@@ -287,15 +293,22 @@ class Values(_Configuring):
         self.values = values
         self.setting = tuple(values.items())
         self.active_before = None  # the set that was active, and has to be again
-        present = (self._present(site.found) if site.found else None) or {}
-        changed = [
-            (name, value) for name, value in values.items() if present.get(name) != value
-        ] or values.items()
-        self.command = configuration.command(site.where, set_id, "set", *["%s=%s" % item for item in changed])
+        present = {}
+        if site.found:
+            present = self._present(site.found) or {}
+        changed = {}
+        for name, value in values.items():
+            if present.get(name) != value:
+                changed[name] = value
+        words = ["%s=%s" % item for item in (changed or values).items()]
+        self.command = configuration.command(site.where, set_id, "set", *words)
 
     def _present(self, answer):
         """The values that the set has now, a dict; None where there is no such set."""
-        return next((one.values for one in answer.sets if one.id == self.set_id), None)
+        for one in answer.sets:
+            if one.id == self.set_id:
+                return one.values
+        return None
 
     def differences(self, answers):
         present = self._present(answers[0])
@@ -355,16 +368,16 @@ class Active(_Configuring):
     def differences(self, answers):
         (now,) = answers
         present = [one.id for one in now.sets]
-        if now.active == self.set_id or self.set_id == "default" and all(map(configuration.hidden, present)):
+        if now.active == self.set_id:
+            return
+        if self.set_id == "default" and all(map(configuration.hidden, present)):
             # components without configuration have no set at all, and files name this one nevertheless
             return
-        yield Difference(
-            "active set",
-            None,
-            self.set_id,
-            now.active or None,
-            None if self.set_id in present else self.unknown_set,
-        )
+        if self.set_id in present:
+            obstacle = None
+        else:
+            obstacle = self.unknown_set
+        yield Difference("active set", None, self.set_id, now.active or None, obstacle)
 
     async def act(self, answers):
         await answers[0].configuration.activate(self.set_id)
@@ -401,7 +414,10 @@ class Participants(Step):
             for participant in participants
             if site.found is None or self._is_missing(participant, site.found.owned)
         ]
-        words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "attach"]
+        words = ["rtec"]
+        if index:
+            words += ["-e", str(index)]
+        words += [site.where, "attach"]
         self.command = " ".join(map(shell_word, words + [participant.where for participant in attached]))
 
     def questions(self):
@@ -421,8 +437,14 @@ class Participants(Step):
         return [participant for participant in self.participants if self._is_missing(participant, answers[0])]
 
     def _is_missing(self, participant, owned):
-        refs = [ref for context in owned if context.handle == self.handle for ref in context.participants]
-        return participant.node is None or not any(orb.same(ref, participant.node.ref) for ref in refs)
+        refs = []
+        for context in owned:
+            if context.handle == self.handle:
+                for ref in context.participants:
+                    refs.append(ref)
+        if participant.node is None:
+            return True
+        return not any(orb.same(ref, participant.node.ref) for ref in refs)
 
     async def act(self, answers):
         for participant in self._missing(answers):
@@ -482,7 +504,10 @@ class Rate(Step):
         self.index = index
         self.handle = handle
         self.rate = self.setting = rate
-        words = ["rtec"] + ["-e", str(index)] * bool(index) + [site.where, "rate", f"{rate!r}"]
+        words = ["rtec"]
+        if index:
+            words += ["-e", str(index)]
+        words += [site.where, "rate", f"{rate!r}"]
         self.command = " ".join(map(shell_word, words))
 
     def questions(self):

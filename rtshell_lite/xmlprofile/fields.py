@@ -31,10 +31,11 @@ class Field:
         self.always = always
         self.choices = choices
         self.also = also
-        self.key = (
-            key
-            or (self.prefix + "::" if self.prefix != "rts" else "") + self.local[0].lower() + self.local[1:]
-        )
+        if key is None:
+            key = self.local[0].lower() + self.local[1:]
+            if self.prefix != "rts":
+                key = f"{self.prefix}::{key}"
+        self.key = key
         self.within = None  # the key of a mapping that YAML puts around it
 
 
@@ -134,12 +135,18 @@ class Element:
         known = len(own)
         own.update(values)
         if len(own) > known:
-            raise TypeError(f"{type(self).__name__} has no {', '.join(list(own)[known:])}")
+            unknown = ", ".join(list(own)[known:])
+            raise TypeError(f"{type(self).__name__} has no {unknown}")
 
     def __eq__(self, other):
-        if type(self) is not type(other) or (self.foreign or None) != (other.foreign or None):
+        if type(self) is not type(other):
             return False
-        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in self.FIELDS)
+        if (self.foreign or None) != (other.foreign or None):
+            return False
+        for field in self.FIELDS:
+            if not same(getattr(self, field.name), getattr(other, field.name)):
+                return False
+        return True
 
     __hash__ = None
 
@@ -170,7 +177,11 @@ class Element:
 def same(a, b):
     """Whether two values are equal; NaN equals NaN."""
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
+        if a.keys() != b.keys():
+            return False
+        return all(same(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, list):
-        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
+        if len(a) != len(b):
+            return False
+        return all(same(x, y) for x, y in zip(a, b))
     return a == b or (a != a and b != b)

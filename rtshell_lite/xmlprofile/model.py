@@ -183,10 +183,14 @@ class Connector(Element):
 
     @ends.setter
     def ends(self, ports):
-        self.source, self.target, self.further_ends = (list(ports[:2]) + [None, None])[:2] + [list(ports[2:])]
+        self.source, self.target = (list(ports[:2]) + [None, None])[:2]
+        self.further_ends = list(ports[2:])
 
     def fault(self, given):
-        return super().fault(given) or (None if self.ends else "neither source nor target")
+        why = super().fault(given)
+        if not why and not self.ends:
+            return "neither source nor target"
+        return why
 
 
 FURTHER_ENDS = Children("further_ends", "rtsExt:FurtherEnds", TargetPort)

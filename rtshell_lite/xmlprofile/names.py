@@ -104,7 +104,11 @@ def is_own_key(cls, key):
 def is_clark(name):
     """Whether XML can hold an element or attribute called `name`, "{namespace}name" or "name"."""
     space, local = parts(name)
-    if clark(raw(name)) != name or space == XMLNS or not escape.is_legal(space):
+    if clark(raw(name)) != name:
+        return False
+    if space == XMLNS:
+        return False
+    if not escape.is_legal(space):
         return False
     if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
         return False

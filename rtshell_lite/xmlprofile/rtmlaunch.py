@@ -1,8 +1,9 @@
-"""Launch files of rtmlaunch (rtmros_common): <rtconnect> and <rtactivate> in files of roslaunch, as an RtsProfile.
+"""Launch files of rtmlaunch (rtmros_common): <rtconnect> and <rtactivate> in files of roslaunch, as an
+RtsProfile.
 
-Components are bound at the top of one name server; what these files do not have is left empty in the profile: an
-id, which then fits every component, and data types. Arguments are replaced as roslaunch does, with rtmlaunch's
-addition that the environment has values, too.
+Components are bound at the top of one name server; what these files do not have is left empty in the profile:
+an id, which then fits every component, and data types. Arguments are replaced as roslaunch does, with
+rtmlaunch's addition that the environment has values, too.
 """
 
 import re

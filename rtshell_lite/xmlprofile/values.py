@@ -61,7 +61,9 @@ def from_number(field, value):
         raise ValueError(f"{str(value).lower()}: not a number")
     if field.kind == fields.NUMBER:
         return scalars.as_float(value)
-    if value != value or abs(value) >= 10**18 or value != int(value):
+    if value != value or abs(value) >= 10**18:
+        raise ValueError(f"{value}: not a whole number")
+    if value != int(value):
         raise ValueError(f"{value}: not a whole number")
     return int(value)
 
@@ -83,4 +85,6 @@ _SPECIAL = {"inf": "INF", "-inf": "-INF", "nan": "NaN"}
 def shown(text):
     """A piece of a file for a message, shortened."""
     text = str(text)
-    return f"\"{text if len(text) <= 40 else text[:37] + '...'}\""
+    if len(text) > 40:
+        text = text[:37] + "..."
+    return f'"{text}"'

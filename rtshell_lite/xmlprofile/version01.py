@@ -133,6 +133,9 @@ def _milliseconds(wait, fail):
     if not duration:
         fail(wait, "WaitTime: not a duration such as PT1.5S")
     days, hours, minutes, seconds = (float(part or 0) for part in duration.groups())
-    milliseconds = int(round(1000 * (((days * 24 + hours) * 60 + minutes) * 60 + seconds)))
+    hours += days * 24
+    minutes += hours * 60
+    seconds += minutes * 60
+    milliseconds = int(round(1000 * seconds))
     wait.attributes = dict(wait.attributes, **{RTS + "waitTime": str(milliseconds)})
     wait.content = []

@@ -143,7 +143,8 @@ def nodes(data, name):
     reader = _Reader(name)
     if len(data) > MOST_BYTES:
         reader.fail("more than %d MiB" % (MOST_BYTES >> 20))
-    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) or data[:4] in (b"<\0?\0", b"\0<\0?"):
+    is_utf16 = data[:4] in (b"<\0?\0", b"\0<\0?")
+    if is_utf16 or data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         if data[0] >= 0xFE:
             encoding = "utf-16"
         elif data[0] == 0:
@@ -155,7 +156,9 @@ def nodes(data, name):
         decoder = _decoder(data, reader)
     for start in range(0, len(data), _CHUNK):
         chunk = data[start : start + _CHUNK]
-        reader.feed(_decoded(decoder, chunk, start + _CHUNK >= len(data), reader) if decoder else chunk)
+        if decoder:
+            chunk = _decoded(decoder, chunk, start + _CHUNK >= len(data), reader)
+        reader.feed(chunk)
     reader.feed(b"", True)
     reader.root.inside += reader.taken()
     return reader.root
@@ -291,11 +294,13 @@ def _keep_element(found, cls, node):
 
 def _foreign_element(node):
     attributes = {names.clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
-    return fields.ForeignElement(
-        names.clark(node.tag),
-        attributes,
-        [escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content],
-    )
+    content = []
+    for item in node.content:
+        if isinstance(item, str):
+            content.append(escape.unspelt(item))
+        else:
+            content.append(_foreign_element(item))
+    return fields.ForeignElement(names.clark(node.tag), attributes, content)
 
 
 # ---- writing -----------------------------------------------------------------------------------------------
@@ -318,8 +323,14 @@ def write(profile):
 
 def _comments(texts, indent):
     """Comments as lines. What is not printable is escaped as on a terminal: comments have no references."""
-    parts = [[[safe(part) for part in line.split("\t")] for line in text.split("\n")] for text in texts]
-    return [f"{indent}<!--{text}-->" for text in ("\n".join(map("\t".join, lines)) for lines in parts)]
+    comments = []
+    for text in texts:
+        lines = []
+        for line in text.split("\n"):
+            lines.append("\t".join(safe(part) for part in line.split("\t")))
+        text = "\n".join(lines)
+        comments.append(f"{indent}<!--{text}-->")
+    return comments
 
 
 _NOTHING = fields.Foreign()
@@ -344,7 +355,8 @@ class _Writer:
                 if value is not None:
                     children += [(field, value)]
             elif value is not None and (field.always or value != field.default):
-                head.append(f' {field.tag}="{escape.quoted(values.to_text(field, value))}"')
+                shown = escape.quoted(values.to_text(field, value))
+                head.append(f' {field.tag}="{shown}"')
         foreign = element.foreign or _NOTHING
         head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
         if not (children or foreign.elements or foreign.keys or element.comments_inside):
@@ -386,10 +398,15 @@ class _Writer:
     def foreign(self, element):
         """On one line: blanks would become text of mixed content."""
         tag = self.name(element.tag)
-        head = "<" + tag + "".join(self.attribute(*pair) for pair in sorted(element.attributes.items()))
-        content = "".join(
-            escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content
-        )
+        attributes = [self.attribute(*pair) for pair in sorted(element.attributes.items())]
+        head = "<" + tag + "".join(attributes)
+        pieces = []
+        for item in element.content:
+            if isinstance(item, str):
+                pieces.append(escape.quoted(item))
+            else:
+                pieces.append(self.foreign(item))
+        content = "".join(pieces)
         if content:
             return f"{head}>{content}</{tag}>"
         return head + "/>"

@@ -163,7 +163,11 @@ class Request:
         if status not in (messages.FORWARD, messages.FORWARD_PERM):
             raise ValueError(f"a reply of status {status}")
         interface = self.call.ref.interface
-        self.ref, _ = operations.reader(idl.descriptor(interface) if interface else _OBJECT, little)(data, at)
+        if interface:
+            descriptor = idl.descriptor(interface)
+        else:
+            descriptor = _OBJECT
+        self.ref, _ = operations.reader(descriptor, little)(data, at)
         if self.ref is None:
             raise ValueError("forwarded to nobody")
 
@@ -181,7 +185,9 @@ class Request:
 
     def failed(self, e):
         """It ends with an errors.Error for an exception."""
-        self.resume(None, self._error(e) if isinstance(e, _GARBLED + (OSError, connections.Closed)) else e)
+        if isinstance(e, _GARBLED + (OSError, connections.Closed)):
+            e = self._error(e)
+        self.resume(None, e)
 
     def _error(self, e):
         where = str(self.call.where)
@@ -193,7 +199,9 @@ class Request:
             return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
         if isinstance(e, OSError):
             session.current().note_shortage(e, self.ref.address.host)
-            return errors.Unreachable(where, "cannot be reached" + (f" ({e.strerror})" if e.strerror else ""))
+            if e.strerror:
+                return errors.Unreachable(where, f"cannot be reached ({e.strerror})")
+            return errors.Unreachable(where, "cannot be reached")
         if isinstance(
             e, ior.BadReference
         ):  # the answer can be read; it costs what the reference is bound to, not who sent it

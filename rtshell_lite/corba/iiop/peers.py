@@ -163,12 +163,18 @@ class Peers:
     # ---- sending ----
 
     def ask_alone(self, endpoint):
-        """Send the one request that there is, and wait for its reply for a moment, without letting go on other
-        tasks: that takes half of the time of a call.
+        """Send the one request that there is, and wait for its reply for a moment, without letting go on
+        other tasks: that takes half of the time of a call.
         """
         peer = self.known[endpoint]
         connection = peer.connection
-        if self._asked or len(peer.waiting) > 1 or connection is None or not connection.is_quiet:
+        if self._asked:
+            return
+        if len(peer.waiting) > 1:
+            return
+        if connection is None:
+            return
+        if not connection.is_quiet:
             return
         if endpoint in connections.of_one_reply or not self.loop.is_one_awaited():
             return

@@ -43,10 +43,11 @@ _ENDPOINT = re.compile(r"giop:tcp:(\[[^]]*\]|[^:,]*):(\d{0,5})(?:,|\Z)")
 
 
 def serve(servant, host="", key=None):
-    """Let others call a servant while the loop of this thread runs: the Reference to it, and a function that ends
-    that.
+    """Let others call a servant while the loop of this thread runs: the Reference to it, and a function that
+    ends that.
 
-    The reference has this `host`, unless the user has set one; `key`: octets that others know it by. Raises Usage.
+    The reference has this `host`, unless the user has set one; `key`: octets that others know it by. Raises
+    Usage.
     """
     here = loop.current()
     if here.server is None:
@@ -62,8 +63,8 @@ def serve(servant, host="", key=None):
 
 
 def listen(host, port):
-    """Serve at this address, "" for all of this host, 0 for any port, before anything is served; returns the port.
-    Raises Usage.
+    """Serve at this address, "" for all of this host, 0 for any port, before anything is served; returns the
+    port. Raises Usage.
     """
     here = loop.current()
     here.server = Server(here, host, port)
@@ -77,7 +78,9 @@ def servant(ref):
         return None
     found, _ = server.objects.get(ref.address.key, (None, None))
     own = getattr(found, "reference", None)
-    if own is None or own.address[1:] != ref.address[1:]:
+    if own is None:
+        return None
+    if own.address[1:] != ref.address[1:]:
         return None
     return found
 
@@ -316,7 +319,10 @@ class Server:
         until all is within the limit.
         """
         while sum(caller.held() for caller in self.callers) > MOST_OCTETS:
-            unused = [caller for caller in self.callers if caller.data and caller.begin == caller.end]
+            unused = []
+            for caller in self.callers:
+                if caller.data and caller.begin == caller.end:
+                    unused.append(caller)
             for caller in unused:
                 caller.data = bytearray()
                 caller.begin = 0
@@ -346,7 +352,11 @@ class Server:
         self.loop.call_later(SWEEP, self.sweep)
         now = time.monotonic()
         for caller in list(self.callers):
-            if now - caller.since > (UNFINISHED if caller.is_unfinished() else IDLE):
+            if caller.is_unfinished():
+                limit = UNFINISHED
+            else:
+                limit = IDLE
+            if now - caller.since > limit:
                 self.close(caller)
 
     def close(self, caller, last=messages.CLOSE):
@@ -412,7 +422,9 @@ class Server:
         try:
             for read in readers[request.little]:
                 value, at = read(data, at)
-                arguments.append(bytes(value) if octets else value)
+                if octets:
+                    value = bytes(value)
+                arguments.append(value)
         except (ValueError, struct.error, IndexError, RecursionError):
             return requests.failed(request, "MARSHAL")
         try:
@@ -466,7 +478,9 @@ def _written(request, writers, result):
     if result is not None and result is request.result:
         return requests.repeated(request)
     out = requests.answer(request)
-    for write, value in zip(writers, result if len(writers) > 1 else [result]):
+    if len(writers) == 1:
+        result = [result]
+    for write, value in zip(writers, result):
         write(out, value)
     requests.sized(out)
     if isinstance(result, descriptors.Item) and request.minor == 2:

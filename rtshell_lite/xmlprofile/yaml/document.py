@@ -39,7 +39,8 @@ class Document:
 
     def fail(self, pos, reason):
         start = self.text.rfind("\n", 0, pos) + 1
-        raise errors.BadProfile(self.name, self.text.count("\n", 0, pos) + 1, pos - start + 1, reason)
+        line = self.text.count("\n", 0, pos) + 1
+        raise errors.BadProfile(self.name, line, pos - start + 1, reason)
 
     def node(self, value, pos, depth, tag=None):
         """A new node, within the limits."""
@@ -75,6 +76,8 @@ class Document:
     def here(self, pos):
         """The column of the token at `pos`; -1 at the end of the document."""
         column = self.column(pos)
-        if self.text[pos] == "\0" or column == 0 and _MARKER.match(self.text, pos):
+        if self.text[pos] == "\0":
+            return -1
+        if column == 0 and _MARKER.match(self.text, pos):
             return -1
         return column

@@ -100,10 +100,13 @@ def _set(doc, found, field, node, depth):
             return
         if not isinstance(node.value, list):
             doc.fail(node.pos, "a list is needed here")
-        found[field.name] = [
-            _text(doc, item) if field.kind == fields.TEXT else _element(doc, item, field.kind, depth + 1)
-            for item in node.value
-        ]
+        items = []
+        for item in node.value:
+            if field.kind == fields.TEXT:
+                items.append(_text(doc, item))
+            else:
+                items.append(_element(doc, item, field.kind, depth + 1))
+        found[field.name] = items
     elif field.child:
         if not _is_null(node) or field.kind is model.MessageSending:
             found[field.name] = _element(doc, node, field.kind, depth + 1)
@@ -152,7 +155,11 @@ def _date(doc, node):
     numbers = [parts.pop(key, 0) for key in _DATE_KEYS]
     rest = "".join(str(parts.pop(key, "")) for key in ("fraction", "zone"))
     for key, value in zip(_DATE_KEYS, numbers):
-        if not isinstance(value, int) or not 0 <= value <= (9999 if key == "year" else 99):
+        if key == "year":
+            most = 9999
+        else:
+            most = 99
+        if not isinstance(value, int) or not 0 <= value <= most:
             doc.fail(node.pos, f"not a date: {key} is {values.shown(value)}")
     text = "%04d-%02d-%02dT%02d:%02d:%02d" % tuple(numbers) + rest
     if parts or not _DATE.match(text):
@@ -220,7 +227,10 @@ def _foreign_element(doc, node, table, depth):
     if content:
         for item in content.value:
             is_element = isinstance(item.value, dict)
-            items.append(_foreign_element(doc, item, None, depth + 1) if is_element else _text(doc, item))
+            if is_element:
+                items.append(_foreign_element(doc, item, None, depth + 1))
+            else:
+                items.append(_text(doc, item))
     return fields.ForeignElement(tag, attributes, fields.tidy(items))
 
 
@@ -237,7 +247,9 @@ def _data(element):
             target = data.setdefault(field.within, {})
         if field.many:
             if value:
-                target[field.key] = [item if field.kind == fields.TEXT else _data(item) for item in value]
+                if field.kind != fields.TEXT:
+                    value = [_data(item) for item in value]
+                target[field.key] = list(value)
         elif field.child:
             if value is not None:
                 target[field.key] = _data(value)
@@ -275,5 +287,10 @@ def _foreign_data(element):
     if element.attributes:
         data["attributes"] = element.attributes
     if element.content:
-        data["content"] = [item if isinstance(item, str) else _foreign_data(item) for item in element.content]
+        content = []
+        for item in element.content:
+            if not isinstance(item, str):
+                item = _foreign_data(item)
+            content.append(item)
+        data["content"] = content
     return data

@@ -76,7 +76,9 @@ def _document(doc):
     while doc.text.startswith("...", pos) and doc.here(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
-        doc.fail(pos, "a second document" if doc.here(pos) < 0 else "this does not belong to what is above")
+        if doc.here(pos) < 0:
+            doc.fail(pos, "a second document")
+        doc.fail(pos, "this does not belong to what is above")
     return node
 
 
@@ -125,7 +127,9 @@ def _check_below(doc, pos, column, indent, anchor, tag):
         end, second_anchor, second_tag = _properties(doc, pos)
         if anchor and second_anchor or tag and second_tag:
             doc.fail(pos, "a second anchor or tag")
-        if not (second_anchor or second_tag) or not _END_OF_LINE.match(doc.text, end):
+        if not (second_anchor or second_tag):
+            return
+        if not _END_OF_LINE.match(doc.text, end):
             return
         anchor = anchor or second_anchor
         tag = tag or second_tag
@@ -190,7 +194,8 @@ def _mapping(doc, pos, column, depth):
         pos, key = _key(doc, pos, depth)
         if key in items:
             doc.fail(start, "this key was given before")
-        pos, items[key] = _value(doc, _COLON.match(doc.text, pos).end(), column, depth + 1, False, True)
+        pos = _COLON.match(doc.text, pos).end()
+        pos, items[key] = _value(doc, pos, column, depth + 1, False, True)
         here = doc.here(pos)
     _check_column(doc, pos, column)
     return pos, node
@@ -260,14 +265,9 @@ def _properties(doc, pos):
             found = None
         if not found:
             if c in "&!":
-                doc.fail(
-                    start,
-                    (
-                        "a tag that is not supported here"
-                        if c == "!"
-                        else "an anchor without a name, or a second one"
-                    ),
-                )
+                if c == "!":
+                    doc.fail(start, "a tag that is not supported here")
+                doc.fail(start, "an anchor without a name, or a second one")
             return pos, anchor, tag
         if c == "&":
             anchor = found.group(2)
@@ -295,9 +295,9 @@ def _measure(node):
             children = node.value.values()
         else:
             children = node.value
-        node.height = 1 + (
-            0 if isinstance(children, str) else max([_measure(child) for child in children] or [0])
-        )
+        node.height = 1
+        if not isinstance(children, str):
+            node.height += max([_measure(child) for child in children] or [0])
     return node.height
 
 

@@ -61,7 +61,11 @@ def bare(doc, pos, indent, flow, key):
     while not key:
         start = _SPACE.match(text, end).end()
         fold = text[end:start]
-        if not _has_break(fold) or text[start] == "#" or _MARKER.match(text, start - 1):
+        if not _has_break(fold):
+            break
+        if text[start] == "#":
+            break
+        if _MARKER.match(text, start - 1):
             break
         if not flow and doc.column(start) <= indent:
             break
@@ -131,7 +135,9 @@ def quoted(doc, pos):
         doc.fail(_MARKER.search(doc.text, pos, end).start() + 1, "the end of the document inside quotes")
     if doc.text[pos] == "'":
         raw = raw.replace("''", "'")
-        return end, _ANY_SPACE.sub(_meant_space, raw) if _has_break(raw) else raw
+        if _has_break(raw):
+            raw = _ANY_SPACE.sub(_meant_space, raw)
+        return end, raw
     if "\\" not in raw and not _has_break(raw):
         return end, raw
 
@@ -201,7 +207,8 @@ def block(doc, pos, indent):
         width += int(digit) - 1
     else:
         blanks = _SPACE.match(text, pos).group()
-        width = max([width] + [len(line) for line in re.split(f"[{BREAK}]", blanks)])
+        lines = re.split(f"[{BREAK}]", blanks)
+        width = max([width] + list(map(len, lines)))
     pos, empty, here = _empty_lines(text, pos, width)
     pieces = []
     ending = ""
@@ -220,7 +227,10 @@ def block(doc, pos, indent):
         if here != width or text[pos] == "\0":
             break
         if folds and ending == "\n" and more and text[pos] not in " \t":
-            pieces.append("" if empty else " ")
+            if empty:
+                pieces.append("")
+            else:
+                pieces.append(" ")
         else:
             pieces.append(ending)
     if keep != "-":
