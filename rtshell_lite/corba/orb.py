@@ -50,7 +50,7 @@ def _chosen(transport=""):
 
 
 def _setting_unknown_to(client):
-    """The first setting in RTCTREE_ORB_ARGS that our own ORB does not heed; '' if there is none."""
+    """The first setting in RTCTREE_ORB_ARGS that our own ORB does not obey; '' if there is none."""
     words = []
     for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";"):
         if word:
@@ -69,8 +69,8 @@ def version():
     return (_orb or _chosen()).version()
 
 
-def heeds(option):
-    """Whether the ORB, if there is one, heeds a setting of omniORB, by its name without ORB:
+def obeys(option):
+    """Whether the ORB, if there is one, obeys a setting of omniORB, by its name without ORB:
     clientTransportRule.
     """
     return not _orb or _orb.HEEDED is None or option in _orb.HEEDED
@@ -169,7 +169,7 @@ def identity(ref):
     return address(ref)[1:]
 
 
-def at(ref, host, port):
+def reference_at(ref, host, port):
     """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
     key = "".join(f"%{octet:02x}" for octet in address(ref).key)
     if ":" in host:

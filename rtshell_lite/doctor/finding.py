@@ -40,7 +40,7 @@ async def published(ref):
     `192.0.2.1:4000, robot1:4000 (192.0.2.1)`.
     """
     return (
-        ", ".join([f"{printable(host)}:{port}" + await meaning(host) for host, port in orb.addresses(ref)])
+        ", ".join([f"{printable(host)}:{port}" + await meaning_of(host) for host, port in orb.addresses(ref)])
         or "no TCP address"
     )
 
@@ -89,7 +89,7 @@ def listed(paths):
     return f"{', '.join(shown[:-1])} and {shown[-1]}"
 
 
-async def meaning(host):
+async def meaning_of(host):
     """What the name of a host means here: ` (192.0.2.1)`, ` (127.0.1.1, this host)`;
     empty for IP addresses and localhost.
     """

@@ -19,7 +19,7 @@ SIDES = {"dataport.corba_cdr.outport_ior": 0, "dataport.corba_cdr.inport_ior": -
 MOST = 100  # addresses that are asked
 
 
-async def found(profile, missing):
+async def find_living(profile, missing):
     """{path as text: where it answers, in words} of those `missing` Components of a profile that live."""
     known = await _at_references(profile, missing)
     still_missing = [each for each in missing if capture.shown_path(each) not in known]

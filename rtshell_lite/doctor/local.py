@@ -112,7 +112,7 @@ def _settings(started):
                 why = _harm(option, value, OURS)
             else:
                 why = _harm(option, value, THEIRS)
-            if why and (source != ARGUMENTS or orb.heeds(option)):
+            if why and (source != ARGUMENTS or orb.obeys(option)):
                 found.append(
                     warn(
                         "ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)
@@ -215,7 +215,7 @@ def _harm_of_end_point(value, whom):
 
 def transport_rule():
     """The Rule that may forbid connections, or None; only reported where one fails."""
-    if not orb.heeds("clientTransportRule"):
+    if not orb.obeys("clientTransportRule"):
         return None
     for source, settings in _sources():
         for option, value in settings:

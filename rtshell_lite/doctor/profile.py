@@ -32,7 +32,7 @@ async def findings(profile, file, state):
     ]
     missing = [each for each in profile.components if capture.shown_path(each) in absent]
     if missing:
-        known = await living.found(profile, missing)
+        known = await living.find_living(profile, missing)
     else:
         known = {}
     found += living.findings(profile, missing, known)

@@ -86,7 +86,7 @@ class Followed:
     def reported(self, event):
         """It reports an observer.Event, no heartbeat."""
 
-    def seen(self, part):
+    def notice(self, part):
         """A question has shown that its "state", "contexts" (rates), "configuration" (the active set) or
         "ports" are not what `shown` has.
         """
@@ -168,19 +168,19 @@ class Presence:
 
     # ---- whether they live ----
 
-    def at(self, endpoint):
+    def of_process(self, endpoint):
         """Those that are there in a process."""
         return [each for each in self.followed if each.is_there and each.endpoint == endpoint]
 
     def suspect(self, endpoint):
         """A connection with a process has ended, or it has been quiet for long: look whether it lives."""
-        if endpoint not in self._suspected and self.at(endpoint):
+        if endpoint not in self._suspected and self.of_process(endpoint):
             self._suspected.add(endpoint)
             self.start(self._examine(endpoint), endpoint)
 
     async def _examine(self, endpoint):
         try:
-            here = self.at(endpoint)
+            here = self.of_process(endpoint)
             doubtful = [each for each in here if each.is_hung or each.is_ending]
             for each in doubtful or here[:1]:
                 await self.ask(each)
@@ -211,7 +211,7 @@ class Presence:
         if isinstance(error, errors.Gone):
             self._lose(each, error, "has exited")
         elif isinstance(error, errors.ProcessGone):
-            for other in self.at(each.endpoint):
+            for other in self.of_process(each.endpoint):
                 self._lose(other, error, "its process is gone")
         elif not each.is_hung:
             each.is_hung = True
@@ -285,8 +285,8 @@ class Presence:
             await each.subscription.attach()
         except errors.Error:
             pass  # whether it lives is asked elsewhere
-        each.seen("state")
-        each.seen("ports")
+        each.notice("state")
+        each.notice("ports")
 
     # ---- where there are no observers ----
 
@@ -295,7 +295,7 @@ class Presence:
         if now - self._looked.get(endpoint, 0) < self.look:
             return
         self._looked[endpoint] = now
-        polled = [each for each in self.at(endpoint) if _is_polled(each)]
+        polled = [each for each in self.of_process(endpoint) if _is_polled(each)]
         turns = self._turns[endpoint]
         for _ in _ASKED:
             kind = _ASKED[turns[None] % len(_ASKED)]
@@ -319,7 +319,7 @@ class Presence:
             await self.ask(each)
             return
         if is_new and each.shown is shown:
-            each.seen(part)
+            each.notice(part)
 
 
 def _is_polled(each):

@@ -76,7 +76,7 @@ class Reference:
         return "IOR:" + (b"\1\0\0\0" + ior.octets(self.type_id + b"\0", self.profiles)).hex()
 
 
-def at(host, port, key, minor=2):
+def make_reference(host, port, key, minor=2):
     """A reference to an object by its address and key alone, as a corbaloc gives it;
     GIOP 1.`minor` is spoken.
     """

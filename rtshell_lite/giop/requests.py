@@ -42,7 +42,8 @@ class Request:
     (None where the caller names it otherwise), where the arguments begin in `data`. Raises Garbled,
     struct.error, IndexError.
 
-    result, reply   an enumerator that such a request was answered with, and that answer; most get the same again
+    result, reply   an enumerator that such a request was answered with, and that answer;
+                    most get the same again
     """
 
     def __init__(self, data):
@@ -78,7 +79,7 @@ class Request:
             self.operation = name[:-1].decode("latin-1")
             self.at = self._arguments(at)
 
-    def again(self, data):
+    def take_on(self, data):
         """Take on a message with the same head."""
         self.data = data
         (self.id,) = self.one.unpack_from(data, messages.HEADER)

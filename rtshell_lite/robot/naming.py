@@ -199,7 +199,7 @@ class _Bindings:
                 self._left[place] = leads
                 todo += [(inner, leads.child(name)) for inner, name in below.get(place, ())]
 
-    async def elsewhere(self, node):
+    async def other_path(self, node):
         """A Path by which a naming context can still be reached, or None."""
         return self._left.get(await self.known.path(node))
 
@@ -242,7 +242,7 @@ class _Deletion:
         yield await _unbind(node.path, self.dry_run)
 
     async def _is_alias(self, above, node):
-        another = await self.bindings.elsewhere(node)
+        another = await self.bindings.other_path(node)
         if another is None and not await aliases.is_foreign(above, node):
             return False
         if another:

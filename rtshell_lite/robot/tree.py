@@ -441,7 +441,7 @@ async def walk(node, depth=None, managers=True):
     """A list of `node` and everything below it, depth first, sorted.
 
     A naming context or manager that is bound by several names is entered by the first of them in this order;
-    by the others it stands there with that Path as its `alias`. At most `depth` levels (None: DEPTH) are
+    by the others it is listed with that Path as its `alias`. At most `depth` levels (None: DEPTH) are
     entered, managers unless `managers` is False, and the contexts of other name servers where they are bound.
     A directory that cannot be listed has its `error` set, a manager that does not answer is `zombie` or
     `silent`. Components are not asked whether they live.

@@ -39,7 +39,9 @@ async def adopt(profile):
 
 
 def _take_component(of_file, found, made):
-    """Change a model.Component to what its capture.Found has; `made` is the one that rtcryo would write."""
+    """Change a model.Component to what its capture.ComponentState has; `made` is the one that rtcryo would
+    write.
+    """
     values = {one.id: one.values for one in found.sets}
     for one in of_file.configuration_sets:
         for item in one.configuration_data:

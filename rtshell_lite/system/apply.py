@@ -79,7 +79,7 @@ async def assess(step):
     if outcome.error is not None or not are_known:
         return outcome
     try:
-        if await step.is_done(steps.raise_first(step.found())):
+        if await step.is_done(steps.raise_first(step.site_answers())):
             outcome.status = ALREADY
     except errors.Error as e:
         if any(e is site.error for site in step.sites):  # reported with the component itself

@@ -18,18 +18,20 @@ PATH_ID = "COMPONENT_PATH_ID"
 MANAGER = (
     "MANAGER"  # an extended property of a component: path of the manager that lists it, and can create it
 )
-# Fields of a model.DataPortConnector that stand for properties `dataport.…` of the connection.
+# Fields of a model.DataPortConnector that mean properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
 # What is asked of one component. `owned` are Contexts, `states` {handle: state} over all of its contexts,
 # empty if not asked, `sets` configuration.Sets, hidden ones too, `members` (name, reference) of those that it
 # is composed of.
-Found = collections.namedtuple("Found", "node ports owned states sets active members profile snapshot")
+ComponentState = collections.namedtuple(
+    "ComponentState", "node ports owned states sets active members profile snapshot"
+)
 
-# `found` has the Found of each component of the RtsProfile `profile`, `unused` those that were left out
-# because nothing is connected to them, `failures` are errors, `notes` lines on what else is left out. `lost`
-# are the paths, as text, of components that did not answer, with (host, port) of their processes, `loose` the
-# Looses.
+# `found` has the ComponentState of each component of the RtsProfile `profile`, `unused` those that were left
+# out because nothing is connected to them, `failures` are errors, `notes` lines on what else is left out.
+# `lost` are the paths, as text, of components that did not answer, with (host, port) of their processes,
+# `loose` the Looses.
 System = collections.namedtuple("System", "profile found unused failures notes lost loose")
 
 # A connection of which all ends but one do not answer, so that nobody knows whether it is there: the model's
@@ -45,7 +47,7 @@ _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 
 
 async def ask(node, brief=False, states=True, everything=False):
-    """The Found of a component. Its ports come before its profile (docs/protocol.md 1.1).
+    """The ComponentState of a component. Its ports come before its profile (docs/protocol.md 1.1).
 
     brief       of properties and references only those that go into a file or are compared with one:
                 a quarter of the memory
@@ -71,7 +73,7 @@ async def ask(node, brief=False, states=True, everything=False):
 
 
 def found_in(shown, brief=False):
-    """The Found of a component by a snapshot.Snapshot of it.
+    """The ComponentState of a component by a snapshot.Snapshot of it.
     Raises Unreachable where a context of its own does not answer.
     """
     node = shown.node
@@ -86,7 +88,7 @@ def found_in(shown, brief=False):
     else:
         sets = []
         active = ""
-    return Found(
+    return ComponentState(
         node,
         ports.in_system(shown.ports),
         contexts,
@@ -216,7 +218,7 @@ async def _is_zombie(node, failure):
 
 
 def _in_use(found):
-    """Those of the Found that have a connection, that are composites of such, or their members;
+    """Those of the ComponentState that have a connection, that are composites of such, or their members;
     and the others.
     """
     used = set()
@@ -242,7 +244,7 @@ def _member(ref, found):
 
 
 def _component(each, found, notes):
-    """The model.Component of a Found."""
+    """The model.Component of a ComponentState."""
     instance = each.profile.instance_name
     made = model.Component(
         id=component_id(each.profile),
@@ -325,7 +327,7 @@ def _connectors(found, outside, silent, notes):
     `outside` are places.Ends by identity;
     `silent` are the processes that did not answer, {endpoint: errors.Error}.
     """
-    ends = {}  # identity of a port: its Found and Port
+    ends = {}  # identity of a port: its ComponentState and Port
     for each in found:
         for port in each.ports:
             key = orb.identity(port.ref)
@@ -381,7 +383,7 @@ def _name(end, ref, silent):
 
 
 def _connector(one, known):
-    """The model's connector of a ports.Connector with (Found, Port) as ends,
+    """The model's connector of a ports.Connector with (ComponentState, Port) as ends,
     an out port and an in port first.
     """
     data = any(port.type in ports.DATA for _, port in known)
@@ -528,5 +530,5 @@ async def states(profile):
 
 
 def state(found):
-    """One state of a Found over all its contexts."""
+    """One state of a ComponentState over all its contexts."""
     return component.merged(found.states.values())

@@ -258,7 +258,7 @@ def _differences(step):
     missing = _missing(step)
     if missing or step.site_error() is not None:
         return missing
-    return [_in_words(step, difference) for difference in step.differences(step.found())]
+    return [_in_words(step, difference) for difference in step.differences(step.site_answers())]
 
 
 def _remarks(step):
@@ -267,7 +267,7 @@ def _remarks(step):
         return []
     if any(site.found is None for site in step.sites):
         return []
-    at = step.found()
+    at = step.site_answers()
     if errors.split(at)[1]:
         actual = None
     else:

@@ -49,7 +49,7 @@ class Unplaced(steps.Step):
         self.connector = connector
         self.ends = ends
 
-    def found(self):
+    def site_answers(self):
         return []
 
     def differences(self, answers):
@@ -91,7 +91,7 @@ class Connection(steps.Step):
     def questions(self):
         return [site.port_question(name) for site, name in self._living()]
 
-    def found(self):
+    def site_answers(self):
         return [site.port(name) for site, name in self._living()]
 
     def _living(self):

@@ -13,7 +13,7 @@ from rtshell_lite.system import capture
 
 
 def dump(found):
-    """The octets for capture.Founds that were asked for everything."""
+    """The octets for capture.ComponentStates that were asked for everything."""
     listed = [_component(each) for each in found]
     return json.dumps(listed, sort_keys=True, ensure_ascii=True).encode("ascii")
 

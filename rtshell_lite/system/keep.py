@@ -152,7 +152,7 @@ class Kept(presence.Followed):
             self.change(WHOLE)
 
     def go_on_from(self, old):
-        """The file was read again: what a person has done stands, where the file wants what it wanted before."""
+        """The file was read again: what a person has done is kept where the file wants what it wanted before."""
         self.is_paused = old.is_paused
         self.restarts = old.restarts
         self.last = old.last
@@ -224,7 +224,7 @@ class Kept(presence.Followed):
                     other.change("contexts")
         self.change(PART_OF.get(event.kind, WHOLE))
 
-    def seen(self, part):
+    def notice(self, part):
         self.begin_again()
         self.change(part)
 
@@ -232,14 +232,14 @@ class Kept(presence.Followed):
 class Keeper(presence.Presence):
     """Keeps a system: `async with Keeper(…) as keeper: await keeper.follow()`.
 
-    tell    called with each happening.Happening
+    on_event    called with each happening.Happening
     before  the Keeper of an earlier reading of the same file, which has ended, or None
     """
 
-    def __init__(self, profile, planned, options, tell, before=None):
+    def __init__(self, profile, planned, options, on_event, before=None):
         self.profile = profile
         self.options = options
-        self.tell = tell
+        self.on_event = on_event
         self.bell = loop.Bell()
         self.actions = planned.actions
         self._locate = capture.locator(profile, options.strict_path)
@@ -333,7 +333,7 @@ class Keeper(presence.Presence):
         """Report a Happening of a Kept; `begun` by time.monotonic()."""
         event = happening.now(kept.where, seen, done, begun, error)
         kept.last = event.words()
-        self.tell(event)
+        self.on_event(event)
 
     def complain(self, kept, key, error):
         """Report a failure, once: whether it is news."""
@@ -684,7 +684,7 @@ def _executed(of_file):
 
 
 def _key(step):
-    """What tells a step from others of its component."""
+    """What distinguishes a step from others of its component."""
     if step.kind in ("connect", "disconnect"):
         return reconnect.key_of(step.connector)
     return (

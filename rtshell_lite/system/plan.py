@@ -288,7 +288,7 @@ def checks(profile):
 
 def lines(actions, verb):
     """The actions as rtshell shows a plan; `verb` is Activate or Deactivate.
-    An empty line stands for an empty plan.
+    An empty plan is an empty line.
     """
     lines = []
     for action in in_order(actions):

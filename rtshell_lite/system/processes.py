@@ -16,7 +16,7 @@ TICK = 0.1  # seconds between looks whether one is ready
 SEEK = 1.0  # seconds between looks whether one that somebody else has started is still there
 ANSWERS = "answers already"
 HANGS = "does not answer, but is not gone"
-# what a service manager tells us alone
+# variables by which a service manager informs us alone
 OURS = ("NOTIFY_SOCKET", "WATCHDOG_USEC", "WATCHDOG_PID")
 
 

@@ -74,7 +74,7 @@ class Connections:
 
 
 def key_of(connector):
-    """What tells the steps of a connector from others."""
+    """What distinguishes the steps of a connector from others."""
     return "connect", id(connector)
 
 

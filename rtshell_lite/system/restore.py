@@ -267,7 +267,7 @@ async def connections(connecting):
 
 def _strange_ends(step):
     """References of the ports that the rest of a connection joins, and that are not those of the profile."""
-    at = step.found()
+    at = step.site_answers()
     known = {orb.identity(port.ref) for port in at}
     refs = {
         orb.identity(ref): ref
@@ -325,4 +325,4 @@ async def tear_down(profile, options):
 
 async def _ports_only(node):
     listed = ports.in_system(await ports.ports(node))
-    return capture.Found(node, listed, [], {}, [], "", [], None, None)
+    return capture.ComponentState(node, listed, [], {}, [], "", [], None, None)

@@ -60,7 +60,7 @@ class Service:
         self.is_leaving = False  # the components are left as they are
         self.has_teardown = False
 
-    def tell(self, event):
+    def report(self, event):
         """Report a Happening."""
         self._show(event)
         steering.notify(STATUS=event.line())
@@ -74,7 +74,7 @@ class Service:
 
     def process_happened(self, name, seen, done="", begun=None):
         """Report what happens to a process; `begun` by time.monotonic()."""
-        self.tell(happening.now(name, seen, done, begun))
+        self.report(happening.now(name, seen, done, begun))
 
     async def run(self, processes):
         """Keep it, and Processes or Nothing, until a signal or a request ends that; a second signal ends it
@@ -97,7 +97,7 @@ class Service:
 
     async def _keep(self, profile, starting, stopping):
         before = self.keeper
-        async with keep.Keeper(profile, starting, self._options, self.tell, before) as self.keeper:
+        async with keep.Keeper(profile, starting, self._options, self.report, before) as self.keeper:
             async with loop.background(self._report()):
                 await self._bell.wait()
             if self._wanted != "reload" and not self.is_leaving:

@@ -24,7 +24,7 @@ def is_gone(failure):
 class Site:
     """A component of a profile (a model.Component) and where it is, or is to be: `path`.
 
-    found  its capture.Found; None while it is not there
+    found  its capture.ComponentState; None while it is not there
     node   its Node; None while it is not there
     error  why nothing can be done with it; None if something can
     """
@@ -70,8 +70,8 @@ def of(profile):
 
 
 async def find(sites, ask=capture.ask):
-    """Find the components of Sites, and what `ask(node)`, which returns a Found, says of each;
-    `error` where that fails.
+    """Find the components of Sites, and what `ask(node)`, which returns a capture.ComponentState, says of
+    each; `error` where that fails.
     """
     asked = [site for site in sites if site.error is None]
     for site, found in zip(asked, await tree.on_components([site.path for site in asked], ask)):

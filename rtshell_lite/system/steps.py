@@ -16,7 +16,7 @@ from rtshell_lite.text import printable, shell_word
 # errors.Error that says why the step cannot mend it, None if it can.
 Difference = collections.namedtuple("Difference", "what name expected actual obstacle")
 
-# The answer that Values and Active get of a component: `sets` and `active` as in capture.Found.
+# The answer that Values and Active get of a component: `sets` and `active` as in capture.ComponentState.
 Configured = collections.namedtuple("Configured", "sets active configuration")
 
 
@@ -57,7 +57,7 @@ class Step:
         """What has to be asked to know whether it is done: Questions."""
         return []
 
-    def found(self):
+    def site_answers(self):
         """The answers to its questions, by what was found of all Sites in one look."""
         return [self.sites[0].found]
 
@@ -229,8 +229,8 @@ class Members(Step):
         return not missing
 
     def _missing(self, answers):
-        """composites.Members: those that are to be members, and are none by the answers."""
-        (composite,) = raise_first(answers)  # a Found, or an Organisation
+        """composites.Members: those that are to be members, and are not yet, by the answers."""
+        (composite,) = raise_first(answers)  # a ComponentState, or an Organisation
         return [
             composites.Member(member.instance, member.node, [])
             for member in self.members
@@ -338,7 +338,9 @@ class Values(_Configuring):
         if self.site.found is None:
             return []
         return [
-            difference.name for difference in self.differences(self.found()) if difference.what == "parameter"
+            difference.name
+            for difference in self.differences(self.site_answers())
+            if difference.what == "parameter"
         ]
 
     async def act(self, answers):
@@ -423,7 +425,7 @@ class Participants(Step):
     def questions(self):
         return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
 
-    def found(self):
+    def site_answers(self):
         return [self.site.found.owned]
 
     def differences(self, answers):
@@ -513,7 +515,7 @@ class Rate(Step):
     def questions(self):
         return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
 
-    def found(self):
+    def site_answers(self):
         return [self.site.found.owned]
 
     def differences(self, answers):

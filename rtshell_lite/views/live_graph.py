@@ -20,7 +20,7 @@ async def of_robot(tops, everything, with_snapshots=False):
 
     Components that do not answer are boxes. `everything`: also what is not connected.
     Where a connection leads to one, that is drawn: it may be gone.
-    `with_snapshots`: all that rtcat shows. `results` are capture.Found and errors.Error.
+    `with_snapshots`: all that rtcat shows. `results` are capture.ComponentState and errors.Error.
     """
     found = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
     lost = {failure.where: None for failure in found.failures}

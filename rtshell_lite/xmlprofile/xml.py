@@ -201,7 +201,7 @@ def read(data, name):
     def fail(node, reason):
         raise errors.BadProfile(name, node.line, node.column, reason)
 
-    if root.local not in ("RtsProfile", "RTSystemProfile"):  # the latter in version 0.1
+    if root.local not in ("RtsProfile", "RTSystemProfile"):  # RTSystemProfile in version 0.1
         fail(root, f"not an RtsProfile: its root element is {values.shown(root.local)}")
     version01.upgrade(root, fail)
     return _element(root, model.RtsProfile, fail)

@@ -1,4 +1,4 @@
-rtdoctor looks at settings that only omniORB heeds: RTCTREE_ORB_ARGS, and what keeps it from starting.
+rtdoctor looks at settings that only omniORB obeys: RTCTREE_ORB_ARGS, and what keeps it from starting.
 
 orb: omniorb
 

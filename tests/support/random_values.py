@@ -41,7 +41,7 @@ def value(rng, descriptor, depth=4):
         return rare.fixed("%s%d.%s" % (rng.choice(("", "-")), rng.randrange(10 ** (descriptor[1] - descriptor[2])),
                                        "%0*d" % (descriptor[2], rng.randrange(10 ** descriptor[2]))), *descriptor[1:])
     if sort == OBJECT:
-        return rng.choice((None, references.at("127.0.0.1", 1, b"key")))
+        return rng.choice((None, references.make_reference("127.0.0.1", 1, b"key")))
     if sort == TYPECODE:
         return marshal.TypeCode(rng.choice((2, (STRING, 0), (SEQUENCE, (SEQUENCE, 3, 0), 4))))
     if sort == ANY:

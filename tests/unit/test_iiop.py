@@ -116,7 +116,7 @@ class Calls(giop_peers.Calls):
         self.addCleanup(peer.close)
         self.addCleanup(dead.close)
         dead.bind(("127.0.0.1", 0))  # and does not listen
-        profiles = [references.at("127.0.0.1", port, key).profiles[0] for port, key in (
+        profiles = [references.make_reference("127.0.0.1", port, key).profiles[0] for port, key in (
             (dead.getsockname()[1], b"here"), (peer.port, b"there"))]
         for _ in range(2):
             self.wait_for(orb.call("w", references.Reference(b"", tuple(profiles)), "_non_existent"))

@@ -173,7 +173,7 @@ class Callers(Served):
 
     def setUp(self):
         super().setUp()
-        profiles = references.at("127.0.0.1", self.at, self.key).profiles
+        profiles = references.make_reference("127.0.0.1", self.at, self.key).profiles
         self.text = references.Reference(b"IDL:OpenRTM/InPortCdr:1.0", profiles).text()
 
     def asked(self, which, ref, data):

@@ -47,7 +47,7 @@ def from_url(where, url):
         import re
 
         key = re.sub(b"%([0-9a-fA-F]{2})", lambda octet: bytes.fromhex(octet.group(1).decode()), key)
-    return references.at(host.strip("[]"), port, key, _MINORS[version])
+    return references.make_reference(host.strip("[]"), port, key, _MINORS[version])
 
 
 def from_text(where, text):

@@ -58,7 +58,7 @@ def serve(servant, host="", key=None):
     server.objects[key] = servant, type_id
     own_host, _ = _setting("endPoint")
     published, port = _setting("endPointPublish")
-    profiles = references.at(published or own_host or host, port or server.port, key).profiles
+    profiles = references.make_reference(published or own_host or host, port or server.port, key).profiles
     return references.Reference(type_id.encode(), profiles, type_id), lambda: server.objects.pop(key, None)
 
 
@@ -161,13 +161,13 @@ class Caller:
                 return None
             self.begin += size
             self.minor = data[5]
-            whole = self.fragments.joined(data[:size], self.most)
+            whole = self.fragments.joined(data[:size], self.largest)
             if whole is not None:
                 self.since = time.monotonic()
                 return whole
         return None
 
-    def most(self, _):
+    def largest(self, _):
         """Octets that a message in fragments may have. Raises Garbled where too many have begun."""
         if len(self.fragments.begun) > MOST_PARTS:
             raise messages.Garbled("too many messages at once")
@@ -179,7 +179,7 @@ class Caller:
         """
         found = self.kept.get(requests.head(data, self.longest))
         if found is not None:
-            found.again(data)
+            found.take_on(data)
             return found
         found = requests.Request(data)
         if self.has_called and found.at and found.minor == 2 and found.at <= LONGEST_KEPT:

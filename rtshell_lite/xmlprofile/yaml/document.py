@@ -71,9 +71,9 @@ class Document:
     def next_token(self, pos):
         """The position of the next token, and its column; -1 at the end of the document."""
         pos = self.skip(pos)
-        return pos, self.here(pos)
+        return pos, self.token_column(pos)
 
-    def here(self, pos):
+    def token_column(self, pos):
         """The column of the token at `pos`; -1 at the end of the document."""
         column = self.column(pos)
         if self.text[pos] == "\0":

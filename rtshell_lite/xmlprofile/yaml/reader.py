@@ -73,10 +73,10 @@ def _document(doc):
         pos, node = _value(doc, pos + 3, -1, 0, False)
     else:
         pos, node = _value(doc, pos, -1, 0, True)
-    while doc.text.startswith("...", pos) and doc.here(pos) < 0:
+    while doc.text.startswith("...", pos) and doc.token_column(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
-        if doc.here(pos) < 0:
+        if doc.token_column(pos) < 0:
             doc.fail(pos, "a second document")
         doc.fail(pos, "this does not belong to what is above")
     return node
@@ -164,7 +164,7 @@ def _sequence(doc, pos, column, depth):
         else:
             pos, item = _value(doc, pos + 1, column, depth + 1, True)
         items.append(item)
-        here = doc.here(pos)
+        here = doc.token_column(pos)
     _check_column(doc, pos, column)
     return pos, node
 
@@ -179,7 +179,7 @@ def _mapping(doc, pos, column, depth):
             key, line, value, quoted, blanks = simple.groups()
             if not line:
                 pos, items[key] = _below(doc, simple.end(), len(blanks), column, depth + 1)
-                here = doc.here(pos)
+                here = doc.token_column(pos)
                 continue
             if len(blanks) <= column:
                 tag = None
@@ -188,7 +188,7 @@ def _mapping(doc, pos, column, depth):
                     tag = "str"
                 items[key] = doc.node(value, simple.start(2) + 1, depth + 1, tag)
                 pos = simple.end()
-                here = len(blanks) or doc.here(pos)
+                here = len(blanks) or doc.token_column(pos)
                 continue
         start = pos
         pos, key = _key(doc, pos, depth)
@@ -196,13 +196,13 @@ def _mapping(doc, pos, column, depth):
             doc.fail(start, "this key was given before")
         pos = _COLON.match(doc.text, pos).end()
         pos, items[key] = _value(doc, pos, column, depth + 1, False, True)
-        here = doc.here(pos)
+        here = doc.token_column(pos)
     _check_column(doc, pos, column)
     return pos, node
 
 
 def _check_column(doc, pos, column):
-    if doc.here(pos) > column:
+    if doc.token_column(pos) > column:
         doc.fail(pos, "indented by more than what it belongs to")
 
 
