@@ -173,8 +173,11 @@ def candidates(word, known):
 
 def listed(words):
     """Some of the printable words, with commas, and how many more there are."""
+    shown = ", ".join(words[:MOST_NAMED])
     more = len(words) - MOST_NAMED
-    return ", ".join(words[:MOST_NAMED]) + f" and {more} more" * (more > 0)
+    if more > 0:
+        return f"{shown} and {more} more"
+    return shown
 
 
 def _escape(c):

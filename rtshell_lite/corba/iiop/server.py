@@ -478,7 +478,7 @@ def _written(request, writers, result):
     if result is not None and result is request.result:
         return requests.repeated(request)
     out = requests.answer(request)
-    if len(writers) == 1:
+    if len(writers) < 2:
         result = [result]
     for write, value in zip(writers, result):
         write(out, value)
