@@ -7,10 +7,17 @@ from rtshell_lite.robot import ports
 
 async def interfaces(path, types, as_json):
     """Lines about the interfaces that a component, or one of its ports, provides: the port, the instance, its type, its
-    repository id, the file of its IDL. Raises what calling.providers raises.
+    repository id, the file of its IDL; none for a manager or a name server. Raises what calling.providers raises.
     """
     rows = []
-    for provider in await calling.providers(path, types):
+    try:
+        found = await calling.providers(path, types)
+    except errors.WrongKind:
+        if path.port is not None:
+            raise
+        await calling.itself(path, types)
+        found = []
+    for provider in found:
         service = provider.service
         row = {
             "port": ports.label(service.port),
@@ -24,7 +31,7 @@ async def interfaces(path, types, as_json):
         return [text.json_line(row) for row in rows]
     if not rows:
         own = text.shell_word(str(path))
-        notes.note(f"{path}: its ports provide no interfaces; rtcall {own} -l lists what it serves itself")
+        notes.note(f"{path}: it has no ports that provide interfaces; rtcall {own} -l lists what it serves itself")
     for row in rows:
         row["port"] = row["port"][len(str(path.object())) + 1 :]
     return text.table([[text.printable(cell or "IDL not known") for cell in row.values()] for row in rows])

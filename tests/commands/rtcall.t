@@ -20,7 +20,15 @@ What a component provides, and whether its IDL is known:
   $ rtcall ../cpp.host_cxt/MyServiceProvider0.rtc:MyService
   MyService  myservice  SimpleService::MyService  IDL:SimpleService/MyService:1.0  IDL not known
   $ rtcall ../cpp.host_cxt/MyServiceConsumer0.rtc
-  rtcall: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc: its ports provide no interfaces; rtcall /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc -l lists what it serves itself
+  rtcall: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc: it has no ports that provide interfaces; rtcall /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc -l lists what it serves itself
+  $ rtcall manager.mgr
+  rtcall: /localhost:$PORT/test.host_cxt/manager.mgr: it has no ports that provide interfaces; rtcall /localhost:$PORT/test.host_cxt/manager.mgr -l lists what it serves itself
+  $ rtcall manager.mgr:svc
+  rtcall: /localhost:$PORT/test.host_cxt/manager.mgr: not a component (it is a manager)
+  [3]
+  $ rtcall nothing.mgr
+  rtcall: /localhost:$PORT/test.host_cxt/nothing.mgr: no such path
+  [3]
   $ rtcall ../cpp.host_cxt/MyServiceConsumer0.rtc:MyService
   rtcall: /localhost:$PORT/cpp.host_cxt/MyServiceConsumer0.rtc:MyService: no such interface: it provides none (it is a CorbaPort)
   [3]
