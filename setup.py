@@ -1,8 +1,10 @@
 """What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page, and what a checkout only needs."""
 import glob
 import os
+import sys
 
 import setuptools
+from distutils.command.build_scripts import build_scripts  # that of setuptools
 from setuptools.command.build_py import build_py
 
 try:
@@ -12,18 +14,42 @@ except ImportError:
 
 os.chdir(os.path.dirname(os.path.abspath(__file__)))
 os.umask(0o022)
+sys.path.insert(0, os.getcwd())
+from rtshell_lite.shell import installation  # noqa: E402: the path first
 TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/documentation.py", "shell/manpages.py"]
+COMMANDS = sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum())
 PAGES = {}
 for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
     PAGES.setdefault("share/" + os.path.dirname(path), []).append(path)
 
 
-class WithoutTools(build_py):
-    """Leaves out of the wheel what writes generated files."""
+class Modules(build_py):
+    """Leaves out of the wheel what writes generated files, and makes commands modules, whose bytecode Python keeps."""
+
+    def run(self):
+        super().run()
+        for path in COMMANDS:
+            self.copy_file(path, os.path.join(self.build_lib, "rtshell_lite", "commands", os.path.basename(path) + ".py"),
+                           preserve_mode=False)
 
     def build_module(self, module, module_file, package):
         if module_file not in [os.path.join("rtshell_lite", tool) for tool in TOOLS]:
             return super().build_module(module, module_file, package)
+
+
+class Starters(build_scripts):
+    """Runs those modules; in a checkout that is installed as it is, the files themselves."""
+
+    def run(self):
+        if {"develop", "editable_wheel"} & set(self.distribution.command_obj):
+            return super().run()
+        self.mkpath(self.build_dir)
+        for path in COMMANDS:
+            name = os.path.basename(path)
+            made = os.path.join(self.build_dir, name)
+            with open(made, "w", newline="\n") as file:
+                file.write("#!%s\n%s" % (self.executable, installation.STARTER.format(name=name)))
+            os.chmod(made, 0o755)
 
 
 class SameEverywhere(bdist_wheel):
@@ -37,5 +63,5 @@ class SameEverywhere(bdist_wheel):
                 os.chmod(os.path.join(where, name), 0o755 if is_program else 0o644)
 
 
-setuptools.setup(scripts=sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum()),
-                 data_files=sorted(PAGES.items()), cmdclass={"build_py": WithoutTools, "bdist_wheel": SameEverywhere})
+setuptools.setup(scripts=COMMANDS, data_files=sorted(PAGES.items()),
+                 cmdclass={"build_py": Modules, "build_scripts": Starters, "bdist_wheel": SameEverywhere})

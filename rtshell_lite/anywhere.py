@@ -17,7 +17,7 @@ def main(doc):
     except (errors.Error, OSError) as e:
         sys.exit(cli.complain(e))
     if command:
-        sys.argv = [command] + words[1:]
+        sys.argv = words
         installation.load(command, "__main__")
     else:
         cli.main(arguments, run, doc)

@@ -25,6 +25,16 @@ def quietly(name):
     _import_argparse()
 
 
+def find_installed():
+    """Have what is installed beside Python found: commands that --unpack lays out start without (python -S), which
+    takes a ninth off the time of rtls.
+    """
+    if sys.flags.no_site and "site" not in sys.modules:
+        import site
+
+        site.main()
+
+
 class _Later:
     """In place of a module: it is imported as soon as something in it is used."""
 

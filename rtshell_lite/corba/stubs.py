@@ -9,7 +9,7 @@ import functools
 import sys
 import types
 
-from rtshell_lite import errors
+from rtshell_lite import errors, start
 from rtshell_lite.giop import descriptors, idl
 
 STANDARD = (
@@ -28,6 +28,7 @@ def import_omniorb():
     Of 18 ms for `import omniORB`, 9 ms are `tempfile`, which only importIDLString uses; we never call that.
     The empty stand-in leaves sys.modules again, so that others import the real one.
     """
+    start.find_installed()
     stand_in = sys.modules.setdefault("tempfile", types.ModuleType("tempfile"))
     try:
         from omniORB import CORBA

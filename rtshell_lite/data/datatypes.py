@@ -7,7 +7,7 @@ files in known directories (idl/library.py), and in the component.
 import struct
 import sys
 
-from rtshell_lite import errors
+from rtshell_lite import errors, start
 from rtshell_lite.corba import orb
 from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.text import printable
@@ -267,6 +267,7 @@ def _imported(name, path):
     from rtshell_lite.corba import stubs
 
     orb.start()
+    start.find_installed()
     own, sys.path[:0] = list(sys.path), path
     try:
         stubs.lend_standard()

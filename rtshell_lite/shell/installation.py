@@ -8,10 +8,20 @@ import rtshell_lite
 from rtshell_lite import bytecode, errors, text
 
 PACKAGE = os.path.dirname(os.path.abspath(rtshell_lite.__file__))
-_NAME = "rtshell_lite-" + rtshell_lite.__version__
-# in a wheel file
-_SCRIPTS = os.path.join(_NAME + ".data", "scripts")
-_PAGES = os.path.join(_NAME + ".data", "data", "share", "man")
+COMMANDS = os.path.join(PACKAGE, "commands")  # but for a checkout
+_MEMBERS = "rtshell_lite/commands/"  # of a wheel file
+_PAGES = "data/share/man/"
+# the file in bin/ that runs a command of an installation, after its first line
+STARTER = """\
+from rtshell_lite import start
+
+start.quietly(__name__)
+
+from rtshell_lite import cli
+from rtshell_lite.commands import {name}
+
+cli.main({name}.arguments, {name}.run, {name}.__doc__)
+"""
 
 
 def wheel():
@@ -21,10 +31,9 @@ def wheel():
 
 def command(name):
     """The path of a command, which may lead into the wheel file; None if there is none. Raises Error."""
-    archive = wheel()
-    if not archive:
+    if not wheel():
         return commands().get(name)
-    path = os.path.join(archive, _SCRIPTS, name)
+    path = os.path.join(COMMANDS, name + ".py")
     try:
         read(path)
     except OSError:
@@ -36,12 +45,28 @@ def commands():
     """The commands, {name: path}; a path may lead into the wheel file. Raises Error if there are none."""
     archive = wheel()
     if archive:
-        paths = _in_wheel(archive)
+        files = [name[len(_MEMBERS) :] for name in _members(archive) if name.startswith(_MEMBERS)]
     else:
-        paths = next(filter(None, map(_in_directory, _places())), {})
+        files = os.listdir(COMMANDS)
+    paths = {name[: -len(".py")]: os.path.join(COMMANDS, name) for name in files if _is_command(name, ".py")}
     if not paths:
-        raise errors.Error(f"the commands are missing: they are not beside {PACKAGE}")
+        paths = _of_checkout()
+    if not paths:
+        raise errors.Error(f"the commands are missing: they are not in {PACKAGE}")
     return paths
+
+
+def _of_checkout():
+    directory = os.path.join(os.path.dirname(PACKAGE), "bin")
+    try:
+        names = os.listdir(directory)
+    except OSError:
+        return {}
+    return {name: os.path.join(directory, name) for name in names if _is_command(name, "")}
+
+
+def _is_command(name, end):
+    return name.startswith("rt") and name.endswith(end) and name[: len(name) - len(end)].isalnum()
 
 
 def manual_pages():
@@ -52,15 +77,28 @@ def manual_pages():
 
     archive = wheel()
     if archive:
-        found = [name.partition(".data/data/share/man/")[2] for name in _members(archive)]
-        return {below: os.path.join(archive, _PAGES, *below.split("/")) for below in found if below}
-    above = os.path.dirname(os.path.dirname(next(iter(commands().values()))))
-    for top in os.path.join(above, "man"), os.path.join(above, "share", "man"):  # a checkout, an installation
+        pages = [name for name in _members(archive) if _PAGES in name]
+        return {name.partition(_PAGES)[2]: os.path.join(archive, *name.split("/")) for name in pages}
+    for top in _manuals():
         paths = glob.glob(os.path.join(glob.escape(top), "**", "rt*.[17]"), recursive=True)
         found = {os.path.relpath(path, top).replace(os.sep, "/"): path for path in paths}
         if "man7/rtshell_lite.7" in found:
             return found
     return {}
+
+
+def _manuals():
+    """Directories where the manual pages may be."""
+    import glob
+
+    beside = os.path.dirname(PACKAGE)
+    yield os.path.join(beside, "man")  # a checkout
+    yield os.path.join(os.path.dirname(beside), "share", "man")  # --unpack
+    for record in glob.glob(os.path.join(glob.escape(beside), "rtshell_lite-*.dist-info", "RECORD")):
+        with open(record, encoding="utf-8") as lines:
+            pages = [line.partition(",")[0] for line in lines if "share/man/man7/rtshell_lite.7," in line]
+        for page in pages:  # wherever pip has put them
+            yield os.path.normpath(os.path.join(beside, page, "..", ".."))
 
 
 def read(path):
@@ -106,47 +144,6 @@ def _members(archive):
     """The names of the files in the wheel file.
     (zipfile takes long to import; Debian's python3-minimal has none.)
     """
-    record = read(os.path.join(archive, _NAME + ".dist-info", "RECORD")).decode()
+    name = f"rtshell_lite-{rtshell_lite.__version__}.dist-info"
+    record = read(os.path.join(archive, name, "RECORD")).decode()
     return [line.partition(",")[0] for line in record.splitlines()]
-
-
-def _in_wheel(archive):
-    paths = [os.path.join(archive, *name.split("/")) for name in _members(archive)]
-    return {os.path.basename(path): path for path in paths if os.path.dirname(path).endswith(_SCRIPTS)}
-
-
-def _places():
-    """Directories where an installation may have put the commands, the most likely first."""
-    import glob
-    import re
-    import sysconfig
-
-    beside = os.path.dirname(PACKAGE)
-    yield os.path.join(beside, "bin")  # a checkout; also pip install --target
-    yield os.path.join(os.path.dirname(beside), "bin")  # --unpack
-    for record in glob.glob(os.path.join(glob.escape(beside), "rtshell_lite-*.dist-info", "RECORD")):
-        with open(record, encoding="utf-8") as lines:
-            for line in lines:
-                if re.match(r"(\.\./|/).*/rt\w+,", line):
-                    yield os.path.normpath(os.path.join(beside, os.path.dirname(line.partition(",")[0])))
-    yield sysconfig.get_path("scripts")
-    yield os.path.join(sys.prefix, "bin")  # where packages of an operating system put them
-
-
-def _in_directory(directory):
-    import re
-
-    try:
-        names = sorted(name for name in os.listdir(directory) if re.match(r"rt\w+$", name))
-    except OSError:
-        return {}
-    paths = {name: os.path.join(directory, name) for name in names}
-    return {name: path for name, path in paths.items() if os.path.isfile(path) and _is_ours(path)}
-
-
-def _is_ours(path):
-    try:
-        with open(path, "rb") as file:
-            return file.read(2) == b"#!" and b"\nfrom rtshell_lite import " in file.read()
-    except OSError:
-        return False

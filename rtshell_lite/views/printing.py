@@ -11,7 +11,7 @@ import struct
 import sys
 import time
 
-from rtshell_lite import errors, text
+from rtshell_lite import errors, start, text
 from rtshell_lite.data import datatypes, statistics, values
 from rtshell_lite.net import loop
 
@@ -106,6 +106,7 @@ def formatter(name, directories=()):
     if name == "rtshell.rawpy":
         return repr
     module, _, attribute = name.rpartition(".")
+    start.find_installed()
     before = list(sys.path)
     sys.path[:0] = [os.path.abspath(directory) for directory in directories]
     try:
@@ -218,16 +219,14 @@ class Board:
                 prefix + (channel.label + ": " if len(figures) > 1 else "") + text.safe(figure_line(of_port))
                 for channel, of_port in zip(self.channels, figures)
             ]
-        start = ""
+        home = ""
         if self.in_place:
             width = text.width() - 1
             if self.lines:
-                start = "\x1b[%dA" % self.lines
-            else:
-                start = ""
+                home = "\x1b[%dA" % self.lines
             lines = ["\x1b[2K" + line[:width] for line in lines]
             self.lines = len(lines)
-        self.write(start + "".join(line + "\n" for line in lines))
+        self.write(home + "".join(line + "\n" for line in lines))
 
 
 def figure_line(figures):

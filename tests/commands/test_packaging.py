@@ -106,6 +106,8 @@ class Wheel(unittest.TestCase):
     def test_all_commands_and_modules(self):
         scripts = sorted(name.rpartition("/")[2] for name in self.members() if ".data/scripts/" in name)
         self.assertEqual(scripts, names("bin"))
+        modules = [name for name in self.members() if name.startswith("rtshell_lite/commands/rt")]
+        self.assertEqual(sorted(modules), ["rtshell_lite/commands/%s.py" % name for name in names("bin")])
         for where, directories, files in os.walk(os.path.join(ROOT, "rtshell_lite")):
             directories[:] = [name for name in directories if name != "__pycache__"]
             for name in files:
@@ -262,7 +264,7 @@ class KeptBytecode(Robot):
 
     def forge(self):
         """Change the kept code of rtpwd so that it can be told from that in the wheel, as only its owner can."""
-        path = self.file("scripts.rtpwd")
+        path = self.file("commands.rtpwd")
         with open(path, "rb") as file:
             data = file.read()
         start = next(at for at in range(len(data)) if zlib.crc32(data[at + 4:]).to_bytes(4, "little") == data[at:at + 4])
@@ -374,6 +376,19 @@ class Unpacked(Robot):
         place = self.unpack()
         self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), names("bin"))
         self.check_without_omniorb(lambda name: [os.path.join(place, "bin", name)])
+
+    def test_they_start_without_what_is_installed_beside_python_and_find_it_when_it_is_asked_for(self):
+        command = os.path.join(self.unpack(), "bin", "rtls")
+        with open(command, encoding="utf-8") as file:
+            self.assertEqual(file.readline(), "#!%s -S\n" % self.python)
+        beside = subprocess.check_output([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"],
+                                         universal_newlines=True).strip()
+        fake = os.path.join(beside, "omniORB.py")
+        with open(fake, "w") as file:
+            file.write("raise OSError('this is omniORB')\n")
+        self.addCleanup(os.unlink, fake)
+        self.check_line("rtls", 1, run([command, "/localhost:1/"], environment={"RTSHELL_ORB": "omniorb"}), "this is omniORB")
+        self.check_line("rtls", 4, run([command, "/localhost:1/"]), "connection refused")
 
     def test_can_be_moved_linked_and_unpacked_again(self):
         moved = os.path.join(self.directory, "moved")

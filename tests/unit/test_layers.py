@@ -13,7 +13,7 @@ ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """__init__ bytecode start errors notes text records files path idl_stubs giop net corba options
-           robot data xmlprofile datalog events system play views mount top doctor shell api cli anywhere __main__ bin""".split()
+           robot data xmlprofile datalog events system play views mount top doctor shell api cli anywhere __main__ commands bin""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "anywhere.py", "cli.py", "options.py", "system/reports.py")
 CATCH_ALL = ("cli.py", "api.py", "net/loop.py", "corba/omniorb.py", "corba/iiop/server.py", "mount/attempt.py",
