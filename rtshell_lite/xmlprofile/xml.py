@@ -224,6 +224,7 @@ def _element(node, cls, fail):
             fail(child, f"more than one {child.local} in {node.local}")
         else:
             found[field.name] = _element(child, field.kind, fail)
+    node.content = []  # of a large file it is half of the memory
     element = cls(**found)
     if node.before or node.inside:
         element.comments_before = node.before
