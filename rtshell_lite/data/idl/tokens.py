@@ -148,11 +148,14 @@ class _File:
         found = self.source.found
         fresh = True
         while self.at < len(self.text):
-            active = all(condition[0] for condition in self.conditions)
+            active = not self.conditions or all(condition[0] for condition in self.conditions)
             match = (_TOKEN if active else re.compile(_SKIPPED, re.DOTALL)).match(self.text, self.at)
             if match is None:
                 raise self.fault(self._unreadable())
             kind = match.lastgroup
+            if kind == "space" and "\n" not in match.group():  # every second one is
+                self.at = match.end()
+                continue
             word = match.group()
             if kind == "directive" and fresh:
                 self._directive(re.sub(_COMMENT, " ", word, flags=re.DOTALL), active)
