@@ -15,14 +15,14 @@ HOST = re.compile(r"[\w[][\w.:\]-]*\Z")  # not .git, .hidden …, for which prog
 MOST_SERVERS = 64  # that the root lists because somebody has named them
 README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files. One value a file.
 
-  HOST[:PORT]/CONTEXTS/NAME.rtc/            a component. The name servers are those of RTCTREE_NAMESERVERS; others appear when
-                                            they are named
+  HOST[:PORT]/CONTEXTS/NAME.rtc/            a component; name servers not in RTCTREE_NAMESERVERS
+                                            appear when they are named
     state                                   Inactive, Active, Error ...; write Active, Inactive or reset
     instance_name, type_name, category, vendor, version, description
     profile.json                            all of it, as rtcat --json prints it
     properties/KEY
     ports/PORT/type, data_type, properties/KEY, interfaces/NAME/type
-    ports/PORT/connections/NAME             a link to the port at the other end; ln -s connects, rm disconnects
+    ports/PORT/connections/NAME             a link to the far port; ln -s connects, rm disconnects
     configuration/active                    the active set; write a name
     configuration/SET/PARAM                 read, write
     contexts/N/state, rate, kind, owner     Running or Stopped, Hz; state and rate can be written
@@ -36,16 +36,18 @@ README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files.
 
 Not listed, as they wait, connect, change something or cost much; those that are read can be opened by name:
 
-  ports/PORT/value                          of an in port: write a value; it has been read when the write returns.
+  ports/PORT/value                          of an in port: write a value, which has been read at the return;
                                             of an out port: the next value
   ports/PORT/values                         of an out port: one value a line, for ever
-  ports/PORT/interfaces/NAME/OPERATION      of a provided interface whose IDL is known (RTSHELL_IDL): write a line of JSON, the
-                                            argument or an object of all, and read what it returns from the same open file
+  ports/PORT/interfaces/NAME/OPERATION      of a provided interface whose IDL is known (RTSHELL_IDL): write a
+                                            line of JSON, the argument or an object of all, and read what
+                                            it returns from the same open file
   events, log                               of a component, as rtwatch and rtvlog print them
-  loadable                                  of a manager: modules that it could load; it runs a process for each
+  loadable                                  of a manager: modules to load; it runs a process for each
 
-A write returns when what it asks for is so; a failure is the write's. Control characters, slashes and backslashes in names and
-values are escaped as in the paths of rtls, and read back: \\n is \\x0a, / in a name \\x2f, an empty name \\e.
+A write returns when the change has happened, or fails. Control characters, slashes and backslashes in names
+and values are escaped as in the paths of rtls, and read back: \\n is \\x0a, / in a name \\x2f, an empty name
+\\e.
 More: man rtmount.
 """
 

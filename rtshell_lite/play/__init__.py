@@ -1,1 +1,3 @@
-"""Recordings played as components: name server, components, ports and contexts that others call, all served by our own ORB."""
+"""Recordings played as components: name server, components, ports and contexts that others call, all served
+by our own ORB.
+"""

@@ -6,7 +6,9 @@ from rtshell_lite.path import Name, Path  # noqa: F401: in a type comment
 
 
 class Bindings:
-    """Names in the name server at `server`, a tree.Node; `bound` {tuple of Names: the reference that it is bound to}."""
+    """Names in the name server at `server`, a tree.Node; `bound` {tuple of Names: the reference that it is
+    bound to}.
+    """
 
     def __init__(self, server):
         self._server = server

@@ -1,4 +1,6 @@
-"""What carries the data of a connector: out ports send or hand out, in ports take. Nobody who is slow or hangs delays others."""
+"""What carries the data of a connector: out ports send or hand out, in ports take. Nobody who is slow or
+hangs delays others.
+"""
 
 import collections
 
@@ -75,8 +77,9 @@ class Idle(Carrier):
 
 
 class Sender(Carrier):
-    """An out port's end of push. Values wait for a reader that is slower, all of them with `flush` and the policies
-    `all` and `fifo`; else the newest. One that does not answer is disconnected, as real out ports do.
+    """An out port's end of push. Values wait for a reader that is slower, all of them with `flush` and the
+    policies `all` and `fifo`; else the newest. One that does not answer is disconnected, as real out ports
+    do.
     """
 
     def __init__(self, port, interface, little, given):

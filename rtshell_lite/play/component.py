@@ -1,5 +1,5 @@
-"""Components that only show: profile, contexts, states and configuration are what they have been given, and change when
-the player of the recording sets them. Requests to change them are refused with RTC_ERROR.
+"""Components that only show: profile, contexts, states and configuration are what they have been given, and
+change when the player of the recording sets them. Requests to change them are refused with RTC_ERROR.
 """
 
 from rtshell_lite import errors
@@ -205,8 +205,9 @@ class Organisation:
 
 
 class Component:
-    """A component: `identity` {type_name, description, version, vendor, category}, `properties` [(name, value)] of its
-    profile, `ports` (of ports.py), `contexts` that it owns, `participating` in others', its `configuration`.
+    """A component: `identity` {type_name, description, version, vendor, category}, `properties` [(name,
+    value)] of its profile, `ports` (of ports.py), `contexts` that it owns, `participating` in others', its
+    `configuration`.
     """
 
     interface = "OpenRTM.DataFlowComponent"

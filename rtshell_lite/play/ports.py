@@ -1,7 +1,8 @@
-"""Ports that others connect with: out ports that send what they are given, in ports that take what comes, service ports.
+"""Ports that others connect with: out ports that send what they are given, in ports that take what comes,
+service ports.
 
-The order of calls is that of OpenRTM (docs/protocol.md 2): `connect` has the first port of a connector begin, each publishes
-what the others need, calls the next one, and uses what has come back.
+The order of calls is that of OpenRTM (docs/protocol.md 2): `connect` has the first port of a connector begin,
+each publishes what the others need, calls the next one, and uses what has come back.
 """
 
 import os

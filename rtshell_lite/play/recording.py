@@ -1,7 +1,7 @@
 """What a log says of a robot: its components, what is connected, and what changed when.
 
-Logs of `rtlog --events` have profiles of the system (system-N.rtsys) and details of its components (components-N.json); other
-logs show the out ports that were recorded, and nothing else.
+Logs of `rtlog --events` have profiles of the system (system-N.rtsys) and details of its components
+(components-N.json); other logs show the out ports that were recorded, and nothing else.
 """
 
 import collections
@@ -25,8 +25,8 @@ Report = collections.namedtuple("Report", "path kind subject event")
 
 
 class Recording:
-    """The robot in a Log: `scenes`, one or more Scenes in their order; `channels`: {number of a channel: Path of the
-    out port that its values came from}; `events`: numbers of the channels of events.
+    """The robot in a Log: `scenes`, one or more Scenes in their order; `channels`: {number of a channel: Path
+    of the out port that its values came from}; `events`: numbers of the channels of events.
     """
 
     def __init__(self, log):
@@ -54,7 +54,8 @@ class Recording:
         if len(channel.sources) > 1:
             others = len(channel.sources) - 1
             notes.note(
-                f"{printable(channel.name)}: its values came from {source} and {others} more; that one sends them"
+                f"{printable(channel.name)}: its values came from {source} and {others} more; that one "
+                "sends them"
             )
 
     def paths(self):

@@ -15,7 +15,8 @@ Route = collections.namedtuple("Route", "channel source target")
 def routes(recorded, maps):
     """The Routes of a recording.Recording, each once: all that one of its profiles shows.
 
-    Its profiles are changed by the relocate.Maps. Raises Usage for one that fits nothing, Failed where it is not clear.
+    Its profiles are changed by the relocate.Maps. Raises Usage for one that fits nothing, Failed where it is
+    not clear.
     """
     numbers = {}
     for number, source in recorded.channels.items():
@@ -39,7 +40,9 @@ def below(top, found, log):
 
 
 def chosen(found, choice, log):
-    """(channel, Path of the in port) of those Routes that a flight.Choice allows, each once. Raises Failed for none."""
+    """(channel, Path of the in port) of those Routes that a flight.Choice allows, each once. Raises Failed
+    for none.
+    """
     allowed = [route for route in found if choice.allows(_names(route, log))]
     if found and not allowed:
         raise errors.Failed(log.where, f"--only and --not leave none of {len(set(found))} connections")
@@ -47,7 +50,9 @@ def chosen(found, choice, log):
 
 
 def _connections(profile, maps):
-    """(Path of the out port, Path of the in port) of the connections in a profile: that as it was, this after the Maps."""
+    """(Path of the out port, Path of the in port) of the connections in a profile: that as it was, this after
+    the Maps.
+    """
     locate = capture.locator(profile)
     found = []
     for connector in profile.data_port_connectors:

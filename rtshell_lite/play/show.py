@@ -41,7 +41,9 @@ class Show:
         self._failed = set()  # channels whose values cannot be sent
 
     async def run(self, pace, begin):
-        """Bind the components, play what a pace.Pace says, and end them; begin(): awaited when they can be asked."""
+        """Bind the components, play what a pace.Pace says, and end them; begin(): awaited when they can be
+        asked.
+        """
         host, server = await self._listen()
         async with loop.Group() as tasks:
             self._stage = stage.Stage(self._recording, host, tasks)

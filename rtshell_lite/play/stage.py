@@ -20,8 +20,8 @@ _DATA = "dataport."
 
 
 class Stage:
-    """Components by their paths, as text, and the out ports of channels: {number: OutPort}. `changed` are paths of
-    components that have come or gone since somebody looked.
+    """Components by their paths, as text, and the out ports of channels: {number: OutPort}. `changed` are
+    paths of components that have come or gone since somebody looked.
     """
 
     def __init__(self, recording, host, tasks):
@@ -138,8 +138,8 @@ class Stage:
     # ---- what changes --------------------------------------------------------------------------------------
 
     def show(self, scene, is_jump=False):
-        """Have everything be as a Scene says: connections, contexts, configuration, states; at a jump to it, also which
-        components there are.
+        """Have everything be as a Scene says: connections, contexts, configuration, states; at a jump to it,
+        also which components there are.
         """
         self._scene = scene
         there = recordings.by_path(scene)
@@ -209,7 +209,9 @@ class Stage:
             port.forget(connector_id)
 
     def take(self, report, following):
-        """Take a recordings.Report; `following`: the next Scene, which shows what has been connected, or None."""
+        """Take a recordings.Report; `following`: the next Scene, which shows what has been connected, or
+        None.
+        """
         owner = self.components.get(report.path)
         if owner is None:
             return

@@ -86,7 +86,9 @@ class Entry:
     async def ask(self):
         """Ask it; False when it was not its time. Raises Silent."""
         now = time.monotonic()
-        if now < self._again or not self.is_shown and now < self._asked + SELDOM:
+        if now < self._again:
+            return False
+        if not self.is_shown and now < self._asked + SELDOM:
             return False
         try:
             await self._look(now)
@@ -97,7 +99,10 @@ class Entry:
             (node,) = await tree.check_alive([self.node])
             if node.kind == "silent" and isinstance(node.error, errors.Silent):
                 raise node.error
-            self.fail("silent" if node.kind == "component" else node.kind, node.error or e)
+            if node.kind == "component":
+                self.fail("silent", node.error or e)
+            else:
+                self.fail(node.kind, node.error or e)
         return True
 
     async def _look(self, now):
@@ -153,11 +158,15 @@ class Entry:
     def row(self, path, name):
         """Its Row."""
         contexts = self.snapshot.contexts
-        first = next((context for context in contexts if context.running), contexts[0] if contexts else None)
+        running = None
+        first = None
         if contexts:
-            running = any(context.running for context in contexts)
-        else:
-            running = None
+            alive = [context for context in contexts if context.running]
+            running = bool(alive)
+            first = (alive or contexts)[0]
+        links = None
+        if self.links is not None:
+            links = len(self.links)
         return Row(
             path,
             name,
@@ -166,7 +175,7 @@ class Entry:
             first and first.rate,
             running,
             self.ports,
-            None if self.links is None else len(self.links),
+            links,
             self.failure,
             self.since and time.monotonic() - self.since,
             self.event,
@@ -353,8 +362,13 @@ class Top:
     def rows(self):
         """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
         entries = self.entries()
-        unique = len({entry.node.name for _, entry in entries}) == len(entries)
-        rows = [entry.row(path, entry.node.name if unique else path) for path, entry in entries]
+        names = {entry.node.name for _, entry in entries}
+        rows = []
+        for path, entry in entries:
+            name = path
+            if len(names) == len(entries):
+                name = entry.node.name
+            rows.append(entry.row(path, name))
         rows = [_marked(row, self._marks.get(row.path)) for row in rows]
         rows += [
             Row(path, path, "unknown", "?", None, None, None, None, failure, None, "", {})
@@ -383,8 +397,8 @@ class Top:
         self._act(path, "neighbours", _neighbours)
 
     def measure(self, path, command="measure"):
-        """Measure how many values a second the component at a path (text) writes to its out ports: the rows show it
-        for a while, and `news` returns lines.
+        """Measure how many values a second the component at a path (text) writes to its out ports: the rows
+        show it for a while, and `news` returns lines.
         """
 
         async def measure(node):
@@ -432,7 +446,9 @@ class Top:
         self.bell.ring()
 
     def news(self):
-        """Results of `change`, `show` and the like since the last call: ((command, path), value or errors.Error)."""
+        """Results of `change`, `show` and the like since the last call: ((command, path), value or
+        errors.Error).
+        """
         news = self._news
         self._news = []
         return news
@@ -485,13 +501,19 @@ async def _description(node):
 async def _neighbours(node):
     """The paths, as text, of the components that one is connected with."""
     ends = await places.far_ends(await ports.ports(node))
-    found = [end.port.node for end in ends.values() if end.port is not None and end.port.node is not None]
+    found = []
+    for end in ends.values():
+        if end.port is not None and end.port.node is not None:
+            found.append(end.port.node)
     return {str(far.path.object()) for far in found}
 
 
 async def _flow(node):
     """[(out port of a component, values that are written to it a second or an errors.Error)]"""
-    measured = [port for port in await ports.ports(node) if port.type == "DataOutPort"]
+    measured = []
+    for port in await ports.ports(node):
+        if port.type == "DataOutPort":
+            measured.append(port)
     return list(zip(map(ports.label, measured), await rates.written(measured, FLOW)))
 
 

@@ -149,8 +149,8 @@ class Page:
     """Shows a top.Top on a curses window until the user has seen enough."""
 
     def __init__(self, window, looking, meters, sort, wanted, doctor):
-        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with; `doctor`
-        gives lines on a Node.
+        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with;
+        `doctor` gives lines on a Node.
         """
         self.window = window
         self.looking = looking
@@ -400,7 +400,10 @@ class Page:
         self.lines = rows.grouped(found, self.group)
         self.rows = [line for line in self.lines if isinstance(line, rows.Row)]
         paths = [row.path for row in self.rows]
-        self._select(paths.index(self.selected) if self.selected in paths else self.number)
+        number = self.number
+        if self.selected in paths:
+            number = paths.index(self.selected)
+        self._select(number)
         self.window.erase()
         top = self._draw_head(components, height, width)
         foot = self._foot(width)[: max(height - top - 1, 1)]

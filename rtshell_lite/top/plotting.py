@@ -18,7 +18,8 @@ class Plot:
 
     node    Node of the component
     number  of its out ports; after the last one comes the first
-    show    function that is called with a function(width, height, whether there is braille): the lines of a picture
+    show    function that is called with a function(width, height, whether there is braille): the lines of a
+            picture
     task    what follows it: to be cancelled at the end, which removes the connection
     """
 

@@ -70,7 +70,10 @@ def _group(words, kind):
     where = path.parse(words)
     if kind == "directory":
         return str(where.parent())
-    hosts = [text.printable(name.id) for name in where.names if name.kind == "host_cxt"]
+    hosts = []
+    for name in where.names:
+        if name.kind == "host_cxt":
+            hosts.append(text.printable(name.id))
     return (hosts + [text.printable(where.server or "")])[0]
 
 
@@ -94,7 +97,7 @@ def summary(rows):
     total = sum(counts.values())
     words = {"-": "zombie", "?": "silent", None: "not asked yet"}
     states = ", ".join(f"{counts[state]} {words.get(state, state)}" for state in STATES if counts[state])
-    number = f"{total} component{'' if total == 1 else 's'}"
+    number = text.counted(total, "component")
     if states:
         return f"{number}: {states}"
     return number
@@ -153,7 +156,10 @@ def wide_lines(shown, listed):
     """Yield a line for each Row of `shown`, which are some of those `listed`, below their `wide_head`."""
     names, directories = _widths(listed)
     for row in shown:
-        why = reason(row.path, row.failure) if row.failure else row.event
+        if row.failure:
+            why = reason(row.path, row.failure)
+        else:
+            why = row.event
         yield "%s  %s  %5s    %s" % (
             text.padded(_wide_line(row), len(WIDE_HEAD) - len("COMPONENT") + names),
             text.padded(group(row, "directory"), directories),

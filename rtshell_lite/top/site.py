@@ -1,8 +1,9 @@
 """rttop --serve: the page of a system for browsers, kept live by events that are sent to them.
 
-However many look on, one Top asks for states, and one task asks each component for everything: when it is new, when
-its connections have changed, and again after REFRESH. A browser gets the page as it is then, and on a stream what
-has changed since: states one by one, else all that the page shows. Nothing that a browser sends changes anything.
+However many look on, one Top asks for states, and one task asks each component for everything: when it is
+new, when its connections have changed, and again after REFRESH. A browser gets the page as it is then, and on
+a stream what has changed since: states one by one, else all that the page shows. Nothing that a browser sends
+changes anything.
 """
 
 import binascii
@@ -73,8 +74,8 @@ class Place:
         return "/"
 
     def check(self, request):
-        """Raises http.Refused unless a http.Request names this host as its own page does, and has the token: other
-        pages in the same browser could ask for it, or a name of theirs that leads here.
+        """Raises http.Refused unless a http.Request names this host as its own page does, and has the token:
+        other pages in the same browser could ask for it, or a name of theirs that leads here.
         """
         asked = request.headers.get("host", "").lower()
         host, _ = split_address(asked)
@@ -91,8 +92,8 @@ class Place:
 
 
 async def place(words, otherwise=None):
-    """The Place for HOST:PORT; port 0 is any free one. `otherwise` is taken where that is in use. Raises Usage,
-    Failed.
+    """The Place for HOST:PORT; port 0 is any free one. `otherwise` is taken where that is in use. Raises
+    Usage, Failed.
     """
     host, colon, port = words.rpartition(":")
     if not colon or not host or not port.isdigit() or not 0 <= int(port[:6]) < 65536:
@@ -201,9 +202,15 @@ class Site:
                 shown = answer.snapshot
                 shown.states = ["as above"] * len(shown.states)  # which the page keeps live
             self._details[path] = Detail(shown, entries[path].links, time.monotonic())
-        known = [detail.snapshot for detail in self._details.values() if detail.snapshot is not None]
+        known = []
+        for detail in self._details.values():
+            if detail.snapshot is not None:
+                known.append(detail.snapshot)
         ends = await places.far_ends([port for each in known for port in each.ports])
-        lost = {path: entry.node.endpoint for path, entry in entries.items() if not self._is_known(path)}
+        lost = {}
+        for path, entry in entries.items():
+            if not self._is_known(path):
+                lost[path] = entry.node.endpoint
         fields = page.fields(*self._picture(known, lost, ends))
         if fields != self._fields:
             self._fields = fields

@@ -12,22 +12,21 @@ async def collect(node, level=0):
 
     `level` is how often -l was given: from 1 on, all parts are full.
     """
-    if level:
-        detail = FULL
-    else:
-        detail = BRIEF
     parts = {
-        "ports": detail,
-        "owned": detail,
+        "ports": BRIEF,
+        "owned": BRIEF,
         "participating": FULL,
         "states": FULL,
-        "organisations": detail,
+        "organisations": BRIEF,
         "composites": FULL,
-        "names": FULL if level > 1 else BRIEF,
+        "names": BRIEF,
     }
-    if level:
-        parts["members"] = FULL
-    return await Snapshot(node).ask(**parts, profile=detail)
+    if not level:
+        return await Snapshot(node).ask(**parts, profile=BRIEF)
+    parts.update(ports=FULL, owned=FULL, organisations=FULL, members=FULL)
+    if level > 1:
+        parts["names"] = FULL
+    return await Snapshot(node).ask(**parts, profile=FULL)
 
 
 # ---- lines -------------------------------------------------------------------------------------------------
@@ -120,23 +119,33 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
     words = f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
     if not any(context is one for one in snapshot.owned):
         words += f" of {printable(instance(context.owner, snapshot))}"
-    yield words if len(snapshot.contexts) == 1 else f"{words}  {paint(state)}"
+    if len(snapshot.contexts) > 1:
+        words += f"  {paint(state)}"
+    yield words
     if not level:
         return
-    items = [
-        ("State", "Running" if context.running else "Stopped"),
-        ("Kind", context.kind),
-        ("Rate", str(float(context.rate))),
-    ]
+    if context.running:
+        runs = "Running"
+    else:
+        runs = "Stopped"
+    items = [("State", runs), ("Kind", context.kind), ("Rate", str(float(context.rate)))]
     owner = instance(context.owner, snapshot)
-    yield from _pairs(items + ([("Owner", owner)] if owner else []), more + "  ")
+    if owner:
+        items.append(("Owner", owner))
+    yield from _pairs(items, more + "  ")
+    if level < 2:
+        if context.participants:
+            yield more + " +Participants"
+        if context.properties:
+            yield more + " +Extra properties"
+        return
     if context.participants:
-        yield more + (" +" if level < 2 else " -") + "Participants"
-        for participant in context.participants if level > 1 else ():
+        yield more + " -Participants"
+        for participant in context.participants:
             yield more + "    " + printable(instance(participant, snapshot))
     if context.properties:
-        yield more + (" +" if level < 2 else " -") + "Extra properties"
-        yield from _pairs(sorted(context.properties), more + "    ") if level > 1 else ()
+        yield more + " -Extra properties"
+        yield from _pairs(sorted(context.properties), more + "    ")
 
 
 def instance(ref, snapshot):
@@ -150,9 +159,11 @@ def instance(ref, snapshot):
 
 def port_lines(port, instance, level, ends, paint, tag="", more=""):
     """The lines of one port of the component called `instance`."""
-    yield f"{tag}{'-' if level else '+'}{port.type}: {paint(printable(ports.short_name(port.name, instance)), 'bold')}"
+    name = paint(printable(ports.short_name(port.name, instance)), "bold")
     if not level:
+        yield f"{tag}+{port.type}: {name}"
         return
+    yield f"{tag}-{port.type}: {name}"
     yield from _pairs(sorted(port.properties.items()), more + "  ")
     for interface in port.interfaces:
         yield more + "  Interface:"
@@ -160,18 +171,17 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
     listed = 0
     for connector in port.connectors:
         far = [end for end in map(ends, connector.ports) if end]
-        if len(connector.ports) == 1:
-            carrier = printable(ports.transport(connector))
-        else:
-            carrier = ""
-        listed += len(far) or bool(carrier)
-        if not far and not carrier:
-            continue
-        if far:
-            how = "Connected to"
-        else:
+        how = "Connected to"
+        if not far and len(connector.ports) == 1:
             how = "Connected by"
-        yield f"{more} {'-' if level > 1 else '+'}{how}  {paint((far or [carrier])[0], 'bold')}"
+            far = [carrier for carrier in [printable(ports.transport(connector))] if carrier]
+        if not far:
+            continue
+        listed += len(far)
+        sign = "+"
+        if level > 1:
+            sign = "-"
+        yield f"{more} {sign}{how}  {paint(far[0], 'bold')}"
         for end in far[1:]:
             yield more + " " * 16 + paint(end, "bold")
         if level > 1:
@@ -180,7 +190,7 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
             )
     others = len(port.connectors) - listed
     if others > 0:
-        yield f"{more}  ({others} other connection{'s' if others > 1 else ''})"
+        yield f"{more}  ({text.counted(others, 'other connection')})"
 
 
 def _shown(connector):

@@ -71,7 +71,10 @@ def lines(about):
             yield heading + ":"
         for key, label in entries:
             if key in about.profile:
-                yield f"{'  ' if heading else ''}{label}: {printable(about.profile[key])}"
+                line = f"{label}: {printable(about.profile[key])}"
+                if heading:
+                    line = "  " + line
+                yield line
     yield "Loaded modules:"
     for path in about.loaded:
         yield "  Filepath: " + printable(path)

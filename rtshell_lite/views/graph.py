@@ -34,8 +34,8 @@ class Box:
     composite  index of the composite whose member it is, None if there is none
     counts     of a folded group: how many components are in each state ("" if unknown), else None
     labels     {port: words after its name}: rates, numbers of connections
-    origin     what it is in the profile: a model.Component; where that is missing the (component id, instance name)
-               of ends of connections; of what carries data the name of the transport
+    origin     what it is in the profile: a model.Component; where that is missing the (component id, instance
+               name) of ends of connections; of what carries data the name of the transport
     snapshot   the snapshot.Snapshot of a component that was asked for everything, else None
     """
 
@@ -118,7 +118,10 @@ def _edges(connector, service, boxes, box_of):
     """Edges from the first end to each other one."""
     ends = [(box_of(end), capture.port_of(end)) for end in connector.ends]
     for number, (box, port) in enumerate(ends):
-        boxes[box].use(port, boxes[box].left if number else boxes[box].right)
+        if number:
+            boxes[box].use(port, boxes[box].left)
+        else:
+            boxes[box].use(port, boxes[box].right)
     return [ends[0] + end + (service,) for end in ends[1:]]
 
 

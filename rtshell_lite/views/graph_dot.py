@@ -27,7 +27,10 @@ def lines(picture):
     for service in (False, True):
         for source, out, target, into, is_service in picture.edges:
             if is_service == service:
-                ends = f"{_node_id(names[source])}:{ports[source][out]} -> {_node_id(names[target])}:{ports[target][into]}"
+                ends = (
+                    f"{_node_id(names[source])}:{ports[source][out]} -> "
+                    f"{_node_id(names[target])}:{ports[target][into]}"
+                )
                 yield f"  {ends}{_STYLES[service]};"
     yield "}"
 

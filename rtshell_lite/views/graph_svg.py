@@ -10,12 +10,13 @@ _ROW = 20
 _HEAD = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" font-family="monospace" font-size="14">\n'
     "<style>@media (prefers-color-scheme: dark) { .page { fill: #1c1c1c } text { fill: #eee } "
-    "rect, path { stroke: #ccc } marker path { fill: #ccc } .none { fill: #1c1c1c } .Inactive { fill: #2a4a6a } "
-    ".Active { fill: #1f4d2b } .Error { fill: #8a2a22 } .Created, .Unknown { fill: #444 } }</style>\n"
+    "rect, path { stroke: #ccc } marker path { fill: #ccc } .none { fill: #1c1c1c } "
+    ".Inactive { fill: #2a4a6a } .Active { fill: #1f4d2b } .Error { fill: #8a2a22 } "
+    ".Created, .Unknown { fill: #444 } }</style>\n"
     '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
-    '<path d="M0,0 L8,4 L0,8 z" stroke="none"/></marker><marker id="dot" markerWidth="9" markerHeight="9" refX="7" refY="4">'
-    '<circle cx="4" cy="4" r="3" fill="white" stroke="black"/></marker></defs>\n'
-    '<rect class="page" width="100%%" height="100%%" fill="white"/>'
+    '<path d="M0,0 L8,4 L0,8 z" stroke="none"/></marker><marker id="dot" markerWidth="9" markerHeight="9" '
+    'refX="7" refY="4"><circle cx="4" cy="4" r="3" fill="white" stroke="black"/></marker></defs>\n<rect '
+    'class="page" width="100%%" height="100%%" fill="white"/>'
 )
 
 
@@ -41,16 +42,21 @@ def lines(picture):
 
 def _size(box, heads):
     """(width, height) of a box."""
-    sides = [[cells(printable(box.port_words(port))) for port in side] for side in (box.left, box.right)]
-    width = max([sum(max(side or [0]) for side in sides) + 3] + [cells(head) for head in heads])
-    return (width + 1) * _CELL, (len(heads) + max(map(len, sides))) * _ROW + _ROW // 2
+    lefts = [cells(printable(box.port_words(port))) for port in box.left]
+    rights = [cells(printable(box.port_words(port))) for port in box.right]
+    widths = [cells(head) for head in heads]
+    widths.append(max(lefts, default=0) + max(rights, default=0) + 3)
+    height = (len(heads) + max(len(lefts), len(rights))) * _ROW + _ROW // 2
+    return (max(widths) + 1) * _CELL, height
 
 
 def _port(item, box, heads, name):
     """(x, y, 1 on the right side and -1 on the left) of a port."""
     if name in box.right:
-        return item.x + item.width, item.y + (heads + box.right.index(name)) * _ROW + 15, 1
-    return item.x, item.y + (heads + box.left.index(name)) * _ROW + 15, -1
+        row = heads + box.right.index(name)
+        return item.x + item.width, item.y + row * _ROW + 15, 1
+    row = heads + box.left.index(name)
+    return item.x, item.y + row * _ROW + 15, -1
 
 
 def _drawn(item, box, heads, port_of):

@@ -69,7 +69,10 @@ def _stack(picture):
     row_of = {}
     for place, number in enumerate(in_order(picture)):
         box = picture.boxes[number]
-        rows.append(Row("├", "", "┤") if place else Row("┌", "", "┐"))
+        if place:
+            rows.append(Row("├", "", "┤"))
+        else:
+            rows.append(Row("┌", "", "┐"))
         rows += [Row("│", f" {head} ", "│") for head in heads(picture, number)]
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
@@ -89,7 +92,9 @@ def _nets(picture, row_of):
 
 
 def _lanes(nets):
-    """The lane of each Net, counted from the boxes; no two that overlap are in one, and there are as few as can be."""
+    """The lane of each Net, counted from the boxes; no two that overlap are in one, and there are as few as
+    can be.
+    """
     lanes = [0] * len(nets)
     free = []  # numbers of lanes
     taken = []  # (row where it ends, lane)
@@ -99,7 +104,10 @@ def _lanes(nets):
         first = min(nets[number].rows)
         while taken and taken[0][0] < first:
             heapq.heappush(free, heapq.heappop(taken)[1])
-        lanes[number] = heapq.heappop(free) if free else len(taken)
+        if free:
+            lanes[number] = heapq.heappop(free)
+        else:
+            lanes[number] = len(taken)
         heapq.heappush(taken, (max(nets[number].rows), lanes[number]))
     return lanes
 
@@ -120,7 +128,9 @@ def _passing(rows, nets, lanes):
 
 
 def _beside(row, passing):
-    """(what is drawn beside a row that these {lane: Net} touch, the border of its box where a line starts or '')."""
+    """(what is drawn beside a row that these {lane: Net} touch, the border of its box where a line starts or
+    '').
+    """
     joined = {lane: net for lane, net in passing.items() if row in net.rows}
     far = max(joined, default=-1)
     service = int(any(net.service for net in joined.values()))

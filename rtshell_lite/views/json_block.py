@@ -8,8 +8,8 @@ STEP = "  "  # of indentation
 
 
 def shown(value, width, indent="", used=0):
-    """A value for json.dumps as text of lines within `width` columns, as far as its parts allow; of the first, `used`
-    are taken. The lines after it begin with `indent`.
+    """A value for json.dumps as text of lines within `width` columns, as far as its parts allow; of the
+    first, `used` are taken. The lines after it begin with `indent`.
     """
     line = _line(value)
     if len(indent) + used + len(line) < width or not value or not isinstance(value, (dict, list)):

@@ -1,8 +1,8 @@
 """Where the boxes and lines of a picture are, for drawings in pixels.
 
-The layout is the usual one for such graphs (Sugiyama, Tagawa, Toda 1981): a column for each box by the longest
-way to it, places within a column by those of its neighbours so that few lines cross, and lanes below all boxes
-for lines that go back or far. Each step costs n log n.
+The layout is the usual one for such graphs (Sugiyama, Tagawa, Toda 1981): a column for each box by the
+longest way to it, places within a column by those of its neighbours so that few lines cross, and lanes below
+all boxes for lines that go back or far. Each step costs n log n.
 """
 
 import bisect
@@ -65,14 +65,17 @@ def arrange(picture, sizes, port_of):
     _put_below(columns)
     detours = [place for place, way in enumerate(ways) if way is None]
     edges = _put_beside(columns, _gaps(picture, boxes, detours, port_of, len(columns)))
-    bottom = max([item.y + item.height for item in boxes] or [0]) + MARGIN // 2
+    bottom = max((item.y + item.height for item in boxes), default=0) + MARGIN // 2
     turns = _turns(picture, boxes, detours, port_of, edges)
     lanes = _lanes(turns)
     for place in detours:
-        ways[place] = Detour(turns[place][0], bottom + lanes[place] * LANE, turns[place][1])
-    width = max([item.x + item.width for item in boxes] or [0])
-    width = max([width] + [max(ways[place].x, ways[place].to_x) for place in detours]) + MARGIN
-    return Layout(boxes, ways, width, bottom + len(set(lanes.values())) * LANE + MARGIN // 2)
+        begin, end = turns[place]
+        ways[place] = Detour(begin, bottom + lanes[place] * LANE, end)
+    rights = [item.x + item.width for item in boxes]
+    for place in detours:
+        rights += [ways[place].x, ways[place].to_x]
+    height = bottom + len(set(lanes.values())) * LANE + MARGIN // 2
+    return Layout(boxes, ways, max(rights, default=0) + MARGIN, height)
 
 
 # ---- columns -----------------------------------------------------------------------------------------------
@@ -110,7 +113,9 @@ def _distribute(items, columns):
 def _way(edge, picture, boxes, rank, columns):
     source, out, target, into, _ = edge
     first, last = boxes[source].column, boxes[target].column
-    if rank[source] >= rank[target] or last - first > _FAR:
+    if rank[source] >= rank[target]:
+        return None
+    if last - first > _FAR:
         return None
     way = [Item() for _ in range(first + 1, last)]
     for column, passing in enumerate(way, first + 1):
@@ -256,8 +261,8 @@ def _gap(item, side):
 
 
 def _put_beside(columns, turning):
-    """Set x of all Items; gaps are wide enough for the lines that turn in them. Returns (x where it begins, x where
-    it ends) of each column.
+    """Set x of all Items; gaps are wide enough for the lines that turn in them. Returns (x where it begins, x
+    where it ends) of each column.
     """
     x = MARGIN + turning[0] * LANE
     edges = []
@@ -273,8 +278,8 @@ def _put_beside(columns, turning):
 
 
 def _turns(picture, boxes, detours, port_of, edges):
-    """{place of an edge that passes below: (x where it turns beside its source, and beside its target)}: each on a
-    track of its own.
+    """{place of an edge that passes below: (x where it turns beside its source, and beside its target)}: each
+    on a track of its own.
     """
     turned = collections.Counter()
     turns = {}

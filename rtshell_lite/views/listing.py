@@ -45,7 +45,10 @@ async def blocks(path, recurse=False, shown="."):
     for node in await tree.walk(top):
         if node.kind in tree.DIRECTORIES and node.alias is None:
             below = str(node.path).lstrip("/")[len(str(top.path).lstrip("/")) :].strip("/")
-            listed[node.path] = (shown.rstrip("/") + ("/" + below if below else "") + ":", [])
+            header = shown.rstrip("/")
+            if below:
+                header += "/" + below
+            listed[node.path] = (header + ":", [])
         if node is not top:
             listed[node.path.parent()][1].append(node)
     if top.error is not None:
@@ -67,7 +70,12 @@ async def figures(nodes, long=False):
     """
     if not long:
         return [(node, None) for node in await tree.check_alive(nodes)]
-    nodes = [(await tree.check_alive([node]))[0] if node.kind == "unsure" else node for node in nodes]
+    sure = []
+    for node in nodes:
+        if node.kind == "unsure":
+            (node,) = await tree.check_alive([node])
+        sure.append(node)
+    nodes = sure
     asked = [node for node in nodes if node.kind == "component"]
     answers = dict(zip(asked, await tree.on_nodes(asked, _figures)))
     others = dict(
@@ -138,7 +146,9 @@ def row(node, figures, paint, name=None):
     """The columns of a node with -l: state, connected ports of four kinds, name; `-` for other objects."""
     name = name or node.name
     if figures is None:
-        cells = [paint("?") if node.kind == "silent" else "-"] + ["-"] * len(COUNTED)
+        cells = ["-"] * (1 + len(COUNTED))
+        if node.kind == "silent":
+            cells[0] = paint("?")
         if node.kind in tree.DIRECTORIES:
             role = "directory"
         elif node.kind in ("zombie", "unknown"):
@@ -147,7 +157,11 @@ def row(node, figures, paint, name=None):
             role = None
         return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
     state, counts = figures
-    return [paint(state)] + [f"{paint(str(count), 'bold')}/{linked}" for count, linked in counts] + [name]
+    cells = [paint(state)]
+    for count, linked in counts:
+        cells.append(f"{paint(str(count), 'bold')}/{linked}")
+    cells.append(name)
+    return cells
 
 
 def place(node):
@@ -176,7 +190,10 @@ def silent_ones(nodes):
     """A line on how many of `nodes` did not answer, '' when all did."""
     silent = [node.name for node in nodes if node.kind == "silent"]
     names = ", ".join(silent[:5] + ["…"] * (len(silent) > 5))
-    objects = [node for node in nodes if node.kind in ("component", "manager", "silent", "zombie")]
+    objects = []
+    for node in nodes:
+        if node.kind in ("component", "manager", "silent", "zombie"):
+            objects.append(node)
     if silent:
         return f"{len(silent)} of {len(objects)} did not answer ({names})"
     return ""

@@ -51,8 +51,8 @@ def of_system(system, lost):
 
 
 def _tie(loose, profile, lost):
-    """Add a capture.Loose to a profile, with an end whose port is not known: of the one component that was lost of its
-    process, else of the process.
+    """Add a capture.Loose to a profile, with an end whose port is not known: of the one component that was
+    lost of its process, else of the process.
     """
     ends = loose.connector.ends
     where = [path for path, process in lost.items() if process == loose.endpoint]
@@ -109,7 +109,8 @@ def _of(profile, looks):
 
 
 async def measure(picture, seconds):
-    """Label the out ports of a picture with how many values a second are written to them, measured for `seconds`.
+    """Label the out ports of a picture with how many values a second are written to them, measured for
+    `seconds`.
 
     Returns the errors.Error of those that could not be measured.
     """

@@ -116,7 +116,9 @@ def _ports_section(profile, listed, graph):
                 [(type_id, ", ".join(map(": ".join, members))) for type_id, members in types],
             )
         )
-    return parts + ([_graph(profile.type_name, rows)] if graph else [])
+    if graph:
+        parts.append(_graph(profile.type_name, rows))
+    return parts
 
 
 def _configuration_section(sets):
@@ -161,9 +163,10 @@ def _graph(title, rows):
         if kind not in ports.DATA:
             continue
         lines.append(f'{node_id(port)} [shape=plaintext, label="{_quoted(port)}"];')
-        lines.append(
-            " -> ".join((node_id(port), name) if kind == "DataInPort" else (name, node_id(port))) + ";"
-        )
+        if kind == "DataInPort":
+            lines.append(f"{node_id(port)} -> {name};")
+        else:
+            lines.append(f"{name} -> {node_id(port)};")
     return Graph(lines)
 
 

@@ -1,9 +1,9 @@
 """A system as one page for a browser: a file that needs no network, and nothing but a browser.
 
-The page is rtshell_lite/views/web/page.html with the style, the scripts and the data in it. What a system says is
-data: JSON without any character that HTML knows, and the scripts put it into text nodes only. The page's
-Content-Security-Policy lets a browser run this script and no other, and load nothing; the page of rttop --serve may
-hear what its server sends.
+The page is rtshell_lite/views/web/page.html with the style, the scripts and the data in it. What a system
+says is data: JSON without any character that HTML knows, and the scripts put it into text nodes only. The
+page's Content-Security-Policy lets a browser run this script and no other, and load nothing; the page of
+rttop --serve may hear what its server sends.
 """
 
 import base64
@@ -82,7 +82,8 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
     """The data of a page that shows a graph.Graph of an RtsProfile, or of a part of it.
 
     findings  doctor.finding.Findings, or what has such attributes
-    kind      of the groups that are folded (None: one that leaves few boxes); `opened` are names of those not folded
+    kind      of the groups that are folded (None: one that leaves few boxes); `opened` are names of those not
+              folded
     """
     names = Table()
     rows = Rows()
@@ -198,7 +199,10 @@ def _subject(line, paths):
 
 def _findings(findings, boxes):
     """Those that are to be looked at, with the number of the box that each is about."""
-    numbers = {box["path"]: number for number, box in enumerate(boxes) if "path" in box}
+    numbers = {}
+    for number, box in enumerate(boxes):
+        if "path" in box:
+            numbers[box["path"]] = number
     found = []
     for each in findings:
         owner = each.path.rpartition(":")[0]  # of a port

@@ -1,4 +1,6 @@
-"""What a page shows of one component: all that rtcat -ll and the file have, as headings and rows of (name, value)."""
+"""What a page shows of one component: all that rtcat -ll and the file have, as headings and rows of (name,
+value).
+"""
 
 from rtshell_lite.robot import ports
 from rtshell_lite.system import capture
@@ -106,9 +108,13 @@ def _of_snapshot(snapshot):
 def _context(context, state, snapshot):
     if context.handle is None:
         return "Execution context of another component, which does not answer", [("State here", state)]
+    if context.running:
+        runs = "Running"
+    else:
+        runs = "Stopped"
     rows = [
         ("State here", state),
-        ("Runs", "Running" if context.running else "Stopped"),
+        ("Runs", runs),
         ("Kind", context.kind),
         ("Rate", f"{float(context.rate)} Hz"),
         ("Owner", describe.instance(context.owner, snapshot)),
@@ -130,6 +136,10 @@ def _port_rows(port):
 def _of_file(component):
     kind, _, rest = component.id.partition(":")
     vendor, category, type_name, version = (rest.split(":") + [""] * 4)[:4]
+    if component.is_required:
+        required = "yes"
+    else:
+        required = "no"
     rows = [
         ("Instance name", component.instance_name),
         ("Type name", type_name),
@@ -137,7 +147,7 @@ def _of_file(component):
         ("Vendor", vendor),
         ("Version", version),
         ("Id", component.id),
-        ("Required", "yes" if component.is_required else "no"),
+        ("Required", required),
         ("Comment", component.comment),
     ]
     found = [("Component", [(name, value) for name, value in rows if value])]

@@ -1,4 +1,6 @@
-"""Which part of a large system is drawn: some of its boxes, the neighbourhood of one, groups folded into a box each."""
+"""Which part of a large system is drawn: some of its boxes, the neighbourhood of one, groups folded into a
+box each.
+"""
 
 import collections
 import fnmatch
@@ -15,7 +17,10 @@ MOST = 30  # boxes that a person can overlook
 
 def keep(picture, numbers):
     """The graph.Graph of these boxes and of what connects them."""
-    kept = [number for number in range(len(picture.boxes)) if number in numbers]
+    kept = []
+    for number in range(len(picture.boxes)):
+        if number in numbers:
+            kept.append(number)
     places = {number: place for place, number in enumerate(kept)}
     boxes = [_copy(picture.boxes[number], places) for number in kept]
     return _connected(picture, boxes, places)
@@ -92,7 +97,9 @@ def fold(picture, kind, opened=()):
             places[member] = len(boxes)
         folded.add(len(boxes))
         boxes.append(_folded(name, [picture.boxes[member] for member in members]))
-    boxes = [box if place in folded else _copy(box, singles) for place, box in enumerate(boxes)]
+    for place, box in enumerate(boxes):
+        if place not in folded:
+            boxes[place] = _copy(box, singles)
     return _connected(picture, boxes, places, folded)
 
 
@@ -143,7 +150,9 @@ def _composite(picture, number):
 
 
 def _host(box):
-    """The host of a component, by the naming context that is named after it, else by its process or name server."""
+    """The host of a component, by the naming context that is named after it, else by its process or name
+    server.
+    """
     if box.path is None:
         return None
     for name in box.path.names:
@@ -183,7 +192,9 @@ def _copy(box, places):
 
 
 def _connected(picture, boxes, places, folded=()):
-    """The Graph of boxes that hold those of a picture, by `places`; of those in `folded`, ports are not shown."""
+    """The Graph of boxes that hold those of a picture, by `places`; of those in `folded`, ports are not
+    shown.
+    """
     edges = []
     parallel = collections.OrderedDict()
     for source, out, target, into, service in picture.edges:
@@ -199,7 +210,10 @@ def _connected(picture, boxes, places, folded=()):
     for start, out, end, into, _ in edges:
         boxes[start].use(out, boxes[start].right)
         boxes[end].use(into, boxes[end].left)
-    tops = [number for number, box in enumerate(boxes) if box.composite is None]
+    tops = []
+    for number, box in enumerate(boxes):
+        if box.composite is None:
+            tops.append(number)
     return graph.Graph(boxes, edges, tops)
 
 
@@ -218,7 +232,10 @@ def _joined(boxes, folded, start, end, service, both):
     if len(both) > 1:
         label = f"×{len(both)}"
         before = boxes[end].labels.get(into)
-        boxes[end].labels[into] = f"{before}, {label}" if before else label
+        if before:
+            boxes[end].labels[into] = f"{before}, {label}"
+        else:
+            boxes[end].labels[into] = label
     return start, out, end, into, service
 
 

@@ -20,8 +20,8 @@ def line(pace):
 
 
 async def attend(pace, write):
-    """Take keys from the terminal, and have write(text) show the line on it, until cancelled: space pauses, . plays one
-    entry, < and > jump. Nothing where there is no terminal, or it is another program's just now.
+    """Take keys from the terminal, and have write(text) show the line on it, until cancelled: space pauses, .
+    plays one entry, < and > jump. Nothing where there is no terminal, or it is another program's just now.
     """
     try:
         import termios  # not every system has it, nor Debian's python3-minimal

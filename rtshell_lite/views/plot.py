@@ -1,4 +1,6 @@
-"""Numbers over time: what is drawn, where its values come from, and what the axes say. plot_text.py and plot_svg.py draw."""
+"""Numbers over time: what is drawn, where its values come from, and what the axes say. plot_text.py and
+plot_svg.py draw.
+"""
 
 import math
 import re
@@ -19,7 +21,9 @@ _TICKS = (1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 10800,
 
 
 class Field:
-    """A part of values that is plotted: `data`, `data.position.x`, `joints[0:3]`; '' is all numbers but the timestamp."""
+    """A part of values that is plotted: `data`, `data.position.x`, `joints[0:3]`; '' is all numbers but the
+    timestamp.
+    """
 
     def __init__(self, path):
         """Raises BadPath."""
@@ -34,7 +38,9 @@ class Field:
             at = step.end()
 
     def numbers(self, value):
-        """[(name, number, name of the enumerator or None)] in a value, which may be one of JSON. Raises NoSuch."""
+        """[(name, number, name of the enumerator or None)] in a value, which may be one of JSON. Raises
+        NoSuch.
+        """
         found = []
         self._take(value, "", 0, found)
         return found[:MOST]
@@ -102,8 +108,8 @@ def _leaves(value, name, found, is_all):
 class Series:
     """Values over time: `points`, each (ns since the epoch, number, whether a gap is before it).
 
-    `least`, `greatest`, `last` are of all values, also of those that were thinned out. `names` are those of an
-    enum's numbers; a series with `is_step` keeps its value until the next one.
+    `least`, `greatest`, `last` are of all values, also of those that were thinned out. `names` are those of
+    an enum's numbers; a series with `is_step` keeps its value until the next one.
     """
 
     def __init__(self, name, between=None):
@@ -254,8 +260,8 @@ class Panel:
 
 
 class Picture:
-    """What is drawn: `panels` below one another, over the same time, `first` to `last` (ns since the epoch); `marks`:
-    (moment, words) of what happened.
+    """What is drawn: `panels` below one another, over the same time, `first` to `last` (ns since the epoch);
+    `marks`: (moment, words) of what happened.
     """
 
     def __init__(self, panels):

@@ -25,7 +25,9 @@ class Source:
     """One channel or port, and the plot.Panel of what is shown of it."""
 
     def __init__(self, name, field, shown, between=None, width=10**9):
-        """`field`: a plot.Field; `between`: (first, last) ns where they are known; `width`: ns of a span for the rate."""
+        """`field`: a plot.Field; `between`: (first, last) ns where they are known; `width`: ns of a span for
+        the rate.
+        """
         self.field = field
         self._between = between
         if shown == "rate":
@@ -69,8 +71,8 @@ class Source:
 
 
 def of_counts(measured):
-    """The plot.Picture of how many values came a second, with equal axes; `measured`: (name, statistics.Counts, when
-    counting began and ended in ns since 1970) of each source.
+    """The plot.Picture of how many values came a second, with equal axes; `measured`: (name,
+    statistics.Counts, when counting began and ended in ns since 1970) of each source.
     """
     picture = plot.Picture([_counted(*each) for each in measured])
     most = max([panel.named("rate").greatest or 0 for panel in picture.panels] or [0])
@@ -97,8 +99,8 @@ def _counted(name, counts, first, last):
 
 
 def channel(log, word):
-    """(number of a channel of a log, plot.Field) for CHANNEL[.FIELD]; a channel may be called as records.is_called says.
-    Raises NoSuch, Ambiguous, BadPath.
+    """(number of a channel of a log, plot.Field) for CHANNEL[.FIELD]; a channel may be called as
+    records.is_called says. Raises NoSuch, Ambiguous, BadPath.
     """
     known = [each.name for each in log.channels]
     for cut in _cuts(word):
@@ -128,8 +130,8 @@ def _cuts(word):
 
 
 def of_log(channels, words, shown, entries):
-    """The plot.Picture of some of the `entries` of a log (decode.Channels): of the `words` CHANNEL[.FIELD], or all.
-    Raises errors.Error.
+    """The plot.Picture of some of the `entries` of a log (decode.Channels): of the `words` CHANNEL[.FIELD],
+    or all. Raises errors.Error.
     """
     log = channels.log
     between = (log.first or 0, log.last or 0)

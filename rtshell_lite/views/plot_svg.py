@@ -1,4 +1,6 @@
-"""A plot.Picture as SVG: readable on white and on black, in colours and without (lines differ in their dashes, too)."""
+"""A plot.Picture as SVG: readable on white and on black, in colours and without (lines differ in their
+dashes, too).
+"""
 
 import math
 
@@ -45,7 +47,10 @@ def lines(picture):
     heights = [TOP + LINE * _legend_rows(panel) + HEIGHT for panel in picture.panels]
     marks = _kept_apart(picture)
     height = sum(heights) + FOOT + LINE * (marks != [])
-    yield f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" height="{height}">'
+    yield (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" '
+        f'width="{WIDTH}" height="{height}">'
+    )
     yield _STYLE % (_colours(0), _colours(1))
     y = 0
     for panel, size in zip(picture.panels, heights):
@@ -194,11 +199,15 @@ def _thinned(picture, series):
 
 
 def _kept_apart(picture):
-    """The marks whose words have room beside each other: (left end of the words, words); a line is drawn for all."""
+    """The marks whose words have room beside each other: (left end of the words, words); a line is drawn for
+    all.
+    """
     found = []
     free = 0.0
     for moment, words in sorted(picture.marks):
-        if picture.first is None or not picture.first <= moment <= picture.last:
+        if picture.first is None:
+            continue
+        if not picture.first <= moment <= picture.last:
             continue
         size = WORD * cells(words)
         x = min(_x(picture, moment), WIDTH - size)

@@ -109,7 +109,10 @@ def _labels(panel, rows):
     found = {}
     if series and all(each.names for each in series):
         known = sorted((value, name) for each in series for value, name in each.names.items())
-        marks = [(value, printable(name)) for value, name in known if low <= value <= high]
+        marks = []
+        for value, name in known:
+            if low <= value <= high:
+                marks.append((value, printable(name)))
     else:
         marks = plot.ticks(low, high, max(2, rows // 3))
     for value, words in marks:
@@ -182,9 +185,12 @@ def _time_axis(picture, width, margin):
     for moment, words in marks:
         place = margin + 1 + round((moment - picture.first) / (picture.last - picture.first) * right)
         axis[place] = "+"
-        start = max(0, place - len(words) // 2)
-        if start >= len(words_below) + (1 if words_below else 0) and start + len(words) <= width:
-            words_below = padded(words_below, start) + words
+        begin = max(0, place - len(words) // 2)
+        room = len(words_below)
+        if words_below:
+            room += 1
+        if begin >= room and begin + len(words) <= width:
+            words_below = padded(words_below, begin) + words
     for moment, _ in picture.marks:
         place = margin + 1 + round((moment - picture.first) / (picture.last - picture.first) * right)
         if margin < place < len(axis):
