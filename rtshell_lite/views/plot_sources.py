@@ -170,11 +170,12 @@ def _value(channels, entry):
 
 
 def _all(log):
-    """All channels but those of events, at most PANELS."""
+    """All channels with values but those of events, at most PANELS."""
+    counts = log.counts
     found = [
         number
         for number, each in enumerate(log.channels)
-        if each.encoding == "cdr" or each.type_id != schemas.EVENT
+        if counts.get(each.name) and (each.encoding == "cdr" or each.type_id != schemas.EVENT)
     ]
     return [(number, plot.Field("")) for number in found[:PANELS]]
 
