@@ -98,6 +98,7 @@ Where nothing can be looked at, the file says so:
 Files that are no report, wrong usage:
 
   $ rtstodot --html b.html a.html; rtdoctor --from b.html; rtcheck b.html
+  rtstodot: nothing to draw: the file has no components
   rtdoctor: b.html: a page without a profile; rtdoctor --report writes one with a profile
   rtcheck: b.html: a page without a profile; rtdoctor --report writes one with a profile
   [1]
