@@ -1,4 +1,6 @@
-"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page, and what a checkout only needs."""
+"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page, and what a
+checkout only needs.
+"""
 import glob
 import os
 import sys
@@ -24,12 +26,15 @@ for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
 
 
 class Modules(build_py):
-    """Leaves out of the wheel what writes generated files, and makes commands modules, whose bytecode Python keeps."""
+    """Leaves out of the wheel what writes generated files, and makes commands modules, whose bytecode Python
+    keeps.
+    """
 
     def run(self):
         super().run()
         for path in COMMANDS:
-            self.copy_file(path, os.path.join(self.build_lib, "rtshell_lite", "commands", os.path.basename(path) + ".py"),
+            target = os.path.join(self.build_lib, "rtshell_lite", "commands", os.path.basename(path) + ".py")
+            self.copy_file(path, target,
                            preserve_mode=False)
 
     def build_module(self, module, module_file, package):
@@ -53,7 +58,9 @@ class Starters(build_scripts):
 
 
 class SameEverywhere(bdist_wheel):
-    """Makes the same octets of the same files, whatever modes they have in the checkout; the times are SOURCE_DATE_EPOCH."""
+    """Makes the same octets of the same files, whatever modes they have in the checkout; the times are
+    SOURCE_DATE_EPOCH.
+    """
 
     def egg2dist(self, *args):
         super().egg2dist(*args)

@@ -1,4 +1,5 @@
-"""A launch script, as you may write it: create what is missing, connect, activate, watch, and stop in the end.
+"""A launch script, as you may write it: create what is missing, connect, activate, watch, and stop in the
+end.
 
 `PYTHONPATH=. python3 docs/example_launch.py` runs it in a checkout, on mock components.
 """
@@ -11,7 +12,9 @@ from rtshell_lite import api
 
 
 def launch(home: str, manager: str) -> List[str]:
-    """Start a motor and what sees it; returns the paths of the components, the last one to be started first."""
+    """Start a motor and what sees it; returns the paths of the components, the last one to be
+    started first.
+    """
     made = api.manager(manager).create("Motor", instance_name="arm")
     source = api.component(home + "ConsoleIn0.rtc", wait=30)
     sink = api.component(home + "ConsoleOut0.rtc", wait=30)

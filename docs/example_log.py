@@ -1,7 +1,7 @@
 """An analyser of logs, as you may write it: how often each port has sent, and between which values.
 
-`python3 docs/example_log.py FILE.mcap` reads a log of rtlog; without a file it records one on mock components first, which
-`PYTHONPATH=. python3 docs/example_log.py` does in a checkout.
+`python3 docs/example_log.py FILE.mcap` reads a log of rtlog; without a file it records one on mock components
+first, which `PYTHONPATH=. python3 docs/example_log.py` does in a checkout.
 """
 import os
 import subprocess
@@ -27,7 +27,8 @@ def record(name: str) -> None:
     from mock_components import world
 
     with world("two") as robot:
-        command = [sys.executable, "-m", "rtshell_lite", "rtlog", "-f", name, "-i", "-e", "3", robot.path("ConsoleIn0.rtc:out")]
+        command = [sys.executable, "-m", "rtshell_lite", "rtlog", "-f", name, "-i", "-e", "3"]
+        command.append(robot.path("ConsoleIn0.rtc:out"))
         recording = subprocess.Popen(command)
         while not api.connections(robot.path("ConsoleIn0.rtc:out")):
             pass

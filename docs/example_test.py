@@ -1,7 +1,8 @@
-"""A test of a robot program, as you may write it: `PYTHONPATH=. python3 docs/example_test.py` runs it in a checkout.
+"""A test of a robot program, as you may write it: `PYTHONPATH=. python3 docs/example_test.py` runs it in a
+checkout.
 
-The program is `supervise`: it starts what is connected to a sensor, and resets what is in Error. The test runs it on mock
-components, real CORBA objects in a process of their own, beside a name server of their own.
+The program is `supervise`: it starts what is connected to a sensor, and resets what is in Error. The test
+runs it on mock components, real CORBA objects in a process of their own, beside a name server of their own.
 """
 import unittest
 from typing import List
@@ -31,7 +32,9 @@ class Supervise(unittest.TestCase):
 
     def test_a_value_goes_through(self) -> None:
         with world("two") as robot:
-            with api.connected(robot.path("ConsoleIn0.rtc:out"), robot.path("ConsoleOut0.rtc:in"), subscription_type="flush"):
+            out = robot.path("ConsoleIn0.rtc:out")
+            into = robot.path("ConsoleOut0.rtc:in")
+            with api.connected(out, into, subscription_type="flush"):
                 api.component(robot.path("ConsoleOut0.rtc")).activate(wait=5)
                 robot.ctl("write", "ConsoleIn0:out", 42)
                 self.assertIn("42", robot.ctl("received", "ConsoleOut0:in", 1))

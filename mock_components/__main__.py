@@ -1,4 +1,6 @@
-"""`python3 -m mock_components WORLD [ARGUMENT …]`: start a world; `… ctl PATH COMMAND …`: talk to a running one."""
+"""`python3 -m mock_components WORLD [ARGUMENT …]`: start a world; `… ctl PATH COMMAND …`: talk to a running
+one.
+"""
 import argparse
 import os
 import signal
@@ -15,16 +17,23 @@ def arguments():
     parser.add_argument("world", nargs="?", help="see --list")
     parser.add_argument("arguments", nargs="*", help="of the world")
     parser.add_argument("--list", action="store_true", help="list the worlds")
-    parser.add_argument("--nameserver", metavar="HOST:PORT", help="default: first of RTCTREE_NAMESERVERS, else localhost")
-    parser.add_argument("--context", metavar="FORMAT", default="test.host_cxt/%n.rtc",
-                        help="names to bind, like naming.formats of OpenRTM (default: %(default)s)".replace("%n", "%%n"))
+    parser.add_argument("--nameserver", metavar="HOST:PORT", help="default: first of "
+                                                                  "RTCTREE_NAMESERVERS, else localhost")
+    parser.add_argument(
+        "--context",
+        metavar="FORMAT",
+        default="test.host_cxt/%n.rtc",
+        help="names to bind, like naming.formats of OpenRTM (default: %(default)s)".replace("%n", "%%n"),
+    )
     parser.add_argument("--port", type=int, default=0, help="IIOP port (default: any)")
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: %(default)s)")
-    parser.add_argument("--publish", metavar="HOST", help="address that references tell (with --port; default: that of --host)")
+    parser.add_argument("--publish", metavar="HOST", help="address that references tell (with --port; "
+                                                          "default: that of --host)")
     parser.add_argument("--control", metavar="PATH", default=os.environ.get("MOCK_CONTROL"),
                         help="Unix socket for ctl (default: MOCK_CONTROL)")
     parser.add_argument("--flavour", default="py2", help="cpp11, cpp12, cpp2, py2 (default), java, rtorb")
-    parser.add_argument("--rate", type=float, default=1000.0, help="of execution contexts, in Hz (default: 1000)")
+    parser.add_argument("--rate", type=float, default=1000.0, help="of execution contexts, in Hz "
+                                                                   "(default: 1000)")
     parser.add_argument("--async", dest="sync", action="store_false", help="transitions answer at once")
     return parser
 
@@ -37,11 +46,18 @@ def listed():
             tree = ast.parse(source.read())
         docs = {node.name: ast.get_docstring(node) for node in tree.body if isinstance(node, ast.FunctionDef)}
         for node in tree.body:
-            if isinstance(node, ast.Assign) and node.targets[0].id == "WORLDS":  # {world.__name__: world for world in (…)}
+            # {world.__name__: world for world in (…)}
+            if isinstance(node, ast.Assign) and node.targets[0].id == "WORLDS":
                 yield from ((name.id, docs[name.id]) for name in node.value.generators[0].iter.elts)
-            elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) and isinstance(node.value.args[0], ast.Dict):
+            elif (
+                isinstance(node, ast.Expr)
+                and isinstance(node.value, ast.Call)
+                and isinstance(node.value.args[0], ast.Dict)
+            ):
                 named = node.value.args[0]
-                yield from ((ast.literal_eval(name), docs[world.id]) for name, world in zip(named.keys, named.values))
+                yield from (
+                    (ast.literal_eval(name), docs[world.id]) for name, world in zip(named.keys, named.values)
+                )
 
 
 class Options:

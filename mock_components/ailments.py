@@ -8,8 +8,10 @@ from .stage import PUSH
 
 
 def crossed(stage):
-    """connections gone wrong: In0 > Out0 one-sided, In1 > Out1 told differently, Sensor0 > Out2 types, In3 a tool's;
-    Want0 > Want1 and Have0 > Have1 want, have the same service; Want2 > Have0 fit, Want3 > Have1 are mapped wrongly"""
+    """connections gone wrong: In0 > Out0 one-sided, In1 > Out1 told differently, Sensor0 > Out2 types, In3 a
+    tool's; Want0 > Want1 and Have0 > Have1 want, have the same service; Want2 > Have0 fit, Want3 > Have1 are
+    mapped wrongly
+    """
     for number in range(3):
         stage.add("ConsoleOut", "Out%d" % number)
     for number in (0, 1, 3):
@@ -20,7 +22,8 @@ def crossed(stage):
     for name in ("Have0", "Have1"):
         stage.add("MyServiceProvider", name)
     stage.connect("In0:out", "Out0:in")
-    stage.port("Out0:in").notify_disconnect(only_id(stage.port("In0:out")))  # of the last port: the others do not hear of it
+    # of the last port: the others do not hear of it
+    stage.port("Out0:in").notify_disconnect(only_id(stage.port("In0:out")))
     stage.connect("In1:out", "Out1:in")
     there = stage.port("Out1:in")
     there.profiles = {only_id(there): retold(only(there), "dataport.subscription_type", "new")}
@@ -63,7 +66,9 @@ def retold(profile, key, value):
 
 
 def astray(stage):
-    """Right0, bound again as Wrong0; names bound to a stranger, to nothing and to what has ended; empty and dead contexts"""
+    """Right0, bound again as Wrong0; names bound to a stranger, to nothing and to what has ended; empty and
+    dead contexts
+    """
     home = stage.home()
     right = stage.add("Mock", "Right0")
     for number in range(5):
@@ -79,8 +84,10 @@ def astray(stage):
 
 
 def aliased(stage, *others):
-    """[HOST:PORT …]: real.cxt with Inner0, bound again as again.cxt and inside itself as loop.cxt; top.cxt is the root of its
-    name server, far0.cxt, … those of others, bound by federation: their references have no type id"""
+    """[HOST:PORT …]: real.cxt with Inner0, bound again as again.cxt and inside itself as loop.cxt; top.cxt is
+    the root of its name server, far0.cxt, … those of others, bound by federation: their references have no
+    type id
+    """
     home = stage.home()
     real = stage.names.contexts(home + [("real", "cxt")])
     stage.add("Mock", "Inner0", names=[home + [("real", "cxt"), ("Inner0", "rtc")]])
@@ -92,7 +99,9 @@ def aliased(stage, *others):
 
 
 def idle(stage):
-    """Stopped0 with a stopped context, Still0 with a rate of 0, Bare0 without a context: nothing executes them"""
+    """Stopped0 with a stopped context, Still0 with a rate of 0, Bare0 without a context: nothing executes
+    them
+    """
     stage.add("Mock", "Stopped0", running=False)
     stage.add("Mock", "Still0", rate=0.0, flavour=stage.flavour.but(any_rate=True))
     stage.add("Mock", "Bare0", contexts=0)

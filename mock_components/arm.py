@@ -38,7 +38,9 @@ class Status(omniORB.StructBase):
 
 def make(tm, number):
     """The value for a number."""
-    return Status(tm, MODES[int(number) % 2], [Joint("shoulder", float(number)), Joint("elbow", number / 2.0)])
+    return Status(
+        tm, MODES[int(number) % 2], [Joint("shoulder", float(number)), Joint("elbow", number / 2.0)]
+    )
 
 
 _JOINT = (tcInternal.tv_struct, Joint, Joint._NP_RepositoryId, "Joint",

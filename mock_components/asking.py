@@ -1,4 +1,5 @@
-"""Asking a running mock, over the control channel. (Without CORBA, which would take longer than the answer.)"""
+"""Asking a running mock, over the control channel. (Without CORBA, which would take longer than the answer.)
+"""
 import socket
 import sys
 
@@ -37,7 +38,7 @@ slave N COMMAND …          ask the Nth further process of a world, such as a s
 pid                        process id
 stop                       SIGSTOP itself
 die                        end at once, names left bound
-exit                       end in good order, names unbound"""
+exit                       end in good order, names unbound"""  # noqa: E501
 
 
 def request(path, words):

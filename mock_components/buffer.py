@@ -1,4 +1,6 @@
-"""The ring buffer of a port: values wait in it until they are read. Its length and policies come with connectors."""
+"""The ring buffer of a port: values wait in it until they are read. Its length and policies come with
+connectors.
+"""
 import collections
 import threading
 
@@ -11,8 +13,9 @@ POLICIES = ("overwrite", "do_nothing", "block")
 class RingBuffer:
     """An InPort has one for all its connections, for as long as it lives.
 
-    What a connector asks for stays after it: the next one finds the same length and policies, and the values that nobody has
-    read. A connector that asks for a length, even for the same one, empties the buffer (RingBuffer::length of C++ and Python).
+    What a connector asks for stays after it: the next one finds the same length and policies, and the values
+    that nobody has read. A connector that asks for a length, even for the same one, empties the buffer
+    (RingBuffer::length of C++ and Python).
     """
 
     def __init__(self):
@@ -23,7 +26,9 @@ class RingBuffer:
     def configure(self, properties, side):
         """Apply a connector's properties; those of this side override those of both."""
         def asked(name):
-            return get(properties, f"dataport.{side}.buffer.{name}") or get(properties, "dataport.buffer." + name)
+            return get(properties, f"dataport.{side}.buffer.{name}") or get(
+                properties, "dataport.buffer." + name
+            )
 
         with self.changed:
             if asked("length").isdigit() and int(asked("length")) > 0:

@@ -45,7 +45,10 @@ class Link(Component):
         return any(port.port_type == "DataInPort" for port in self.ports)
 
     def is_due(self):
-        return self.fault != "delayed" or time.time() - self.waiting[0].tm.sec - self.waiting[0].tm.nsec / 1e9 > LATE
+        return (
+            self.fault != "delayed"
+            or time.time() - self.waiting[0].tm.sec - self.waiting[0].tm.nsec / 1e9 > LATE
+        )
 
     def pass_on(self, value):
         self.number += 1
@@ -59,10 +62,20 @@ class Link(Component):
             self.port("out").write(value)
 
 
-FIRST = Spec("Link", "Begins a chain", [("out", "out", "TimedLong")], play=Link, category="test", max_instance=1000)
-MIDDLE = Spec("Link", "Passes values on", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], play=Link, category="test",
-              max_instance=1000)
-LAST = Spec("Link", "Ends a chain", [("in", "in", "TimedLong")], play=Link, category="test", max_instance=1000)
+FIRST = Spec(
+    "Link", "Begins a chain", [("out", "out", "TimedLong")], play=Link, category="test", max_instance=1000
+)
+MIDDLE = Spec(
+    "Link",
+    "Passes values on",
+    [("in", "in", "TimedLong"), ("out", "out", "TimedLong")],
+    play=Link,
+    category="test",
+    max_instance=1000,
+)
+LAST = Spec(
+    "Link", "Ends a chain", [("in", "in", "TimedLong")], play=Link, category="test", max_instance=1000
+)
 
 
 def add(stage, count, faults):
@@ -71,12 +84,17 @@ def add(stage, count, faults):
     for number in range(count):
         spec = FIRST if number == 0 else LAST if number == count - 1 else MIDDLE
         fault = known.get(str(number), "")
-        link = stage.add(spec, f"Link{number}", rate=5.0 if fault == "slow" else RATE, running=fault != "halted")
+        link = stage.add(
+            spec, f"Link{number}", rate=5.0 if fault == "slow" else RATE, running=fault != "halted"
+        )
         link.fault = fault
     for number in range(1, count):
         if known.get(str(number)) != "cut":
-            stage.connect(f"Link{number - 1}:out", f"Link{number}:in",
-                          *[("dataport.buffer.write.full_policy", "do_nothing")] * (known.get(str(number)) == "slow"))
+            stage.connect(
+                f"Link{number - 1}:out",
+                f"Link{number}:in",
+                *[("dataport.buffer.write.full_policy", "do_nothing")] * (known.get(str(number)) == "slow"),
+            )
     for number in range(count):
         if known.get(str(number)) not in ("inactive", "halted"):
             link = stage.components[f"Link{number}"]

@@ -1,4 +1,6 @@
-"""More processes of one world: each is started like the first, has a control socket of its own, and ends with it."""
+"""More processes of one world: each is started like the first, has a control socket of its own, and ends with
+it.
+"""
 import os
 import sys
 
@@ -13,8 +15,19 @@ GRACE = 3               # seconds that a process gets for ending in good order
 def command(stage, words):
     """The command line of a mock like this one, without a control socket."""
     options = stage.options
-    line = [sys.executable, "-m", "mock_components", "--nameserver", stage.names.address, "--context", options.context,
-            "--flavour", stage.flavour.name, "--rate", f"{options.rate:g}"]
+    line = [
+        sys.executable,
+        "-m",
+        "mock_components",
+        "--nameserver",
+        stage.names.address,
+        "--context",
+        options.context,
+        "--flavour",
+        stage.flavour.name,
+        "--rate",
+        f"{options.rate:g}",
+    ]
     return line + ([] if options.sync else ["--async"]) + list(words)
 
 

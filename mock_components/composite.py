@@ -1,4 +1,5 @@
-"""Composite components: one execution context and one face for several components, through an Organization."""
+"""Composite components: one execution context and one face for several components, through an Organization.
+"""
 import time
 import uuid
 
@@ -150,7 +151,8 @@ class Composite(Component):
 
     def __init__(self, *arguments):
         self.exported = []              # references
-        self.awake = False              # whether it has been active: the thread of its context runs ever after
+        # whether it has been active: the thread of its context runs ever after
+        self.awake = False
         self.doomed = False             # whether that thread will end its process
         super().__init__(*arguments)
         self.organization = Organization(self)
@@ -173,10 +175,12 @@ class Composite(Component):
     # ports
 
     def export(self, hidden=None):
-        """Show the ports that `exported_ports` names, but for those of the member `hidden`; a name without its component gets
-        one.
+        """Show the ports that `exported_ports` names, but for those of the member `hidden`; a name without
+        its component gets one.
         """
-        ports = [pair for member in self.organization.members if member is not hidden for pair in member.ports]
+        ports = [
+            pair for member in self.organization.members if member is not hidden for pair in member.ports
+        ]
         full = {name.partition(".")[2]: name for name, _ in ports}
         parameters = self._parameters()
         wanted = words(parameters["exported_ports"])
@@ -212,8 +216,8 @@ class Composite(Component):
     # life cycle
 
     def stumble(self):
-        """A member that is to leave has died: the thread of the context meets an exception that nobody catches, at once where
-        it runs, else when the composite is activated.
+        """A member that is to leave has died: the thread of the context meets an exception that nobody
+        catches, at once where it runs, else when the composite is activated.
         """
         self.doomed = self.flavour.dead_member == "process"
         if self.doomed and self.awake:
@@ -236,9 +240,13 @@ class Composite(Component):
         return self._move(RTC.ERROR_STATE, RTC.INACTIVE_STATE)
 
     def _move(self, before, after):
-        """Called by the thread of the context, which is to move the members, too: waiting for them is in vain."""
+        """Called by the thread of the context, which is to move the members, too: waiting for them is in
+        vain.
+        """
         context = self.owned[0]
-        members = [member for member in context.members if member.state == before and member.component is not self]
+        members = [
+            member for member in context.members if member.state == before and member.component is not self
+        ]
         for member in members:
             member.wanted = after
         if self.flavour.composite == "late":

@@ -75,7 +75,9 @@ class Configuration(stubs.skeleton("SDOPackage.Configuration")):
     def get_active_configuration_set(self):
         if self.active is None:
             cpp = self.flavour.scope == "::"
-            raise error("NotAvailable", "" if cpp else "NotAvailable: " + self._where("get_active_configuration_set"))
+            raise error(
+                "NotAvailable", "" if cpp else "NotAvailable: " + self._where("get_active_configuration_set")
+            )
         return self._as_set(self.active)
 
     def get_configuration_parameters(self):
@@ -177,5 +179,7 @@ class Configuration(stubs.skeleton("SDOPackage.Configuration")):
 
     def remove_organization(self, organization_id):
         before = len(self.organizations)
-        self.organizations = [one for one in self.organizations if one.get_organization_id() != organization_id]
+        self.organizations = [
+            one for one in self.organizations if one.get_organization_id() != organization_id
+        ]
         return len(self.organizations) < before

@@ -1,4 +1,6 @@
-"""Execution contexts: the life cycle of their components, driven by a thread that sleeps when there is no work."""
+"""Execution contexts: the life cycle of their components, driven by a thread that sleeps when there is no
+work.
+"""
 import threading
 import time
 
@@ -9,7 +11,9 @@ from .idl import RTC
 from .properties import nvlist
 
 QUICKEST = 0.02         # seconds: no component runs more often, whatever rate its context claims
-FASTEST = 800.0         # Hz that a context keeps at most, whatever it claims: a real one claimed 1,000 on a busy computer, and kept 470
+# Hz that a context keeps at most, whatever it claims: a real one claimed 1,000 on a busy computer, and kept
+# 470
+FASTEST = 800.0
 TRANSITION_TIMEOUT = 0.5
 
 
@@ -42,7 +46,8 @@ class Behaviour:
         self.thread = None
         self.born = time.monotonic()
         self.dead = False
-        self.asleep = False             # 2.x, no component Active: what is asked while it is stopped does not wake it
+        # 2.x, no component Active: what is asked while it is stopped does not wake it
+        self.asleep = False
         self.more = []                  # further properties
 
     # what others see
@@ -64,7 +69,9 @@ class Behaviour:
         if self.flavour.context_name:
             pairs.append(("name", ""))
         pairs += self.more
-        return RTC.ExecutionContextProfile(self.get_kind(), self.rate, self.owner, list(self.participants), nvlist(pairs))
+        return RTC.ExecutionContextProfile(
+            self.get_kind(), self.rate, self.owner, list(self.participants), nvlist(pairs)
+        )
 
     def get_component_state(self, comp):
         member = self._find(comp)
@@ -113,7 +120,8 @@ class Behaviour:
         member = self._find(comp)
         if not member:
             return RTC.BAD_PARAMETER
-        if self.flavour.modern:         # its profile no longer lists it, though it is executed until the next cycle
+        # its profile no longer lists it, though it is executed until the next cycle
+        if self.flavour.modern:
             self._unlist(member)
         self.process.thread(self._remove, member)
         return RTC.RTC_OK
@@ -181,7 +189,11 @@ class Behaviour:
             self._wake()
             return RTC.RTC_OK
         member.wanted = wanted
-        self.asleep = self.flavour.modern and not self._may_change() and not any(m.state == RTC.ACTIVE_STATE for m in self.members)
+        self.asleep = (
+            self.flavour.modern
+            and not self._may_change()
+            and not any(m.state == RTC.ACTIVE_STATE for m in self.members)
+        )
         self._wake()
         if self.flavour.transition == "queue":
             return self.poll(member) if state == RTC.ACTIVE_STATE else RTC.RTC_OK
@@ -231,7 +243,9 @@ class Behaviour:
         self._wake()
 
     def _stumble(self):
-        """A component that should be notified that it has left is dead: if the thread has ever run, C++ ends its process."""
+        """A component that should be notified that it has left is dead: if the thread has ever run, C++ ends
+        its process.
+        """
         if self.flavour.dead_member == "process" and self.thread is not None:
             self.process.die()
 
@@ -267,8 +281,10 @@ class Behaviour:
             self.changed.wait_for(lambda: self.dead, period - (time.monotonic() - self.born) % period)
 
     def _transit(self, member, wanted):
-        name = {RTC.ACTIVE_STATE: "on_activated",
-                RTC.INACTIVE_STATE: "on_deactivated" if member.state == RTC.ACTIVE_STATE else "on_reset"}[wanted]
+        name = {
+            RTC.ACTIVE_STATE: "on_activated",
+            RTC.INACTIVE_STATE: "on_deactivated" if member.state == RTC.ACTIVE_STATE else "on_reset",
+        }[wanted]
         done = self._tell(member, name)
         if done == RTC.RTC_OK:
             self._enter(member, wanted)

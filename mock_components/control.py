@@ -1,4 +1,6 @@
-"""The control channel: a Unix socket on which tests query a running mock, and make it misbehave; see asking.py."""
+"""The control channel: a Unix socket on which tests query a running mock, and make it misbehave; see
+asking.py.
+"""
 import os
 import signal
 import socket
@@ -70,11 +72,14 @@ class Commands:
     def forget(self, port):
         port = self.stage.port(port)
         for profile in list(port.profiles.values()):
-            port.notify_disconnect(profile.connector_id)  # of the last port of a connection: the others do not hear of it
+            # of the last port of a connection: the others do not hear of it
+            port.notify_disconnect(profile.connector_id)
 
     def state(self, component, handle=0):
         component = self.stage.components[component]
-        return [str(component.get_context(int(handle)).get_component_state(component.reference))[:-len("_STATE")]]
+        return [
+            str(component.get_context(int(handle)).get_component_state(component.reference))[: -len("_STATE")]
+        ]
 
     def error(self, component, participant=0):
         context = self.stage.components[component].owned[0]

@@ -8,7 +8,12 @@ from omniORB import CORBA
 
 FOR_EVER = 3600
 # the minor codes with which omniORB itself raises these
-MINORS = {"TRANSIENT": 0x41540002, "COMM_FAILURE": 0x41540007, "TIMEOUT": 0x41540008, "OBJECT_NOT_EXIST": 0x4f4d0001}
+MINORS = {
+    "TRANSIENT": 0x41540002,
+    "COMM_FAILURE": 0x41540007,
+    "TIMEOUT": 0x41540008,
+    "OBJECT_NOT_EXIST": 0x4F4D0001,
+}
 
 
 class Ledger:
@@ -29,7 +34,9 @@ class Ledger:
         self.local.depth = 1
 
     def begin(self, owner, operation):
-        """A call has arrived: count it. Returns a function that lets it hang or fail if that was asked for, else None."""
+        """A call has arrived: count it. Returns a function that lets it hang or fail if that was asked for,
+        else None.
+        """
         depth = getattr(self.local, "depth", 0)
         self.local.depth = depth + 1
         if depth:
@@ -119,7 +126,8 @@ class Ledger:
 
 
 def stand_in(servant, ledger, owner):
-    """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger."""
+    """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger.
+    """
     def passed_on(operation):
         def call(self, *args):
             suffer = ledger.begin(owner, operation)
@@ -136,7 +144,8 @@ def stand_in(servant, ledger, owner):
 def suffering(servant, suffer):
     """A servant that passes calls on after `suffer`.
 
-    A locator that waited would keep omniORB from reading the next call on the connection; a servant that waits does not.
+    A locator that waited would keep omniORB from reading the next call on the connection; a servant that
+    waits does not.
     """
     def passed_on(operation):
         def call(self, *args):

@@ -20,7 +20,8 @@ class Wanted:
         self.implementation_id = self.fields[3 if len(self.fields) > 3 else 0]
 
     def matches(self, factory):
-        """Whether a factory, given as a dict of its properties, is the one meant: fields may be left empty."""
+        """Whether a factory, given as a dict of its properties, is the one meant: fields may be left empty.
+        """
         if len(self.fields) == 1:
             return True
         keys = ["vendor", "category", "implementation_id", "language", "version"]

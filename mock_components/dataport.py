@@ -32,7 +32,10 @@ class DataPort(Port):
         pairs += self.modes()
         if flavour.marshaling:
             pairs.append(("dataport.marshaling_types", "cdr"))
-        pairs += [("dataport.dataflow_type", flavour.dataflow), ("dataport.interface_type", flavour.interfaces)]
+        pairs += [
+            ("dataport.dataflow_type", flavour.dataflow),
+            ("dataport.interface_type", flavour.interfaces),
+        ]
         if flavour.modern:
             pairs += [("dataport.interface_option." + name, "") for name in flavour.interfaces.split(",")]
             pairs.append(("data_type", self.data_type))
@@ -163,20 +166,25 @@ class OutPort(DataPort):
 
     def use(self, profile, interface, reference):
         mode = get(profile.properties, "dataport.subscription_type", "flush").lower()
-        rate = get(profile.properties, "dataport.publisher.push_rate") or get(profile.properties, "dataport.push_rate")
+        rate = get(profile.properties, "dataport.publisher.push_rate") or get(
+            profile.properties, "dataport.push_rate"
+        )
         if mode not in ("flush", "new", "periodic"):
             return RTC.RTC_ERROR
         if mode == "periodic" and not positive(rate) and (rate or self.flavour.periodic_rate):
             return RTC.RTC_ERROR
         pause = 1 / float(rate) if mode == "periodic" and rate else 0
-        self.transports[profile.connector_id] = transport.Sender(self, profile, interface, reference, mode, pause)
+        self.transports[profile.connector_id] = transport.Sender(
+            self, profile, interface, reference, mode, pause
+        )
         return RTC.RTC_OK
 
 
 class InPort(DataPort):
     """Keeps values until its component reads them, in a later cycle, and only while there is a connector.
 
-    InPort::isNew of C++ and Python is false without one: what lies in the buffer then is read at somebody else's connection.
+    InPort::isNew of C++ and Python is false without one: what lies in the buffer then is read at somebody
+    else's connection.
     """
 
     side, other_side, port_type = "inport", "outport", "DataInPort"

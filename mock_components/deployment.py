@@ -1,11 +1,14 @@
-"""Worlds with managers: a master, bound as manager.mgr, and slaves in processes of their own, bound nowhere."""
+"""Worlds with managers: a master, bound as manager.mgr, and slaves in processes of their own, bound nowhere.
+"""
 from . import children, modules
 from .flavour import Flavour
 from .manager import Manager
 
 
 def master(stage, *slaves):
-    """A manager with slaves, each given as a list of what it is to create; C++ 1.1 creates that in the master."""
+    """A manager with slaves, each given as a list of what it is to create; C++ 1.1 creates that in the
+    master.
+    """
     lead(stage)
     if stage.flavour.creates_here:
         populate(stage, [line for lines in slaves for line in lines])
@@ -34,7 +37,8 @@ def populate(stage, lines):
 
 
 def manager(stage, *lines):
-    """[TYPE[?KEY=VALUE&…] …]: a master and one slave with ConsoleIn0 and ConsoleOut0, or with what is given"""
+    """[TYPE[?KEY=VALUE&…] …]: a master and one slave with ConsoleIn0 and ConsoleOut0, or with what is given
+    """
     master(stage, lines or ["ConsoleIn", "ConsoleOut"])
 
 
@@ -56,7 +60,9 @@ def manager11(stage):
 
 
 def deadslave(stage):
-    """the two slaves again, but the second has been killed, and ConsoleOut0 with it; the master forgets it when it asks it"""
+    """the two slaves again, but the second has been killed, and ConsoleOut0 with it; the master forgets it
+    when it asks it
+    """
     managers(stage)
     stage.children[1].kill()
     stage.children[1].wait()
@@ -83,4 +89,7 @@ def slave(stage, place, name="manager", *lines):
     here.join(children.manager_at(stage.process.orb, place))
 
 
-WORLDS = {world.__name__: world for world in (manager, managers, twonames, manager11, deadslave, deadchild, halfdead, slave)}
+WORLDS = {
+    world.__name__: world
+    for world in (manager, managers, twonames, manager11, deadslave, deadchild, halfdead, slave)
+}

@@ -2,12 +2,12 @@
 
 python3 -m mock_components.faulty [--bind HOST:PORT[/CONTEXT...]] [NAME=]MODE...
 
-One port on 127.0.0.1 for each MODE; one line of JSON, {"NAME": port, ...}, says that all are ready. NAME is MODE unless
-given. The end of stdin, SIGTERM, or an hour ends it. Every port can be taken for a naming context (corbaloc:iiop:
-1.2@127.0.0.1:PORT/NameService) and for a component: object keys are not looked at.
+One port on 127.0.0.1 for each MODE; one line of JSON, {"NAME": port, ...}, says that all are ready. NAME is
+MODE unless given. The end of stdin, SIGTERM, or an hour ends it. Every port can be taken for a naming context
+(corbaloc:iiop: 1.2@127.0.0.1:PORT/NameService) and for a component: object keys are not looked at.
 
---bind enters each peer in a live name server, below CONTEXT, which is made if need be, as the component NAME.rtc; a NAME
-with another kind, such as evil.host_cxt=hostile, is entered as a naming context.
+--bind enters each peer in a live name server, below CONTEXT, which is made if need be, as the component
+NAME.rtc; a NAME with another kind, such as evil.host_cxt=hostile, is entered as a naming context.
 
 Sockets alone: no ORB can be talked into most of this.
 """
@@ -159,7 +159,9 @@ def elsewhere(peer, connection, request):
 
 
 def name_server(peer, connection, request, names, port=None, key=b"faulty"):
-    """Answer as a naming context with these names, all of which lead to one object: this very one, unless given."""
+    """Answer as a naming context with these names, all of which lead to one object: this very one, unless
+    given.
+    """
     if request.operation == "list":
         answer = reply(request, peer.listing(names))
     elif request.operation == "resolve":
@@ -173,7 +175,9 @@ def name_server(peer, connection, request, names, port=None, key=b"faulty"):
 
 
 # These never get as far as a request.
-UNREACHABLE = {"refused": "The port is closed.", "dead-host": "Drops SYNs, as a host does that is switched off."}
+UNREACHABLE = {"refused": (
+    "The port is closed."
+), "dead-host": "Drops SYNs, as a host does that is switched off."}
 RUDE = [silent, half_header, drip, reset, close, garbage, announce]
 POLITE = [sequence_bomb, string_bomb, wrong_id, crumbs, strangers, hostile, many, loop, bottomless]
 ELSEWHERE = ["elsewhere-silent", "elsewhere-refused"]
@@ -278,7 +282,9 @@ def bind(place, ports):
     omniORB.setClientCallTimeout(5000)
     orb = CORBA.ORB_init(["faulty"])
     address, _, path = place.partition("/")
-    root = orb.string_to_object(f"corbaloc:iiop:1.2@{address}/NameService")._unchecked_narrow(CosNaming.NamingContext)
+    root = orb.string_to_object(f"corbaloc:iiop:1.2@{address}/NameService")._unchecked_narrow(
+        CosNaming.NamingContext
+    )
     place = []
     for part in filter(None, path.split("/")):
         place += name_of(part)
@@ -304,7 +310,9 @@ def name_of(text):
 
 def usage():
     """The help, with what each mode does."""
-    modes = list(UNREACHABLE.items()) + [(mode_name(function), function.__doc__) for function in RUDE + POLITE]
+    modes = list(UNREACHABLE.items()) + [
+        (mode_name(function), function.__doc__) for function in RUDE + POLITE
+    ]
     modes += [(name, elsewhere.__doc__) for name in ELSEWHERE]
     modes += [(name, malice.respond.__doc__) for name in malice.CHANGES]
     lines = [f"  {name:<20}{text}" for name, text in modes]

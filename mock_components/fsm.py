@@ -12,7 +12,7 @@ STRUCTURE = """\
   <state id="opened"><transition event="close" target="closed"/></state>
   <state id="cooking"><transition event="stop" target="closed"/><transition event="open" target="opened"/></state>
 </scxml>
-"""
+"""  # noqa: E501
 EVENTS = [("open", "TimedLong"), ("close", "TimedLong"), ("start", "TimedLong"), ("stop", "TimedLong")]
 
 
@@ -22,7 +22,9 @@ class Service(stubs.skeleton("RTC.ExtendedFsmService")):
     def __init__(self, fate):
         self.fate = fate
         self.state = "closed"
-        self.structure = RTC.FsmStructure("Microwave", STRUCTURE, [RTC.FsmEventProfile(*event) for event in EVENTS], [])
+        self.structure = RTC.FsmStructure(
+            "Microwave", STRUCTURE, [RTC.FsmEventProfile(*event) for event in EVENTS], []
+        )
 
     def get_current_state(self):
         return self.state
@@ -39,7 +41,8 @@ class Service(stubs.skeleton("RTC.ExtendedFsmService")):
 
 
 class StateMachine(Component):
-    """A component with the service; in some flavours its process dies when it is asked for the service by id."""
+    """A component with the service; in some flavours its process dies when it is asked for the service by id.
+    """
 
     providers = (SERVICE,)
 

@@ -15,7 +15,8 @@ Request = collections.namedtuple("Request", "version type id expects_reply key o
 
 
 class Reader:
-    """Takes CDR values out of bytes; positions count from the start of the GIOP message, as alignment does."""
+    """Takes CDR values out of bytes; positions count from the start of the GIOP message, as alignment does.
+    """
 
     def __init__(self, data, little, position=12):
         self.data, self.order, self.position = data, "<" if little else ">", position
@@ -37,7 +38,9 @@ class Reader:
 
 
 def cdr(*values):
-    """Little endian CDR of numbers (unsigned long), bytes (string) and Raw (already marshalled, aligned to 4)."""
+    """Little endian CDR of numbers (unsigned long), bytes (string) and Raw (already marshalled, aligned to
+    4).
+    """
     data = bytearray()
     for value in values:
         data += b"\0" * (-len(data) % 4)

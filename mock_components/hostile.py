@@ -40,9 +40,20 @@ class Hostile(Component):
             ("object", omniany.to_any(self.reference))]
 
 
-SPEC = Spec(ESCAPES, MARKUP, [("out", SHELL, "TimedLong"), ("in", ESCAPES, "TimedLong"), ("in", "", "TimedLong"),
-                              ("out", "plain", "TimedLong"), ("service", MARKUP, "provided")],
-            sets=SETS, play=Hostile, category="a.b/c:" + ESCAPES)
+SPEC = Spec(
+    ESCAPES,
+    MARKUP,
+    [
+        ("out", SHELL, "TimedLong"),
+        ("in", ESCAPES, "TimedLong"),
+        ("in", "", "TimedLong"),
+        ("out", "plain", "TimedLong"),
+        ("service", MARKUP, "provided"),
+    ],
+    sets=SETS,
+    play=Hostile,
+    category="a.b/c:" + ESCAPES,
+)
 
 
 def add(stage):
@@ -54,6 +65,13 @@ def add(stage):
     component.ports[4].entries = [("provided", SHELL, MARKUP), ("required", ESCAPES, YAMLISH)]
     component.ports[4].services[SHELL] = next(iter(component.ports[4].services.values()))
     ports = [component.port("plain").reference, component.port(ESCAPES).reference]
-    pairs = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"), (SHELL, ESCAPES), ("", MARKUP)]
-    code, _ = component.port("plain").connect(RTC.ConnectorProfile(ESCAPES + SHELL, "id/" + SHELL, ports, nvlist(pairs)))
+    pairs = [
+        ("dataport.dataflow_type", "push"),
+        ("dataport.interface_type", "corba_cdr"),
+        (SHELL, ESCAPES),
+        ("", MARKUP),
+    ]
+    code, _ = component.port("plain").connect(
+        RTC.ConnectorProfile(ESCAPES + SHELL, "id/" + SHELL, ports, nvlist(pairs))
+    )
     assert code == RTC.RTC_OK, code

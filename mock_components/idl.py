@@ -8,7 +8,9 @@ stubs.register()
 
 def module(*scopes):
     """The contents of IDL modules by how the repository ids of what is in them begin."""
-    return types.SimpleNamespace(**{name: value for scope in scopes for name, value in stubs.contents(scope).items()})
+    return types.SimpleNamespace(
+        **{name: value for scope in scopes for name, value in stubs.contents(scope).items()}
+    )
 
 
 SDOPackage = module("IDL:org.omg/SDOPackage/")

@@ -1,7 +1,8 @@
-"""Modes of faulty.py in which a peer answers in time and in form, and every answer is made to harm who reads it.
+"""Modes of faulty.py in which a peer answers in time and in form, and every answer is made to harm who reads
+it.
 
-Each is a name server with one component, Evil0.rtc, and that component, too; what an operation answers is in ANSWERS, what a
-mode changes of it in CHANGES.
+Each is a name server with one component, Evil0.rtc, and that component, too; what an operation answers is in
+ANSWERS, what a mode changes of it in CHANGES.
 """
 import struct
 
@@ -49,25 +50,52 @@ def _ports(peer, count=1):
 
 
 def _connectors(peer, count=300, ends=2):
-    """A PortProfile with `count` connectors, each with other ports of this very peer, which answer with as many."""
+    """A PortProfile with `count` connectors, each with other ports of this very peer, which answer with as
+    many.
+    """
     connectors = []
     for number in range(count):
         far = [Raw(reference(peer.port, PORT, b"port%d_%d" % (number, end))) for end in range(ends)]
         connectors += [b"connector%d" % number, b"id%d" % number, ends, *far, 0]
     kinds = _strings(b"DataOutPort", b"IDL:RTC/TimedLong:1.0")
     given = list(zip((b"port.port_type", b"dataport.data_type"), kinds))
-    return Raw(cdr(b"Evil0.out", 0, Raw(reference(peer.port, PORT)), count, *connectors, Raw(reference(peer.port)),
-                   _properties(given)))
+    return Raw(
+        cdr(
+            b"Evil0.out",
+            0,
+            Raw(reference(peer.port, PORT)),
+            count,
+            *connectors,
+            Raw(reference(peer.port)),
+            _properties(given)
+        )
+    )
 
 
 def _references(peer, type_id, count=5000):
     """So many different objects of this very peer."""
-    return Raw(cdr(count, *[Raw(reference(peer.port, type_id, b"object%d" % number)) for number in range(count)]))
+    return Raw(
+        cdr(count, *[Raw(reference(peer.port, type_id, b"object%d" % number)) for number in range(count)])
+    )
 
 
 def _component(peer, port=None, more=(), texts=b"evil"):
     """A ComponentProfile."""
-    return Raw(cdr(b"Evil0", texts, texts, texts, texts, texts, 1, port or _port(peer), b"", 0, _properties(list(more))))
+    return Raw(
+        cdr(
+            b"Evil0",
+            texts,
+            texts,
+            texts,
+            texts,
+            texts,
+            1,
+            port or _port(peer),
+            b"",
+            0,
+            _properties(list(more)),
+        )
+    )
 
 
 def _names(*names):
@@ -114,9 +142,13 @@ def _nested_sequences(levels=200):
 def _endless(names, length=7):
     """Bindings that never end: names of each batch, always the same, and that there are more."""
     listed = _names(*[b"n%06d" % number + b"N" * (length - 7) for number in range(names)])
-    batch = b"\1\0\0\0" + listed[:-12]            # without the iterator of list(): a string of one octet, and no profile
-    return {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + reference(peer.port, ITERATOR)), "next_n": lambda peer: batch,
-            "destroy": lambda peer: b""}
+    # without the iterator of list(): a string of one octet, and no profile
+    batch = b"\1\0\0\0" + listed[:-12]
+    return {
+        "list": lambda peer: Raw(_names(b"Evil0")[:-12] + reference(peer.port, ITERATOR)),
+        "next_n": lambda peer: batch,
+        "destroy": lambda peer: b"",
+    }
 
 
 # What each mode answers instead; a pair is an exception of a user, and what is in it.
@@ -125,38 +157,54 @@ CHANGES = {
     "bad-profiles": {"resolve": lambda peer: _strange(peer.port, profiles=10000)},
     "bad-body": {"resolve": lambda peer: _strange(peer.port, body=b"\1\1\2\0\xff\xff\xff\x7fabc")},
     "bad-address": {"resolve": lambda peer: _strange(peer.port, body=b"")},
-    "no-address": {"resolve": lambda peer: Raw(cdr(COMPONENT.encode(), 1, 7, sequence(b"of another protocol")))},
+    "no-address": {
+        "resolve": lambda peer: Raw(cdr(COMPONENT.encode(), 1, 7, sequence(b"of another protocol")))
+    },
     "long-type": {"resolve": lambda peer: _strange(peer.port, b"IDL:" + MEGABYTES + b":1.0")},
     "bad-exception": {"resolve": lambda peer: (CANNOT_PROCEED, _strange(peer.port, NO_TEXT), 0)},
     "bad-iterator": {"list": lambda peer: Raw(_names(b"Evil0")[:-12] + _strange(peer.port, NO_TEXT))},
     "bad-ports": {"get_ports": lambda peer: Raw(cdr(1, _strange(peer.port, NO_TEXT)))},
-    "bad-owner": {"get_port_profile": lambda peer: Raw(
-        cdr(b"Evil0.out", 0, Raw(reference(peer.port, PORT)), 0, _strange(peer.port, NO_TEXT), 0))},
-    "any-in-any": {"get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_any())]),
-                   "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_any())])},
-    "deep-value": {"get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_sequences())]),
-                   "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_sequences())])},
+    "bad-owner": {
+        "get_port_profile": lambda peer: Raw(
+            cdr(b"Evil0.out", 0, Raw(reference(peer.port, PORT)), 0, _strange(peer.port, NO_TEXT), 0)
+        )
+    },
+    "any-in-any": {
+        "get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_any())]),
+        "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_any())]),
+    },
+    "deep-value": {
+        "get_port_profile": lambda peer: _port(peer, more=[(b"deep", _nested_sequences())]),
+        "get_component_profile": lambda peer: _component(peer, more=[(b"deep", _nested_sequences())]),
+    },
     "endless": _endless(1000),
     "endless-nothing": _endless(0),
     "endless-long": _endless(30, 131000),
     "many-ports": {"get_ports": lambda peer: _ports(peer, MANY)},
     "many-ends": {"get_port_profile": lambda peer: _port(peer, ends=MANY)},
     "many-contexts": {"get_owned_contexts": lambda peer: _references(peer, CONTEXT_SERVICE)},
-    "many-organizations": {operation: lambda peer: _references(peer, ORGANIZATION)
-                           for operation in ("get_owned_organizations", "get_organizations")},
-    "many-members": {"get_owned_organizations": lambda peer: _references(peer, ORGANIZATION, 1),
-                     "get_members": lambda peer: _references(peer, COMPONENT),
-                     "get_profile": lambda peer: struct.pack("<IId", 0, 0, 100) + cdr(
-                         Raw(reference(peer.port)), _references(peer, COMPONENT), 0)},
+    "many-organizations": {
+        operation: lambda peer: _references(peer, ORGANIZATION)
+        for operation in ("get_owned_organizations", "get_organizations")
+    },
+    "many-members": {
+        "get_owned_organizations": lambda peer: _references(peer, ORGANIZATION, 1),
+        "get_members": lambda peer: _references(peer, COMPONENT),
+        "get_profile": lambda peer: struct.pack("<IId", 0, 0, 100)
+        + cdr(Raw(reference(peer.port)), _references(peer, COMPONENT), 0),
+    },
     "many-connectors": {"get_port_profile": _connectors},
-    "megabytes": {"get_port_profile": lambda peer: _port(peer, name=b"Evil0." + MEGABYTES),
-                  "get_component_profile": lambda peer: _component(peer, texts=MEGABYTES),
-                  "list": lambda peer: _names(b"Evil0", MEGABYTES)},
+    "megabytes": {
+        "get_port_profile": lambda peer: _port(peer, name=b"Evil0." + MEGABYTES),
+        "get_component_profile": lambda peer: _component(peer, texts=MEGABYTES),
+        "list": lambda peer: _names(b"Evil0", MEGABYTES),
+    },
 }
 
 
 def answers(peer):
-    """What a peer of such a mode answers, by operation: made before anybody waits for it, as some take long."""
+    """What a peer of such a mode answers, by operation: made before anybody waits for it, as some take long.
+    """
     return {operation: made(peer) for operation, made in dict(ANSWERS, **CHANGES[peer.mode]).items()}
 
 

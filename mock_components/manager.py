@@ -1,4 +1,5 @@
-"""A manager: the CORBA object that creates and deletes components in its process or, as a master, in others."""
+"""A manager: the CORBA object that creates and deletes components in its process or, as a master, in others.
+"""
 import itertools
 
 import omniORB
@@ -52,10 +53,14 @@ class Manager(stubs.skeleton("RTM.Manager")):
         return modules.profiles(self.modules.loadable_profiles())
 
     def get_loaded_modules(self):
-        return modules.profiles(self.modules.loaded_profiles()) + self._modules_of_slaves("get_loaded_modules")
+        return modules.profiles(self.modules.loaded_profiles()) + self._modules_of_slaves(
+            "get_loaded_modules"
+        )
 
     def get_factory_profiles(self):
-        return modules.profiles(self.modules.factory_profiles()) + self._modules_of_slaves("get_factory_profiles")
+        return modules.profiles(self.modules.factory_profiles()) + self._modules_of_slaves(
+            "get_factory_profiles"
+        )
 
     def _modules_of_slaves(self, operation):
         return self._of_slaves(operation) if self.flavour.tells_slaves else []
@@ -83,7 +88,11 @@ class Manager(stubs.skeleton("RTM.Manager")):
             self.stage.process.die()
         name = self._instance_name(spec, wanted.arguments)
         if self.flavour.twins == "same" and name in self.stage.components:
-            return self.stage.components[name] if "instance_name" in wanted.arguments else self.stage.stray(spec, name)
+            return (
+                self.stage.components[name]
+                if "instance_name" in wanted.arguments
+                else self.stage.stray(spec, name)
+            )
         if not spec.play.initialises:
             return None
         alike = [one for one in list(self.stage.components.values()) if one.spec is spec]
@@ -92,14 +101,20 @@ class Manager(stubs.skeleton("RTM.Manager")):
         return self.stage.add(spec, name, **options(wanted.arguments))
 
     def _instance_name(self, spec, arguments):
-        """The name that is given, now or (in Python) earlier to the same factory; else the type with the first free number."""
+        """The name that is given, now or (in Python) earlier to the same factory; else the type with the
+        first free number.
+        """
         name = self.stage.misname or arguments.get("instance_name")
         if self.flavour.sticky_name:
             name = name or self.names_kept.get(spec.implementation_id)
             self.names_kept[spec.implementation_id] = name
         if name:
             return name
-        return next(name for name in map((spec.type_name + "%d").__mod__, itertools.count()) if name not in self.stage.listed)
+        return next(
+            name
+            for name in map((spec.type_name + "%d").__mod__, itertools.count())
+            if name not in self.stage.listed
+        )
 
     def _create_in_slave(self, line):
         """Create it in the first slave of that name that can; start a slave if there is none."""
@@ -114,7 +129,8 @@ class Manager(stubs.skeleton("RTM.Manager")):
             component = slave.create_component(line)
             if component is not None:
                 return component
-        if slaves and self._is_unknown_without_language(line.partition("?")[0]):  # a new process is to have it, which stays
+        # a new process is to have it, which stays
+        if slaves and self._is_unknown_without_language(line.partition("?")[0]):
             for slave in self._started(name, address):
                 return slave.create_component(line)
         return None
@@ -132,7 +148,9 @@ class Manager(stubs.skeleton("RTM.Manager")):
             return []
         before = list(self.slaves)
         name = "manager" if not name or name == "manager_%p" else name
-        children.start(self.stage, ["slave", self.stage.process.endpoint, name], (address or "").partition(":")[2])
+        children.start(
+            self.stage, ["slave", self.stage.process.endpoint, name], (address or "").partition(":")[2]
+        )
         return [slave for slave in self.slaves if not _among(slave, before)]
 
     def _create_at(self, address, line):
@@ -149,7 +167,9 @@ class Manager(stubs.skeleton("RTM.Manager")):
         return component.exit()
 
     def get_components(self):
-        return [component.reference for component in list(self.stage.listed.values())] + self._of_slaves("get_components")
+        return [component.reference for component in list(self.stage.listed.values())] + self._of_slaves(
+            "get_components"
+        )
 
     def get_component_profiles(self):
         own = [component.get_component_profile() for component in list(self.stage.listed.values())]
@@ -167,8 +187,9 @@ class Manager(stubs.skeleton("RTM.Manager")):
 
     def _configuration(self):
         stage = self.stage
-        pairs = modules.configuration(self.flavour, self.modules, self.name, stage.options.context, stage.process.endpoint,
-                                      self.master)
+        pairs = modules.configuration(
+            self.flavour, self.modules, self.name, stage.options.context, stage.process.endpoint, self.master
+        )
         known = dict(pairs)
         return ([(name, self.changed.get(name, value)) for name, value in pairs] +
                 [pair for pair in self.changed.items() if pair[0] not in known])
@@ -182,7 +203,9 @@ class Manager(stubs.skeleton("RTM.Manager")):
         return nvlist(self._configuration())
 
     def set_configuration(self, name, value):
-        """RTC_OK; new names are added, existing ones keep their values, which are read at the start, except the logger's."""
+        """RTC_OK; new names are added, existing ones keep their values, which are read at the start, except
+        the logger's.
+        """
         if name.startswith("logger.") or name not in dict(self._configuration()):
             self.changed[name] = value
         return RTC.RTC_OK

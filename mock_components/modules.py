@@ -11,7 +11,9 @@ ROOTS = {"C++": "/opt/openrtm/components/c++/examples/rtc", "Python": "/opt/open
          "Java": "/opt/openrtm/components/java", "C": "/opt/openrtm/components/c"}
 SUFFIXES = {"C++": ".so", "Python": ".py", "Java": ".class", "C": ".so"}
 # in this order Python finds its examples; C++ goes by the alphabet
-PYTHON_DIRECTORIES = {"ConsoleOut": "SimpleIO", "ConsoleIn": "SimpleIO", "Sensor": "Composite", "Controller": "Composite",
+PYTHON_DIRECTORIES = {"ConsoleOut": (
+    "SimpleIO"
+), "ConsoleIn": "SimpleIO", "Sensor": "Composite", "Controller": "Composite",
                       "Motor": "Composite", "SeqIn": "SeqIO", "SeqOut": "SeqIO"}
 PRELOADED = ("Motor", "Sensor", "Controller")
 COMPOSITE = "PeriodicECSharedComposite"
@@ -31,7 +33,9 @@ class Module:
         self.function = spec.implementation_id + "Init"
 
     def loadable(self):
-        """The profile of the file, as found without loading it; Python does not get at the vendor of one example."""
+        """The profile of the file, as found without loading it; Python does not get at the vendor of one
+        example.
+        """
         pairs = factory(self.spec, self.flavour)
         if self.flavour.language == "Python" and self.spec.implementation_id == "Sensor":
             pairs = [pair for pair in pairs if pair[0] != "vendor"]
@@ -48,7 +52,9 @@ def factory(spec, flavour):
 
 def available(flavour):
     """All modules that there are, in the order of a directory listing."""
-    specs = {spec.implementation_id: spec for spec in components.SPECS.values() if spec.type_name != COMPOSITE}
+    specs = {
+        spec.implementation_id: spec for spec in components.SPECS.values() if spec.type_name != COMPOSITE
+    }
     first = list(PYTHON_DIRECTORIES) if flavour.language == "Python" else []
     return [Module(specs[name], flavour) for name in first + sorted(set(specs) - set(first))]
 
@@ -66,7 +72,9 @@ class Modules:
             self.load(name + SUFFIXES[flavour.language], name + "Init")
 
     def find(self, path):
-        """The module that a path or, below the load path, a name leads to; None if there is none. Python adds .py to a name."""
+        """The module that a path or, below the load path, a name leads to; None if there is none. Python adds
+        .py to a name.
+        """
         path = re.sub("/+", "/", path)
         path = path[2:] if path.startswith("./") else path
         if self.flavour.language == "Python" and not path.endswith(".py"):
@@ -91,7 +99,8 @@ class Modules:
         self.unloaded.append(self.find(path).spec)
 
     def lacks_code(self, spec):
-        """Whether what a factory or component would execute has been unloaded: of C++ that ends the process."""
+        """Whether what a factory or component would execute has been unloaded: of C++ that ends the process.
+        """
         return self.flavour.language == "C++" and spec in self.unloaded
 
     def factory(self, implementation_id):
@@ -123,13 +132,21 @@ def configuration(flavour, modules, name, context, endpoint, master):
     """All properties of a manager, as pairs; those of its profile are the ones that begin with `manager.`."""
     generation = "2" if flavour.modern else ""
     product = "OpenRTM-aist-" + flavour.version
-    pairs = [("config.version", flavour.version), ("openrtm.name", product), ("openrtm.version", flavour.version),
-             ("manager.instance_name", name), ("manager.name", "manager"),
-             ("manager.naming_formats", context.rpartition("/")[0] + "/%n.mgr" if "/" in context else "%n.mgr"),
-             ("manager.pid", omniany.to_any(os.getpid()) if flavour.integer_pid else str(os.getpid()))]
+    pairs = [
+        ("config.version", flavour.version),
+        ("openrtm.name", product),
+        ("openrtm.version", flavour.version),
+        ("manager.instance_name", name),
+        ("manager.name", "manager"),
+        ("manager.naming_formats", context.rpartition("/")[0] + "/%n.mgr" if "/" in context else "%n.mgr"),
+        ("manager.pid", omniany.to_any(os.getpid()) if flavour.integer_pid else str(os.getpid())),
+    ]
     if not flavour.modern:
         pairs.append(("manager.refstring_path", "/var/log/rtcmanager.ref"))
-    pairs += [("manager.modules.load_path", modules.directories()), ("manager.modules.abs_path_allowed", "YES")]
+    pairs += [
+        ("manager.modules.load_path", modules.directories()),
+        ("manager.modules.abs_path_allowed", "YES"),
+    ]
     for language in LANGUAGES:
         key, tail = f"manager.modules.{language}.", generation + _PROGRAMS[language]
         pairs += [(key + "manager_cmd", "rtcd" + tail), (key + "profile_cmd", "rtcprof" + tail),
@@ -149,30 +166,57 @@ def _manager(flavour, master):
     """The rest of the properties below `manager.`; Python lacks some."""
     python = flavour.language == "Python"
     suffix = SUFFIXES[flavour.language]
-    pairs = [("modules.config_path", None if python else ""), ("modules.download_allowed", None if python else ""),
-             ("modules.init_func_suffix", None if python else ""), ("modules.init_func_prefix", None if python else ""),
-             ("modules.preload", ", ".join(name + suffix for name in PRELOADED)),
-             ("is_master", "YES" if master else "NO"), ("corba_servant", "YES"), ("shutdown_on_nortcs", "NO"),
-             ("shutdown_auto", "NO"), ("auto_shutdown_duration", "20.0" if flavour.modern else "10.0"),
-             ("command", flavour.program), ("supported_languages", ", ".join(LANGUAGES)),
-             ("components.precreate", None if python else ""), ("components.preconnect", ""),
-             ("components.preactivation", "")]
+    pairs = [
+        ("modules.config_path", None if python else ""),
+        ("modules.download_allowed", None if python else ""),
+        ("modules.init_func_suffix", None if python else ""),
+        ("modules.init_func_prefix", None if python else ""),
+        ("modules.preload", ", ".join(name + suffix for name in PRELOADED)),
+        ("is_master", "YES" if master else "NO"),
+        ("corba_servant", "YES"),
+        ("shutdown_on_nortcs", "NO"),
+        ("shutdown_auto", "NO"),
+        ("auto_shutdown_duration", "20.0" if flavour.modern else "10.0"),
+        ("command", flavour.program),
+        ("supported_languages", ", ".join(LANGUAGES)),
+        ("components.precreate", None if python else ""),
+        ("components.preconnect", ""),
+        ("components.preactivation", ""),
+    ]
     if flavour.modern:
-        pairs += [("language", flavour.language), ("modules.search_auto", "YES"), ("termination_waittime", "0.5"),
-                  ("nameservers", "default")]
+        pairs += [
+            ("language", flavour.language),
+            ("modules.search_auto", "YES"),
+            ("termination_waittime", "0.5"),
+            ("nameservers", "default"),
+        ]
     return pairs
 
 
 _SURROUNDINGS = [
-    ("logger.enable", "YES"), ("logger.file_name", "./rtc%p.log"), ("logger.date_format", "%b %d %H:%M:%S.%Q"),
-    ("logger.log_level", "INFO"), ("logger.stream_lock", "NO"), ("logger.master_logger", ""),
-    ("module.conf_path", ""), ("module.load_path", ""), ("naming.enable", "YES"), ("naming.type", "corba"),
-    ("naming.update.enable", "YES"), ("naming.update.interval", "10.0"), ("naming.update.rebind", "NO"),
-    ("timer.enable", "YES"), ("timer.tick", "0.1"),
-    ("exec_cxt.periodic.type", "PeriodicExecutionContext"), ("exec_cxt.periodic.rate", "1000"),
-    ("exec_cxt.evdriven.type", "EventDrivenExecutionContext"), ("exec_cxt.sync_transition", "YES"),
-    ("exec_cxt.transition_timeout", "0.5"), ("sdo.service.provider.enabled_services", "ALL"),
-    ("sdo.service.consumer.enabled_services", "ALL")]
+    ("logger.enable", "YES"),
+    ("logger.file_name", "./rtc%p.log"),
+    ("logger.date_format", "%b %d %H:%M:%S.%Q"),
+    ("logger.log_level", "INFO"),
+    ("logger.stream_lock", "NO"),
+    ("logger.master_logger", ""),
+    ("module.conf_path", ""),
+    ("module.load_path", ""),
+    ("naming.enable", "YES"),
+    ("naming.type", "corba"),
+    ("naming.update.enable", "YES"),
+    ("naming.update.interval", "10.0"),
+    ("naming.update.rebind", "NO"),
+    ("timer.enable", "YES"),
+    ("timer.tick", "0.1"),
+    ("exec_cxt.periodic.type", "PeriodicExecutionContext"),
+    ("exec_cxt.periodic.rate", "1000"),
+    ("exec_cxt.evdriven.type", "EventDrivenExecutionContext"),
+    ("exec_cxt.sync_transition", "YES"),
+    ("exec_cxt.transition_timeout", "0.5"),
+    ("sdo.service.provider.enabled_services", "ALL"),
+    ("sdo.service.consumer.enabled_services", "ALL"),
+]
 
 
 def profiles(lists):

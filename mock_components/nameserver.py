@@ -1,6 +1,7 @@
 """A real omniNames for tests and for the tour, on a port of its own: `python3 -m mock_components.nameserver`.
 
-Prints `ready PORT` when it answers, keeps its data in a temporary directory, and ends with its standard input or at SIGTERM.
+Prints `ready PORT` when it answers, keeps its data in a temporary directory, and ends with its standard input
+or at SIGTERM.
 """
 import os
 import random
@@ -23,7 +24,9 @@ class Failed(Exception):
 
 
 def binary():
-    """The omniNames program or None; not the script of that name on PATH, whose child survives when the script is killed."""
+    """The omniNames program or None; not the script of that name on PATH, whose child survives when the
+    script is killed.
+    """
     for entry in sys.path:
         for package in ("jeteve_omniorb", "omniORB"):
             path = os.path.join(entry, package, "bin", "omniNames")
@@ -57,24 +60,41 @@ def try_loopback():
             probe.listen(1)
             socket.create_connection(probe.getsockname(), DEADLINE).close()
         except OSError as e:
-            raise Failed(f"127.0.0.1 does not work here ({e.strerror}); in a new network namespace: ip link set lo up")
+            raise Failed(f"127.0.0.1 does not work here ({e.strerror}); in a new network namespace: ip "
+                         "link set lo up")
 
 
 def command(port, directory, host="127.0.0.1"):
     """The command line of an omniNames on a port, with its data in `directory`. Raises Failed."""
     program = binary()
     if program is None:
-        raise Failed("omniNames is not here; it comes with omniORBpy (jeteve-omniorb, salome-omniorb, omniorb-nameserver)")
-    return [program, "-start", str(port), "-always", "-datadir", directory, "-ORBendPoint", "giop:tcp:%s:%d" % (host, port)]
+        raise Failed("omniNames is not here; it comes with omniORBpy (jeteve-omniorb, salome-omniorb, "
+                     "omniorb-nameserver)")
+    return [
+        program,
+        "-start",
+        str(port),
+        "-always",
+        "-datadir",
+        directory,
+        "-ORBendPoint",
+        "giop:tcp:%s:%d" % (host, port),
+    ]
 
 
 def start(directory):
-    """Start omniNames on 127.0.0.1 with its data in `directory`, and wait until it answers: (process, port). Raises Failed."""
+    """Start omniNames on 127.0.0.1 with its data in `directory`, and wait until it answers: (process, port).
+    Raises Failed.
+    """
     try_loopback()
     for _ in range(ATTEMPTS):
         port = free_port()
-        process = subprocess.Popen(command(port, directory), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            command(port, directory),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         end = time.monotonic() + DEADLINE
         while process.poll() is None and time.monotonic() < end:
             if answers(port):

@@ -8,7 +8,8 @@ def _name(pairs):
 
 
 def root(orb, address):
-    """The root context of the name server at HOST:PORT, which is not contacted; its reference has no type id."""
+    """The root context of the name server at HOST:PORT, which is not contacted; its reference has no type id.
+    """
     host, _, port = address.partition(":")
     uri = f"corbaloc:iiop:1.2@{host}:{port or '2809'}/NameService"
     return orb.string_to_object(uri)._unchecked_narrow(CosNaming.NamingContext)
@@ -75,9 +76,19 @@ def parse(path):
 
 def expand(formats, instance_name, profile):
     """The names that a `naming.formats` value gives a component."""
-    values = {"n": instance_name, "t": profile["type_name"], "m": profile["type_name"], "v": profile["version"],
-              "V": profile["vendor"], "c": profile["category"], "i": profile["implementation_id"], "h": "test",
-              "M": "manager", "p": "1", "%": "%"}
+    values = {
+        "n": instance_name,
+        "t": profile["type_name"],
+        "m": profile["type_name"],
+        "v": profile["version"],
+        "V": profile["vendor"],
+        "c": profile["category"],
+        "i": profile["implementation_id"],
+        "h": ("test"),
+        "M": "manager",
+        "p": "1",
+        "%": "%",
+    }
     names = []
     for one in formats.split(","):
         out, chars = "", iter(one.strip())

@@ -63,11 +63,19 @@ class Observer(Consumer):
         self.wanted = [word.strip() for word in get(properties, "observed_status", "ALL").split(",")]
         for kind, hint, prefix in self.heartbeats:
             if self.switch(prefix + ".enable"):
-                self.component.process.thread(self._beat, self.ended, kind, hint, self.interval(prefix + ".interval"))
+                self.component.process.thread(
+                    self._beat, self.ended, kind, hint, self.interval(prefix + ".interval")
+                )
 
     def pulse(self):
-        return max([self.interval(prefix + ".interval") for _, _, prefix in self.heartbeats if self.switch(prefix + ".enable")],
-                   default=0)
+        return max(
+            [
+                self.interval(prefix + ".interval")
+                for _, _, prefix in self.heartbeats
+                if self.switch(prefix + ".enable")
+            ],
+            default=0,
+        )
 
     def _beat(self, ended, kind, hint, pause):
         while not ended.wait(pause) and self.send(kind, hint):

@@ -5,11 +5,28 @@ JAPANESE = "日本語".encode("utf-8").decode("latin-1")      # bytes travel as 
 
 # (id, kind), each bound to a component of its own
 NAMES = [
-    ("sl/ash", "rtc"), ("co:lon", "rtc"), ("do.t", "rtc"), ("back\\slash", "rtc"), ("sp ace", "rtc"), ("-l", "rtc"),
-    (".", "rtc"), ("..", "rtc"), ("tab\tnew\nline", "rtc"), ("esc\x1b[31mred", "rtc"), ("csi\x9b31m", "rtc"),
-    ("bell\x07del\x7f", "rtc"), ("$(id);'\"*", "rtc"), (JAPANESE, "rtc"), ("bad\xff\xfe", "rtc"),
-    ("rtl\u202ecba".encode("utf-8").decode("latin-1"), "rtc"), ("x" * 250, "rtc"), ("", "rtc"), ("nokind", ""), ("", ""),
-    ("kind/slash", "r/tc"), ("kinddot", "r.tc"),
+    ("sl/ash", "rtc"),
+    ("co:lon", "rtc"),
+    ("do.t", "rtc"),
+    ("back\\slash", "rtc"),
+    ("sp ace", "rtc"),
+    ("-l", "rtc"),
+    (".", "rtc"),
+    ("..", "rtc"),
+    ("tab\tnew\nline", "rtc"),
+    ("esc\x1b[31mred", "rtc"),
+    ("csi\x9b31m", "rtc"),
+    ("bell\x07del\x7f", "rtc"),
+    ("$(id);'\"*", "rtc"),
+    (JAPANESE, "rtc"),
+    ("bad\xff\xfe", "rtc"),
+    ("rtl\u202ecba".encode("utf-8").decode("latin-1"), "rtc"),
+    ("x" * 250, "rtc"),
+    ("", "rtc"),
+    ("nokind", ""),
+    ("", ""),
+    ("kind/slash", "r/tc"),
+    ("kinddot", "r.tc"),
 ]
 MANY = 300
 

@@ -14,7 +14,9 @@ def doomed(stage):
     """A ConsoleOut in another process, which is killed in the end; its name stays bound."""
     import subprocess
     command = children.command(stage, ["these", "ConsoleOut:" + PEER])
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=children.environment()) as process:
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=children.environment()
+    ) as process:
         try:
             assert process.stdout.readline().startswith(b"ready"), "the peer did not start"
             name = stage.home() + naming.parse(f"{PEER}.rtc")

@@ -25,7 +25,8 @@ class Port(stubs.skeleton("RTC.PortService")):
         self.lock = threading.Lock()
         self.profiles = {}              # connector id -> connector profile, in order of connecting
         self.transports = {}            # connector id -> what carries its data
-        self.haunted = False            # by a connector that no profile shows: the next disconnection never ends
+        # by a connector that no profile shows: the next disconnection never ends
+        self.haunted = False
 
     # to be given by the kinds of port
 
@@ -80,12 +81,16 @@ class Port(stubs.skeleton("RTC.PortService")):
     def _prune(self):
         """Drop connections with a dead peer; some implementations tell the caller about it, once.
 
-        One of several ends stays where the first port that lives has dropped it already: it is the one that is asked.
+        One of several ends stays where the first port that lives has dropped it already: it is the one that
+        is asked.
         """
         dead = self._dead_connections()
         for connector_id in dead:
             self.disconnect(connector_id)
-        if any(connector_id not in self.profiles for connector_id in dead) and self.flavour.dead_peer != "clean":
+        if (
+            any(connector_id not in self.profiles for connector_id in dead)
+            and self.flavour.dead_peer != "clean"
+        ):
             raise CORBA.TRANSIENT(TRANSIENT_CONNECT_FAILED, CORBA.COMPLETED_MAYBE)
 
     def prune_for_component(self):

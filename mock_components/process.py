@@ -43,9 +43,18 @@ class Process:
     def __init__(self, port=0, host="127.0.0.1", publish=None):
         """`publish` is the address in references, if it is not the one on which the process listens."""
         published = ["-ORBendPointPublish", f"giop:tcp:{publish}:{port}"] if publish else []
-        self.orb = CORBA.ORB_init([sys.argv[0], "-ORBendPoint", f"giop:tcp:{host}:{port or ''}"] + published + [
-                                   "-ORBtraceLevel", "0",
-                                   "-ORBgiopMaxMsgSize", str(32 << 20)], CORBA.ORB_ID)  # as components that send images need it
+        self.orb = CORBA.ORB_init(
+            [sys.argv[0], "-ORBendPoint", f"giop:tcp:{host}:{port or ''}"]
+            + published
+            + [
+                "-ORBtraceLevel",
+                "0",
+                # as components that send images need it
+                "-ORBgiopMaxMsgSize",
+                str(32 << 20),
+            ],
+            CORBA.ORB_ID,
+        )
         self.ledger = Ledger()
         self.near_misses = 0            # see transport.Sender
         self.locator = Locator(self.ledger)
@@ -61,7 +70,9 @@ class Process:
         self.poa.set_servant_manager(self.locator._this())
         self.keys = self.orb.resolve_initial_references("omniINSPOA")
         self.keys._get_the_POAManager().activate()
-        self.endpoint = "%s:%d" % address(self.orb.object_to_string(self.ghost("IDL:omg.org/CORBA/Object:1.0")))
+        self.endpoint = "%s:%d" % address(
+            self.orb.object_to_string(self.ghost("IDL:omg.org/CORBA/Object:1.0"))
+        )
 
     def serve(self, servant, owner, exists=lambda: True):
         """Make a servant callable; its reference, with the type id of the servant's class."""
@@ -79,7 +90,9 @@ class Process:
         return self.poa.create_reference_with_id(b"%d" % next(self.ids), type_id)
 
     def serve_key(self, servant, key, owner):
-        """Make a servant callable under a readable key too; of these calls, `_non_existent` and `_is_a` are not counted."""
+        """Make a servant callable under a readable key too; of these calls, `_non_existent` and `_is_a` are
+        not counted.
+        """
         oid = key.encode("latin-1")
         try:
             self.keys.activate_object_with_id(oid, stand_in(servant, self.ledger, owner))
@@ -112,7 +125,8 @@ class Process:
 
 
 def address(ior):
-    """Host and port out of a stringified reference: type id, number of profiles, tag, then the IIOP profile."""
+    """Host and port out of a stringified reference: type id, number of profiles, tag, then the IIOP profile.
+    """
     data = bytes.fromhex(ior[4:])
     order = "<" if data[0] else ">"
 

@@ -17,11 +17,15 @@ CONTENTS = parser.read_file(FILE)
 
 
 def _operations(name):
-    """(given, returned, raised) of each operation of an interface, for omniORB, and the classes of its exceptions."""
+    """(given, returned, raised) of each operation of an interface, for omniORB, and the classes of its
+    exceptions.
+    """
     made, classes = {}, {}
     for operation in CONTENTS.interfaces[f"IDL:Mock/{name}:1.0"].all_operations().values():
         schema = operation.schema()
-        given, returned = [None if part is None else tuple(map(_plain, part)) for part in (schema.given, schema.returned)]
+        given, returned = [
+            None if part is None else tuple(map(_plain, part)) for part in (schema.given, schema.returned)
+        ]
         raised = {}
         for type_id, descriptor in schema.raised.items():
             raised[type_id] = schemas._Described().exception(descriptor)

@@ -9,7 +9,12 @@ from .idl import RTC, SDOPackage
 from .properties import nvlist
 
 LINGER = 0.7            # seconds that the name of an ended component stays bound
-KINDS = {"in": dataport.InPort, "out": dataport.OutPort, "event": dataport.EventInPort, "service": serviceport.ServicePort}
+KINDS = {
+    "in": dataport.InPort,
+    "out": dataport.OutPort,
+    "event": dataport.EventInPort,
+    "service": serviceport.ServicePort,
+}
 
 
 class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
@@ -32,7 +37,8 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         self.owned = []
         self.participating = []         # None where a context has left
         self.ended = None               # called when the component has ended
-        self.executed, self.cycles, self.between = 0.0, 1, 0  # the last execution: when, for how many cycles; cycles since then
+        # the last execution: when, for how many cycles; cycles since then
+        self.executed, self.cycles, self.between = 0.0, 1, 0
         for _ in range(options.contexts):
             self.own_context()
         self.configuration = configuration.Configuration(self, spec.sets(flavour), spec.active_set)
@@ -81,11 +87,18 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
             pairs += [("corba.endpoints_ipv4", endpoint), ("corba.endpoints_ipv6", ""),
                       ("exec_cxt.sync_transition", "YES" if options.sync else "NO"),
                       ("exec_cxt.transition_timeout", "0.5"), ("manager.instance_name", "manager")]
-        pairs += [("exec_cxt.periodic.type", "PeriodicExecutionContext"),
-                  ("exec_cxt.periodic.rate", f"{options.rate:g}"), ("naming.enable", "YES"), ("naming.type", "corba"),
-                  ("naming.formats", options.context), ("naming.names", ",".join(self.names)),
-                  ("logger.enable", "YES"), ("logger.log_level", "INFO"), ("config.version", flavour.version),
-                  ("config_file", self.spec.config_file)]
+        pairs += [
+            ("exec_cxt.periodic.type", "PeriodicExecutionContext"),
+            ("exec_cxt.periodic.rate", f"{options.rate:g}"),
+            ("naming.enable", "YES"),
+            ("naming.type", "corba"),
+            ("naming.formats", options.context),
+            ("naming.names", ",".join(self.names)),
+            ("logger.enable", "YES"),
+            ("logger.log_level", "INFO"),
+            ("config.version", flavour.version),
+            ("config_file", self.spec.config_file),
+        ]
         pairs += self._port_properties()
         pairs += [("sdo.service.provider.available_services", ",".join(self.providers)),
                   ("sdo.service.provider.enabled_services", "ALL"),
@@ -113,8 +126,16 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
             port.prune_for_component()
         profile = self.identity()
         return RTC.ComponentProfile(
-            self.instance_name, profile["type_name"], profile["description"], profile["version"], profile["vendor"],
-            profile["category"], [port.profile() for port in self.ports], None, nvlist(self.properties()))
+            self.instance_name,
+            profile["type_name"],
+            profile["description"],
+            profile["version"],
+            profile["vendor"],
+            profile["category"],
+            [port.profile() for port in self.ports],
+            None,
+            nvlist(self.properties()),
+        )
 
     def get_ports(self):
         return [port.reference for port in self.ports]
@@ -163,7 +184,9 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         return RTC.RTC_OK
 
     def read_ports(self, handle):
-        """Read all InPorts, once for each cycle that this execution represents, but for those of `read_between`."""
+        """Read all InPorts, once for each cycle that this execution represents, but for those of
+        `read_between`.
+        """
         driving = self.process.local_servant(self._context(handle))
         cycles = driving.cycles() if driving else 1
         for _ in range(max(1, cycles - self.between)):
@@ -171,7 +194,9 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         self.executed, self.cycles, self.between = time.monotonic(), cycles, 0
 
     def read_between(self):
-        """Read what the cycles since the last execution have to read: a short buffer would be full for most of the time."""
+        """Read what the cycles since the last execution have to read: a short buffer would be full for most
+        of the time.
+        """
         due = min(self.cycles - 1, int((time.monotonic() - self.executed) / context.QUICKEST * self.cycles))
         while self.between < due:
             self.between += 1

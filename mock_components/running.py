@@ -1,4 +1,5 @@
-"""A world for the time of a `with` statement: for tests of robot programs, with any test runner. Importing this needs no omniORB.
+"""A world for the time of a `with` statement: for tests of robot programs, with any test runner. Importing
+this needs no omniORB.
 
     from mock_components import world
 
@@ -30,7 +31,9 @@ class World:
         return self.home + "/" + name
 
     def ctl(self, *words):
-        """What it answers to a command, such as "write", "ConsoleIn0:out", 42; see `python3 -m mock_components ctl PATH help`."""
+        """What it answers to a command, such as "write", "ConsoleIn0:out", 42; see `python3 -m
+        mock_components ctl PATH help`.
+        """
         done, text = asking.request(self.control, [str(word) for word in words])
         if not done:
             raise RuntimeError(text.strip())
@@ -43,9 +46,12 @@ def world(name, *arguments):
 
     `arguments` are those of the command line: "--rate", "100". Raises nameserver.Failed, RuntimeError.
     """
-    from . import nameserver  # here, as `python3 -m mock_components.nameserver` imports this module before it runs that one
+    # here, as `python3 -m mock_components.nameserver` imports this module before it runs that one
+    from . import nameserver
     above = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(filter(None, [above, os.environ.get("PYTHONPATH")])))
+    environment = dict(
+        os.environ, PYTHONPATH=os.pathsep.join(filter(None, [above, os.environ.get("PYTHONPATH")]))
+    )
     with contextlib.ExitStack() as stack:
         directory = tempfile.mkdtemp(prefix="mock-")
         stack.callback(shutil.rmtree, directory, ignore_errors=True)
@@ -53,9 +59,24 @@ def world(name, *arguments):
         stack.callback(_end, server)
         control = os.path.join(directory, "control")
         process = subprocess.Popen(
-            [sys.executable, "-m", "mock_components", name, *map(str, arguments), "--nameserver", f"127.0.0.1:{port}",
-             "--context", CONTEXT + "/%n.rtc", "--control", control],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, universal_newlines=True)
+            [
+                sys.executable,
+                "-m",
+                "mock_components",
+                name,
+                *map(str, arguments),
+                "--nameserver",
+                f"127.0.0.1:{port}",
+                "--context",
+                CONTEXT + "/%n.rtc",
+                "--control",
+                control,
+            ],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env=environment,
+            universal_newlines=True,
+        )
         stack.callback(_end, process)
         if not process.stdout.readline().startswith("ready"):
             raise RuntimeError(f"the world {name} does not start")

@@ -20,8 +20,10 @@ class Stage:
         self.flavour = flavour
         self.options = options
         self.components = process.components
-        self.listed = {}                # instance name -> component that a manager lists: the first of that name
-        self.twins = {}                 # name that two components have had at a time -> how many of them are gone
+        # instance name -> component that a manager lists: the first of that name
+        self.listed = {}
+        # name that two components have had at a time -> how many of them are gone
+        self.twins = {}
         self.manager = None             # the manager of this process, if it has one
         self.misname = None             # what that calls all that it makes, whatever is asked for
         self.children = []              # further processes, to be ended with this one
@@ -51,7 +53,8 @@ class Stage:
         return component
 
     def stray(self, spec, instance_name):
-        """A component whose name is taken, as made by Python: it is bound nowhere, and no manager lists it."""
+        """A component whose name is taken, as made by Python: it is bound nowhere, and no manager lists it.
+        """
         return spec.play(self.process, spec, instance_name, self.flavour, self.options)
 
     def gone(self, component):
@@ -98,7 +101,9 @@ class Stage:
         later(linger, self._forget, component)
 
     def _forget(self, component):
-        """Unbind it and remove it from the manager; with two components of one name, a process of C++ 1.x ends."""
+        """Unbind it and remove it from the manager; with two components of one name, a process of C++ 1.x
+        ends.
+        """
         self.process.ledger.own_thread()
         name = component.instance_name
         for bound in component.bound:

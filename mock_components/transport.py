@@ -105,9 +105,10 @@ HOLDS = 0.001  # seconds before a call for which a publisher has its far end's r
 class Sender(Transport):
     """An OutPort's end of push: calls put() at once, or in a thread of its own upon news or at a rate.
 
-    That thread (PublisherNew of C++) uses the reference of the far end from HOLDS seconds before it calls until it has sent all. Deleting
-    the connector meanwhile releases the reference: a near miss. Of some hundred, a process has ended of one (SIGSEGV in
-    omniObjRef::_invoke); a component of Python goes to Error (PublisherNew._buffer is None).
+    That thread (PublisherNew of C++) uses the reference of the far end from HOLDS seconds before it calls
+    until it has sent all. Deleting the connector meanwhile releases the reference: a near miss. Of some
+    hundred, a process has ended of one (SIGSEGV in omniObjRef::_invoke); a component of Python goes to Error
+    (PublisherNew._buffer is None).
     """
 
     def __init__(self, port, profile, interface, reference, mode, pause):
@@ -171,8 +172,9 @@ ANSWERING = 0.02  # seconds after its answer for which a get() counts as still b
 class Provider(Transport):
     """An OutPort's end of pull: an object with get(), and a ring buffer.
 
-    C++ deletes the object with the connector, whoever is being served by it; omniORB then ends the process. The InPort of a
-    component has been told before, and fetches no more; only a tool, alone at its connector, can do that.
+    C++ deletes the object with the connector, whoever is being served by it; omniORB then ends the process.
+    The InPort of a component has been told before, and fetches no more; only a tool, alone at its connector,
+    can do that.
     """
 
     def __init__(self, port, profile, interface):

@@ -8,7 +8,8 @@ from . import arm
 from .idl import RTC
 from .properties import get
 
-CLOCK = float(os.environ.get("MOCK_CLOCK", 0))  # seconds that the clock of this host is ahead of the true time
+# seconds that the clock of this host is ahead of the true time
+CLOCK = float(os.environ.get("MOCK_CLOCK", 0))
 LENGTH = 10             # of the sequences that the sequence examples send
 
 
@@ -57,6 +58,9 @@ def decode(type_name, data, little):
 
 def little_endian(profile):
     """The byte order of a connector: its first usable word; None if there is none."""
-    words = [word.strip() for word in get(profile.properties, "dataport.serializer.cdr.endian", "little").split(",")]
+    words = [
+        word.strip()
+        for word in get(profile.properties, "dataport.serializer.cdr.endian", "little").split(",")
+    ]
     usable = [word for word in words if word in ("little", "big")]
     return usable[0] == "little" if usable else None

@@ -1,4 +1,5 @@
-"""Components each of which knows one string only, a hostile one: their names, ports, types, values, messages are made of it.
+"""Components each of which knows one string only, a hostile one: their names, ports, types, values, messages
+are made of it.
 
 Those that hold shell commands make a file called canary when a shell runs them.
 """
@@ -49,7 +50,10 @@ class Wicked(StateMachine):
 
     def identity(self):
         said = self.spec.type_name
-        return {name: said for name in ("implementation_id", "type_name", "description", "version", "vendor", "category")}
+        return {
+            name: said
+            for name in ("implementation_id", "type_name", "description", "version", "vendor", "category")
+        }
 
     def properties(self):
         said = self.spec.type_name
@@ -58,7 +62,9 @@ class Wicked(StateMachine):
     def harass(self):
         said = self.spec.type_name
         self.fsm.state = said
-        self.fsm.structure = RTC.FsmStructure(said, said, [RTC.FsmEventProfile(said, said)], nvlist([(said, said)]))
+        self.fsm.structure = RTC.FsmStructure(
+            said, said, [RTC.FsmEventProfile(said, said)], nvlist([(said, said)])
+        )
         while True:
             time.sleep(PERIOD)
             self.observers.log("ERROR", said, said)
@@ -70,23 +76,39 @@ class Wicked(StateMachine):
 def spec(said):
     """Ports of all kinds, all but two with a sane type; set ids and parameters."""
     near = said[:20000]     # a path with the name of the component has to fit into an argument
-    sets = {"default": {said: said, "plain": said}, said or "more": {said: said},
-            "__widget__": {said: "radio", "plain": said}, "__constraints__": {said: f"({said})", "plain": said},
-            "__description__": {said: said}, "__doc__": {said: said, "description": said, "__contact__": said}}
-    ports = [("out", "out" + near, "TimedString"), ("in", "in" + near, "TimedString"), ("out", "odd" + near, "TimedLong"),
-             ("service", "service" + near, "provided")]
+    sets = {
+        "default": {said: said, "plain": said},
+        said or "more": {said: said},
+        "__widget__": {said: ("radio"), "plain": said},
+        "__constraints__": {said: f"({said})", "plain": said},
+        "__description__": {said: said},
+        "__doc__": {said: said, "description": said, "__contact__": said},
+    }
+    ports = [
+        ("out", "out" + near, "TimedString"),
+        ("in", "in" + near, "TimedString"),
+        ("out", "odd" + near, "TimedLong"),
+        ("service", "service" + near, "provided"),
+    ]
     return Spec(said, said, ports, sets=sets, play=Wicked, category=said, vendor=said, version=said)
 
 
 def add(stage, only=None):
-    """A component for each string, bound under it below the home context and connected to the next one; and a manager."""
+    """A component for each string, bound under it below the home context and connected to the next one; and a
+    manager.
+    """
     added = []
     for said in [STRINGS[only]] if only else STRINGS.values():
         names = [stage.home() + [(said, "rtc")]]
         if 0 < len(said) < 100:
             names.append(stage.home() + [(said, "cxt"), (said, said)])
-        component = stage.add(spec(said), said or INSTANCE, names=names, flavour=stage.flavour.but(component_key=None),
-                              consumers=(observers.OBSERVER, observers.LOGGER))
+        component = stage.add(
+            spec(said),
+            said or INSTANCE,
+            names=names,
+            flavour=stage.flavour.but(component_key=None),
+            consumers=(observers.OBSERVER, observers.LOGGER),
+        )
         component.ports[2].data_type = said
         component.ports[3].entries = [("provided", said, said), ("required", said, said)]
         component.ports[3].services[said] = next(iter(component.ports[3].services.values()))
@@ -95,7 +117,9 @@ def add(stage, only=None):
         said = one.spec.type_name
         pairs = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
                  ("dataport.subscription_type", "flush"), (said, said)]
-        profile = RTC.ConnectorProfile(said, "id" + said, [one.ports[0].reference, other.ports[1].reference], nvlist(pairs))
+        profile = RTC.ConnectorProfile(
+            said, "id" + said, [one.ports[0].reference, other.ports[1].reference], nvlist(pairs)
+        )
         code, _ = one.ports[0].connect(profile)
         assert code == RTC.RTC_OK, code
     _manage(stage, added)

@@ -1,4 +1,6 @@
-"""The worlds: which components there are, how they are connected and bound. A function each; its docstring is its help."""
+"""The worlds: which components there are, how they are connected and bound. A function each; its docstring is
+its help.
+"""
 import os
 import signal
 
@@ -104,21 +106,29 @@ def composite(stage):
     for type_name in ("Sensor", "Controller", "Motor"):
         stage.add(type_name)
     stage.add("PeriodicECSharedComposite", "composite0", arguments={
-        "conf.default.members": "Sensor0, Controller0, Motor0", "conf.default.exported_ports": "Sensor0.in, Motor0.out"})
+        "conf.default.members": (
+            "Sensor0, Controller0, Motor0"
+        ), "conf.default.exported_ports": "Sensor0.in, Motor0.out"})
 
 
 def deadmember(stage):
-    """composite0 made of ConsoleIn0 and of Peer0 whose process has been killed; it exports ConsoleIn0.out and Peer0.in"""
+    """composite0 made of ConsoleIn0 and of Peer0 whose process has been killed; it exports ConsoleIn0.out and
+    Peer0.in
+    """
     orphans.lose_member(stage, "composite0")
 
 
 def fsm(stage, fate=""):
-    """[FATE]: Microwave0, a state machine; it `dies` when asked for its service by id, as C++, `keeps` or `refuses` structures"""
+    """[FATE]: Microwave0, a state machine; it `dies` when asked for its service by id, as C++, `keeps` or
+    `refuses` structures
+    """
     stage.add("Microwave", fate=fate)
 
 
 def observed(stage):
-    """ConsoleIn0 takes OpenRTM observers, ConsoleOut0 and Microwave0 those of FSM4RTC, Motor0 loggers too, Mock0 none"""
+    """ConsoleIn0 takes OpenRTM observers, ConsoleOut0 and Microwave0 those of FSM4RTC, Motor0 loggers too,
+    Mock0 none
+    """
     stage.add("ConsoleIn", consumers=(observers.OBSERVER,))
     stage.add("ConsoleOut", consumers=(observers.FSM_OBSERVER,))
     stage.add("Microwave", consumers=(observers.FSM_OBSERVER,))
@@ -127,28 +137,39 @@ def observed(stage):
 
 
 def senders(stage, rate=1000, size=1000, *changes):
-    """[RATE [SIZE [ROW=VALUE …]]]: Source0, active, sends at RATE Hz a TimedLong on `number`, SIZE octets on `block` (default
-    1000, 1000); rows of the flavours may be changed: dataflow=pull, interfaces=data_service"""
+    """[RATE [SIZE [ROW=VALUE …]]]: Source0, active, sends at RATE Hz a TimedLong on `number`, SIZE octets on
+    `block` (default 1000, 1000); rows of the flavours may be changed: dataflow=pull, interfaces=data_service
+    """
     stage.flavour = stage.flavour.but(**dict(change.split("=") for change in changes))
     source = stage.add("Source", rate=float(rate), size=int(size))
     source.owned[0].activate_component(source.reference)
 
 
 def sources(stage, count=30, rate=100, size=8):
-    """[N [RATE [SIZE]]]: Source0, Source1 … (default 30), as that of `senders` (default 100, 8); they take OpenRTM observers"""
+    """[N [RATE [SIZE]]]: Source0, Source1 … (default 30), as that of `senders` (default 100, 8); they take
+    OpenRTM observers
+    """
     for number in range(int(count)):
-        source = stage.add("Source", "Source%d" % number, rate=float(rate), size=int(size), consumers=(observers.OBSERVER,))
+        source = stage.add(
+            "Source", "Source%d" % number, rate=float(rate), size=int(size), consumers=(observers.OBSERVER,)
+        )
         source.owned[0].activate_component(source.reference)
 
 
 def topics(stage, *interfaces):
-    """[INTERFACE …]: ConsoleIn0 and ConsoleOut0 with transports that connect one port alone (default: fast-rtps ssm)"""
-    stage.flavour = stage.flavour.but(interfaces=",".join([stage.flavour.interfaces] + list(interfaces or ("fast-rtps", "ssm"))))
+    """[INTERFACE …]: ConsoleIn0 and ConsoleOut0 with transports that connect one port alone (default:
+    fast-rtps ssm)
+    """
+    stage.flavour = stage.flavour.but(
+        interfaces=",".join([stage.flavour.interfaces] + list(interfaces or ("fast-rtps", "ssm")))
+    )
     two(stage)
 
 
 def custom(stage):
-    """Arm0 with ports `command` and `status`, whose type is that of mock_components/arm.py, in no standard IDL"""
+    """Arm0 with ports `command` and `status`, whose type is that of mock_components/arm.py, in no standard
+    IDL
+    """
     stage.add(components.ARM, "Arm0")
 
 
@@ -163,8 +184,9 @@ def fragile(stage):
 
 
 def chain_of(stage, count=5, *faults):
-    """[N [FAULT@NUMBER …]]: Link0, Link1, … pass values on at 50 Hz, active; one with a fault (stopped, held, thinned, delayed,
-    disordered, inactive, halted, slow, cut) does not"""
+    """[N [FAULT@NUMBER …]]: Link0, Link1, … pass values on at 50 Hz, active; one with a fault (stopped, held,
+    thinned, delayed, disordered, inactive, halted, slow, cut) does not
+    """
     chain.add(stage, int(count), faults)
 
 
@@ -191,13 +213,43 @@ def cruel(stage):
 
 
 def harassing(stage, only=None):
-    """[NAME]: components whose every string is hostile, each in its own way, and that log, report and send it all the time"""
+    """[NAME]: components whose every string is hostile, each in its own way, and that log, report and send it
+    all the time
+    """
     wicked.add(stage, only)
 
 
-WORLDS = {world.__name__: world for world in (
-    two, linked, console, services, config, parts, robot, these, many, error, slow, stopped, contexts, composite, deadmember,
-    fsm, observed, senders, sources, topics, custom, orphan, fragile, hung, zombie, names)}
+WORLDS = {
+    world.__name__: world
+    for world in (
+        two,
+        linked,
+        console,
+        services,
+        config,
+        parts,
+        robot,
+        these,
+        many,
+        error,
+        slow,
+        stopped,
+        contexts,
+        composite,
+        deadmember,
+        fsm,
+        observed,
+        senders,
+        sources,
+        topics,
+        custom,
+        orphan,
+        fragile,
+        hung,
+        zombie,
+        names,
+    )
+}
 WORLDS.update(deployment.WORLDS)
 WORLDS.update(ailments.WORLDS)
 WORLDS.update({"all": everything, "chain": chain_of, "hostile": cruel, "wicked": harassing})

@@ -7,7 +7,9 @@ from rtshell_lite.shell import installation
 
 
 def main(doc):
-    """Run the command that the first argument names, or follow the module's own options; `doc` is its help."""
+    """Run the command that the first argument names, or follow the module's own options; `doc` is
+    its help.
+    """
     sys.argv[0] = "rtshell_lite"
     words = sys.argv[1:]
     try:

@@ -1,9 +1,9 @@
 """Bytecode of what is run straight from the wheel file, which Python itself would compile at each start.
 
-It is kept in a private directory, rtshell_lite in $XDG_CACHE_HOME or in ~/.cache where there is one. What is read there
-is executed: so directory and files must belong to this user and be closed to others, no link is followed, and a
-checksum shows damage. What cannot be read is compiled, and written again; what cannot be written is not kept.
-This module is itself compiled at each start: it is short.
+It is kept in a private directory, rtshell_lite in $XDG_CACHE_HOME or in ~/.cache where there is one. What is
+read there is executed: so directory and files must belong to this user and be closed to others, no link is
+followed, and a checksum shows damage. What cannot be read is compiled, and written again; what cannot be
+written is not kept. This module is itself compiled at each start: it is short.
 """
 
 import marshal

@@ -26,8 +26,8 @@ def quietly(name):
 
 
 def find_installed():
-    """Have what is installed beside Python found: commands that --unpack lays out start without (python -S), which
-    takes a ninth off the time of rtls.
+    """Have what is installed beside Python found: commands that --unpack lays out start without (python -S),
+    which takes a ninth off the time of rtls.
     """
     if sys.flags.no_site and "site" not in sys.modules:
         import site

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Change modules of rtshell_lite in one place after another, and see whether a test fails. What survives is a hole in the tests,
-or a change that changes nothing.
+"""Change modules of rtshell_lite in one place after another, and see whether a test fails. What survives is a
+hole in the tests, or a change that changes nothing.
 
     python3 tests/mutate.py data/statistics.py … [--seed N] [--most N] [--tests N] [--transcripts N]
 
-Runs in a copy of the checkout, on a Python from 3.8 on that has omniORBpy: this one, or what `tests/run` has made below
-.venv-tests. Which tests cover a module is read from imports: the nearest of tests/unit that import it, directly or through
-others, and the transcripts of the nearest commands that do. Each runs unspoilt before it is needed for the first time, which says
-what functions it enters: it is left out if it fails, or does not enter the function that is spoilt; if it takes three times as
-long later, and 10 s, it fails. They run up to the first that fails: those that were quick and noticed much come first.
+Runs in a copy of the checkout, on a Python from 3.8 on that has omniORBpy: this one, or what `tests/run` has
+made below .venv-tests. Which tests cover a module is read from imports: the nearest of tests/unit that import
+it, directly or through others, and the transcripts of the nearest commands that do. Each runs unspoilt before
+it is needed for the first time, which says what functions it enters: it is left out if it fails, or does not
+enter the function that is spoilt; if it takes three times as long later, and 10 s, it fails. They run up to
+the first that fails: those that were quick and noticed much come first.
 """
 import argparse
 import ast
@@ -25,13 +26,23 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="], "==": ["!="], "!=": ["=="], "is": ["is not"],
-               "is not": ["is"], "in": ["not in"], "not in": ["in"]}
+COMPARISONS = {
+    "<": ["<=", ">"],
+    "<=": ["<", ">="],
+    ">": [">=", "<"],
+    ">=": [">", "<="],
+    "==": ["!="],
+    "!=": ["=="],
+    "is": ["is not"],
+    "is not": ["is"],
+    "in": ["not in"],
+    "not in": ["in"],
+}
 OTHERS = {"and": ["or"], "or": ["and"], "+": ["-"], "-": ["+"], "*": ["/"], "//": ["*"], "/": ["*"]}
 DELETED = (ast.Expr, ast.Raise, ast.AugAssign, ast.Break, ast.Continue, ast.Delete)
 
 
-# ---- what is changed ------------------------------------------------------------------------------------------
+# ---- what is changed ------------------------------------------------------------------------------------------  # noqa: E501
 
 class Source:
     """The text of a module, and the positions of its nodes in bytes."""
@@ -50,9 +61,16 @@ class Source:
         return self.lines[node.end_lineno - 1] + node.end_col_offset
 
     def spoilt(self, start, end, new):
-        """The text with another piece at one place and the same lines; None where the meaning is the same, or invalid."""
+        """The text with another piece at one place and the same lines; None where the meaning is the same, or
+        invalid.
+        """
         old = self.data[start:end]
-        data = self.data[:start] + new.encode() + b"\\\n" * (old.count(b"\n") - new.count("\n")) + self.data[end:]
+        data = (
+            self.data[:start]
+            + new.encode()
+            + b"\\\n" * (old.count(b"\n") - new.count("\n"))
+            + self.data[end:]
+        )
         try:
             return data if ast.dump(ast.parse(data)) != self.meaning else None
         except (SyntaxError, ValueError):
@@ -68,14 +86,20 @@ class Source:
 
     def function(self, position):
         """The line where the innermost function around a position begins, None where there is none."""
-        around = [node.lineno for node, first in self.functions() if self.start(first) <= position < self.end(node)]
+        around = [
+            node.lineno for node, first in self.functions() if self.start(first) <= position < self.end(node)
+        ]
         return max(around) if around else None
 
     def probed(self, probe):
-        """The text with an expression, `probe % line`, where each function begins; `line` is that of its def."""
+        """The text with an expression, `probe % line`, where each function begins; `line` is that of its def.
+        """
         data = self.data
         for node, first in sorted(self.functions(), key=lambda pair: -self.start(pair[1])):
-            line = min([first.lineno] + [decorator.lineno for decorator in getattr(first, "decorator_list", ())]) - 1
+            line = (
+                min([first.lineno] + [decorator.lineno for decorator in getattr(first, "decorator_list", ())])
+                - 1
+            )
             start = self.lines[line] + first.col_offset
             margin = data[self.lines[line]:start]
             between = b"; " if margin.strip() else b"\n" + margin
@@ -87,8 +111,13 @@ def mutations(source):
     """Triples (start, end, new text) of all places that can be changed."""
     skipped = set()
     for node in ast.walk(source.tree):
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) or isinstance(node, ast.JoinedStr):
-            skipped.update(ast.walk(node))  # docstrings; the inner nodes of an f-string have no places of their own
+        if (
+            isinstance(node, ast.Expr)
+            and isinstance(node.value, ast.Constant)
+            or isinstance(node, ast.JoinedStr)
+        ):
+            # docstrings; the inner nodes of an f-string have no places of their own
+            skipped.update(ast.walk(node))
     for node in ast.walk(source.tree):
         if node not in skipped:
             for name in [cls.__name__ for cls in type(node).__mro__ if "_" + cls.__name__ in globals()]:
@@ -143,12 +172,20 @@ def _Constant(source, node):
         yield source.start(node), source.end(node), str(not node.value)
     elif isinstance(node.value, (int, float)):
         yield source.start(node), source.end(node), repr(node.value + 1)
-    elif isinstance(node.value, (str, bytes)) and node.lineno == node.end_lineno and len(node.value.split()) < 2:
-        yield source.start(node), source.end(node), repr(node.value + ("x" if isinstance(node.value, str) else b"x"))
+    elif (
+        isinstance(node.value, (str, bytes))
+        and node.lineno == node.end_lineno
+        and len(node.value.split()) < 2
+    ):
+        yield source.start(node), source.end(node), repr(
+            node.value + ("x" if isinstance(node.value, str) else b"x")
+        )
 
 
 def _stmt(source, node):
-    assigned = isinstance(node, ast.Assign) and not any(isinstance(target, (ast.Name, ast.Tuple)) for target in node.targets)
+    assigned = isinstance(node, ast.Assign) and not any(
+        isinstance(target, (ast.Name, ast.Tuple)) for target in node.targets
+    )
     if isinstance(node, DELETED) or assigned:
         yield source.start(node), source.end(node), "pass"
 
@@ -174,7 +211,7 @@ def _Call(source, node):
         before = end
 
 
-# ---- which tests cover it -------------------------------------------------------------------------------------
+# ---- which tests cover it -------------------------------------------------------------------------------------  # noqa: E501
 
 def imported(path):
     """Files of ours that a Python file imports, anywhere in it."""
@@ -185,26 +222,43 @@ def imported(path):
             for name in node.names:
                 dotted = name.name if isinstance(node, ast.Import) else "%s.%s" % (node.module, name.name)
                 for part in (dotted, dotted.rpartition(".")[0]):
-                    yield from filter(os.path.isfile, [os.path.join(root, part.replace(".", "/") + ".py")
-                                                       for root in (ROOT, os.path.join(ROOT, "tests", "support"))])
+                    yield from filter(
+                        os.path.isfile,
+                        [
+                            os.path.join(root, part.replace(".", "/") + ".py")
+                            for root in (ROOT, os.path.join(ROOT, "tests", "support"))
+                        ],
+                    )
 
 
 def covering(path):
-    """Test modules of tests/unit that import a file, the nearest first: `unit/test_path` …; and the tests of the nearest commands,
-    by turns: `commands/rtls.t` …"""
-    files = [file for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
-             for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True)) if "/idl_stubs/" not in file]
+    """Test modules of tests/unit that import a file, the nearest first: `unit/test_path` …; and the tests of
+    the nearest commands, by turns: `commands/rtls.t` …
+    """
+    files = [
+        file
+        for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
+        for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True))
+        if "/idl_stubs/" not in file
+    ]
     arrows = {file: set(imported(file)) for file in files}
     near, reached = [path], {path}
     for file in near:
         near += [other for other in files if file in arrows[other] and other not in reached]
         reached.update(near)
     modules = ["unit/" + os.path.basename(file)[:-3] for file in near if "/tests/unit/" in file]
-    modules.sort(key="unit/test_{}".format(os.path.basename(path)[:-3]).__ne__)  # the one of its name comes first
+    # the one of its name comes first
+    modules.sort(key="unit/test_{}".format(os.path.basename(path)[:-3]).__ne__)
     commands = [os.path.basename(file) for file in near if os.path.dirname(file) == os.path.join(ROOT, "bin")]
-    written = sorted(os.listdir(os.path.join(ROOT, "tests", "commands")), key=lambda file: ("-" in file, file))
-    by_turns = itertools.zip_longest(*[
-        [file for file in written if re.match(r"(%s(-.*)?\.t|test_%s\.py)$" % (name, name), file)] for name in commands])
+    written = sorted(
+        os.listdir(os.path.join(ROOT, "tests", "commands")), key=lambda file: ("-" in file, file)
+    )
+    by_turns = itertools.zip_longest(
+        *[
+            [file for file in written if re.match(r"(%s(-.*)?\.t|test_%s\.py)$" % (name, name), file)]
+            for name in commands
+        ]
+    )
     transcripts = ["commands/" + re.sub(r"\.py$", "", file) for turn in by_turns for file in turn if file]
     return modules, transcripts
 
@@ -238,7 +292,9 @@ class Probed:
             inner = os.path.relpath(path, self.aside)
             if inner != "probes.py" and not inner.startswith("idl_stubs"):
                 with open(path, "rb+") as file:
-                    data = Source(file.read()).probed("__import__('rtshell_lite.probes').probes.entered('%s:%%d')" % inner)
+                    data = Source(file.read()).probed(
+                        "__import__('rtshell_lite.probes').probes.entered('%s:%%d')" % inner
+                    )
                     file.seek(0)
                     file.write(data)
 
@@ -291,7 +347,9 @@ class Tests:
         return "pass" in outcomes and "fail" not in outcomes
 
     def try_out(self, name):
-        """Learn the seconds that a test may take, None where it fails unspoilt, and what it enters. Nothing may be spoilt now."""
+        """Learn the seconds that a test may take, None where it fails unspoilt, and what it enters. Nothing
+        may be spoilt now.
+        """
         with self.probed:
             begun = time.monotonic()
             passed = self.passes(name, 120)
@@ -304,8 +362,13 @@ class Tests:
             print("left out, as it fails unspoilt: " + name, flush=True)
 
     def concerned(self, names, place):
-        """Those of the tests that enter a function, `file:line`, or None for what is outside of functions; the best first."""
-        for name in sorted(names, key=lambda name: (name.endswith(".t"), (self.limits.get(name) or 30) / (1 + self.killed[name]))):
+        """Those of the tests that enter a function, `file:line`, or None for what is outside of functions;
+        the best first.
+        """
+        for name in sorted(
+            names,
+            key=lambda name: (name.endswith(".t"), (self.limits.get(name) or 30) / (1 + self.killed[name])),
+        ):
             if name not in self.limits:
                 self.try_out(name)
             if self.limits[name] and (not place or self.entered[name] is None or place in self.entered[name]):
@@ -325,7 +388,9 @@ class Tests:
     @staticmethod
     def _replace(path, data):
         """Write a module; return what it was."""
-        for compiled in glob.glob(os.path.join(os.path.dirname(path), "__pycache__", os.path.basename(path)[:-3] + ".*")):
+        for compiled in glob.glob(
+            os.path.join(os.path.dirname(path), "__pycache__", os.path.basename(path)[:-3] + ".*")
+        ):
             os.remove(compiled)
         with open(path, "rb") as file:
             old = file.read()
@@ -336,19 +401,32 @@ class Tests:
 
 def find_python():
     """A Python that has omniORBpy, or None."""
-    for path in [sys.executable] + sorted(glob.glob(os.path.join(glob.escape(ROOT), ".venv-tests", "3.*", "bin", "python"))):
-        if not subprocess.call([path, "-c", "import omniORB"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL):
+    for path in [sys.executable] + sorted(
+        glob.glob(os.path.join(glob.escape(ROOT), ".venv-tests", "3.*", "bin", "python"))
+    ):
+        if not subprocess.call(
+            [path, "-c", "import omniORB"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ):
             return path
     return None
 
 
 def options():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("module", nargs="+", help="a file below rtshell_lite, such as data/statistics.py")
     parser.add_argument("--seed", default="1", help="which places are chosen (1)")
     parser.add_argument("--most", type=int, default=40, metavar="N", help="places at most (40)")
-    parser.add_argument("--tests", type=int, default=8, metavar="N", help="test modules of tests/unit at most (8)")
-    parser.add_argument("--transcripts", type=int, default=8, metavar="N", help="transcripts at most (8); they take their time")
+    parser.add_argument("--tests", type=int, default=8, metavar="N", help="test modules of tests/unit at "
+                                                                          "most (8)")
+    parser.add_argument(
+        "--transcripts",
+        type=int,
+        default=8,
+        metavar="N",
+        help="transcripts at most (8); they take their time",
+    )
     args = parser.parse_args()
     for module in args.module:
         if not os.path.isfile(os.path.join(ROOT, "rtshell_lite", module)):

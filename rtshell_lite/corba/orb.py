@@ -306,7 +306,9 @@ def publish(servant, host, key=None):
 
 
 def own_servant(ref):
-    """The servant that `publish` made a reference to, or None where it is of another process, or withdrawn."""
+    """The servant that `publish` made a reference to, or None where it is of another process, or
+    withdrawn.
+    """
     from rtshell_lite.corba.iiop import server
 
     return server.servant(ref)

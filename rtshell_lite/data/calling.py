@@ -1,5 +1,5 @@
-"""Operations of objects that others serve: of the interfaces of service ports, and of components, managers and name
-servers themselves.
+"""Operations of objects that others serve: of the interfaces of service ports, and of components, managers
+and name servers themselves.
 
     provider = await calling.find(path, types, "echo")
     operation = provider.operation("echo")
@@ -106,8 +106,8 @@ class Provider:
     # ---- calls ----
 
     async def call(self, operation, values, limit=LIMIT):
-        """What an Operation returns, for values in the order of its in and inout parameters: one value, a tuple of
-        several, or None. It may take `limit` seconds.
+        """What an Operation returns, for values in the order of its in and inout parameters: one value, a
+        tuple of several, or None. It may take `limit` seconds.
 
         Raises Raised for an exception of its IDL, Refused, MayBeDone, Unreachable.
         """
@@ -167,8 +167,8 @@ class Provider:
         return e
 
     async def _cut(self, where):
-        """The error for a connection that was cut while a call was under way: omniORB does so at arguments with too
-        many octets, and lives.
+        """The error for a connection that was cut while a call was under way: omniORB does so at arguments
+        with too many octets, and lives.
         """
         try:
             await orb.is_alive(where, self.ref)
@@ -176,7 +176,8 @@ class Provider:
             return errors.MayBeDone(where, "connection lost, its process has probably ended")
         return errors.Refused(
             where,
-            f"it cut the connection and lives: it probably takes other arguments, and did nothing; {self._wrong_idl()}",
+            "it cut the connection and lives: it probably takes other arguments, and did nothing; "
+            f"{self._wrong_idl()}",
         )
 
     async def _gone(self, where):
@@ -208,8 +209,9 @@ class Provider:
 
 
 async def providers(path, types):
-    """The Providers of a Path, in their order: those of a port or, as PATH:PORT.INSTANCE, of one of its interfaces;
-    of a path without a port, those of all ports of the component. Raises NoSuch, Unreachable, Refused, WrongKind.
+    """The Providers of a Path, in their order: those of a port or, as PATH:PORT.INSTANCE, of one of its
+    interfaces; of a path without a port, those of all ports of the component. Raises NoSuch, Unreachable,
+    Refused, WrongKind.
     """
     # here and below: a component itself is called without them
     from rtshell_lite.robot import ports, services
@@ -234,7 +236,9 @@ async def providers(path, types):
 
 
 def _named(path, listed):
-    """(the Port, the instance or None) that PATH:PORT[.INSTANCE] means: the longer name of a port comes first."""
+    """(the Port, the instance or None) that PATH:PORT[.INSTANCE] means: the longer name of a port comes
+    first.
+    """
     from rtshell_lite.robot import ports
 
     port = ports.named(path, listed)
@@ -258,7 +262,9 @@ def of_service(service, types):
 
 
 async def itself(path, types):
-    """The Provider for the component, manager or name server at a Path. Raises NotFound, WrongKind, Unreachable."""
+    """The Provider for the component, manager or name server at a Path. Raises NotFound, WrongKind,
+    Unreachable.
+    """
     node = await tree.resolve(path)
     if node.kind in ("server", "directory"):
         repository_id = "IDL:omg.org/CosNaming/NamingContext:1.0"
@@ -269,8 +275,8 @@ async def itself(path, types):
 
 
 async def find(path, types, name):
-    """The Provider at a Path that has an operation or attribute of this name. Raises NoSuch where none has, or
-    several have.
+    """The Provider at a Path that has an operation or attribute of this name. Raises NoSuch where none has,
+    or several have.
     """
     if path.port is None:
         return await single(path, types)

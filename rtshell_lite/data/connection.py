@@ -352,7 +352,9 @@ class Connections:
         await self._each("open", connections)
 
     async def let_go(self, connections):
-        """Have the components of these reading.Readers not wait for us any more; those that cannot have a `failure`."""
+        """Have the components of these reading.Readers not wait for us any more; those that cannot have a
+        `failure`.
+        """
         await self._each("let_go", connections)
 
     def drop(self, connection):

@@ -293,8 +293,8 @@ class Reader(Connection):
         return self.connector is not None and self.dataflow == "push" and self._subscription() == "flush"
 
     async def let_go(self):
-        """Have the component not wait for us any more: with "new" a thread of its own calls us. A port that has no "new", or is
-        to have "flush", is given up. Raises errors.Error.
+        """Have the component not wait for us any more: with "new" a thread of its own calls us. A port that
+        has no "new", or is to have "flush", is given up. Raises errors.Error.
         """
         await self.close()
         if SUBSCRIPTION in self.user or ports.offer_without(self.port, SUBSCRIPTION, "new"):

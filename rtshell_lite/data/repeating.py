@@ -12,7 +12,9 @@ FINE = 200  # steps of a histogram within a factor of e: half a percent
 
 
 class Latencies:
-    """The seconds that calls took, which are not kept: the median and the 99 % are right to half a percent."""
+    """The seconds that calls took, which are not kept: the median and the 99 % are right to half a
+    percent.
+    """
 
     def __init__(self):
         self.count = self.failed = 0

@@ -40,7 +40,9 @@ def name(descriptor):
 
 
 def descriptor(name, find, depth=DEEPEST):
-    """The descriptor for the name of a type; find(name) gives that of a named one. Raises what `find` raises."""
+    """The descriptor for the name of a type; find(name) gives that of a named one. Raises what
+    `find` raises.
+    """
     name = name.strip()
     if name in _BASIC:
         return _BASIC[name]

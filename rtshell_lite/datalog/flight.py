@@ -1,7 +1,7 @@
 """Recording a whole robot: every out port below some paths, now and later, and which of their values.
 
-Name servers are asked again and again which components there are; a component is asked for its ports once, when it
-appears, or another object has its name. No port gets more than one connector.
+Name servers are asked again and again which components there are; a component is asked for its ports once,
+when it appears, or another object has its name. No port gets more than one connector.
 """
 
 import time
@@ -25,8 +25,8 @@ FAST = 1000
 class Choice:
     """Which ports are recorded or played, and how many of their values are recorded.
 
-    `only` and `without` are shell patterns for ports and types; `every` and `at_most`: {pattern: number}, of which the first
-    that fits counts.
+    `only` and `without` are shell patterns for ports and types; `every` and `at_most`: {pattern: number}, of
+    which the first that fits counts.
     """
 
     def __init__(self, only=(), without=(), every=None, at_most=None):
@@ -101,9 +101,9 @@ def _at_most(hertz, deliver):
 class Flight:
     """Follows the components below `tops` (Paths), and reads their ports.
 
-    take(port, about): an awaitable for the function that takes a Port's Messages; `about`: what else is known of it; raises
-    errors.Error. `readers` is the list of reading.Readers, which grows and shrinks; `components` are the Paths of all that
-    were seen.
+    take(port, about): an awaitable for the function that takes a Port's Messages; `about`: what else is known
+    of it; raises errors.Error. `readers` is the list of reading.Readers, which grows and shrinks;
+    `components` are the Paths of all that were seen.
     """
 
     def __init__(self, tops, choice, take, readers, properties, pull):
@@ -176,7 +176,9 @@ class Flight:
         return reader
 
     def _drop_dead(self, opened):
-        """Forget the Readers of ports that were gone at the last look, and are reported: they may come back."""
+        """Forget the Readers of ports that were gone at the last look, and are reported: they may
+        come back.
+        """
         live = opened.live()
         gone = {
             identity
@@ -195,8 +197,9 @@ class Flight:
 
 
 class Plan:
-    """What a flight records: `tops` (Paths), `wanted` ports (port_arguments.Targets), the Choice of ports below the tops;
-    a `journal` of events (see system/journal.py), and triggers.Triggers with the ring.Incidents that they make, or None.
+    """What a flight records: `tops` (Paths), `wanted` ports (port_arguments.Targets), the Choice of ports
+    below the tops; a `journal` of events (see system/journal.py), and triggers.Triggers with the
+    ring.Incidents that they make, or None.
     """
 
     def __init__(self, tops, wanted, choice, journal=None, triggers=None, incidents=None):
@@ -209,7 +212,9 @@ class Plan:
 
 
 async def record(plan, types, properties, pull, limits, file):
-    """Record until a limit is reached; returns the exit status. The parameters are those of recorder.record."""
+    """Record until a limit is reached; returns the exit status. The parameters are those of
+    recorder.record.
+    """
     tally = notes.Tally()
     channels = recorder.Channels(types)
     work = recorder.Recorder(limits.entries, channels.types, channels.found)
@@ -273,7 +278,9 @@ async def _triggers(plan, work, channels):
 
 
 async def channel_of(channels, port, about):
-    """The number of the channel of a Port, which is called by its path; by its type, too, where that has changed."""
+    """The number of the channel of a Port, which is called by its path; by its type, too, where that has
+    changed.
+    """
     label = ports.label(port)
     try:
         return await channels.add(port, label, about)

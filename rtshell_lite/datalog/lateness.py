@@ -1,7 +1,8 @@
-"""A recorder that is late holds up components: with the subscription "flush" they wait for its answer to each value.
+"""A recorder that is late holds up components: with the subscription "flush" they wait for its answer to each
+value.
 
-It answers at once while the loop runs. Where the loop does not, because the machine has too much to do, or has stopped this
-process, components are let go.
+It answers at once while the loop runs. Where the loop does not, because the machine has too much to do, or
+has stopped this process, components are let go.
 """
 
 import time
@@ -15,8 +16,8 @@ MOST = 0.25  # of a span, for which a component that always calls may have waite
 
 
 async def watch(opened, tell=None):
-    """Measure again and again how late this process is, and let the Readers of connection.Connections go where that is too
-    much. tell(reader): called for each of them. Until it is cancelled.
+    """Measure again and again how late this process is, and let the Readers of connection.Connections go
+    where that is too much. tell(reader): called for each of them. Until it is cancelled.
     """
     while True:
         share = await _measure(opened)
@@ -26,8 +27,8 @@ async def watch(opened, tell=None):
         if not waiting:
             continue
         notes.note(
-            f"this machine has too much to do: for {share:.0%} of {SPAN:g} s components would have waited for rtlog; "
-            f"{len(waiting)} ports do not call it in their own cycle any more"
+            f"this machine has too much to do: for {share:.0%} of {SPAN:g} s components would have waited "
+            f"for rtlog; {len(waiting)} ports do not call it in their own cycle any more"
         )
         await loop.finish(opened.let_go(waiting))
         if tell is not None:

@@ -1,7 +1,7 @@
 """The format MCAP: octets to records, and records to octets. Nothing here reads or writes a file.
 
-A file is a magic word, records, the same magic word. A record: opcode (1 octet), length (uint64), body. All numbers are
-little-endian. The names are those of MCAP's specification.
+A file is a magic word, records, the same magic word. A record: opcode (1 octet), length (uint64), body. All
+numbers are little-endian. The names are those of MCAP's specification.
 """
 
 import struct
@@ -41,7 +41,9 @@ class Damaged(Exception):
 
 
 class Fields:
-    """The fields of a record's body, in their order. All methods raise Damaged where the body ends too early."""
+    """The fields of a record's body, in their order. All methods raise Damaged where the body ends
+    too early.
+    """
 
     def __init__(self, body):
         self.body = body
@@ -93,8 +95,8 @@ class Fields:
 
 
 class Chunk:
-    """What a chunk says of itself: `first` and `last` log time, `size` and `crc` of its records (0: none), their
-    `compression`, and how many octets they take `within` the record, `place` octets after its begin.
+    """What a chunk says of itself: `first` and `last` log time, `size` and `crc` of its records (0: none),
+    their `compression`, and how many octets they take `within` the record, `place` octets after its begin.
     """
 
     def __init__(self, start):
@@ -114,7 +116,9 @@ def schema(body):
 
 
 def channel(body):
-    """(id, schema's id or 0, topic, encoding of its messages, metadata) of a Channel's body. Raises Damaged."""
+    """(id, schema's id or 0, topic, encoding of its messages, metadata) of a Channel's body. Raises
+    Damaged.
+    """
     fields = Fields(body)
     return fields.short(), fields.short(), fields.string(), fields.string(), fields.texts()
 
@@ -126,7 +130,9 @@ def metadata(body):
 
 
 def attachment(body):
-    """(log time, name, media type, place of the data in the body, its length) of an Attachment. Raises Damaged."""
+    """(log time, name, media type, place of the data in the body, its length) of an Attachment. Raises
+    Damaged.
+    """
     fields = Fields(body)
     logged, _ = fields.unpack(_TIMES)
     name = fields.string()
@@ -152,7 +158,9 @@ def chunk_index(body):
 
 
 def footer(end):
-    """(where the summary of a file begins, its CRC-32 or 0); `end`: its last FOOT.size octets. Raises Damaged."""
+    """(where the summary of a file begins, its CRC-32 or 0); `end`: its last FOOT.size octets. Raises
+    Damaged.
+    """
     if len(end) < FOOT.size:
         raise Damaged("no footer")
     kind, length, start, _, crc, magic = FOOT.unpack(end)
@@ -162,7 +170,9 @@ def footer(end):
 
 
 def messages_indexed(places, length):
-    """How many messages a chunk has whose MessageIndex records, one for each of `places`, take `length` octets."""
+    """How many messages a chunk has whose MessageIndex records, one for each of `places`, take `length`
+    octets.
+    """
     return (length - (HEAD.size + 6) * places) // 16
 
 
@@ -238,7 +248,9 @@ def attachment_record(moment, name, kind, data):
 
 
 def attachment_index(moment, name, kind, size, offset, length):
-    """The AttachmentIndex of an attachment of `size` octets, whose record is at `offset` and takes `length`."""
+    """The AttachmentIndex of an attachment of `size` octets, whose record is at `offset` and takes
+    `length`.
+    """
     numbers = struct.pack("<QQQQQ", offset, length, moment, moment, size)
     return record(ATTACHMENT_INDEX, numbers, string(name), string(kind))
 
@@ -287,8 +299,8 @@ class Packer:
 
 
 def message_indexes(times, offset):
-    """(the MessageIndex records at `offset` for the messages of a chunk, {channel's id: where its record is});
-    `times`: {channel's id: [log time, offset in the chunk, log time, …]}
+    """(the MessageIndex records at `offset` for the messages of a chunk, {channel's id: where its record
+    is}); `times`: {channel's id: [log time, offset in the chunk, log time, …]}
     """
     indexes = []
     places = {}
@@ -303,8 +315,8 @@ def message_indexes(times, offset):
 
 
 def chunk_index_record(chunk, offset, length, places, indexes):
-    """The ChunkIndex of a Chunk or Packer that is at `offset` and takes `length` octets; its MessageIndex records are
-    at `places`, by channel's id, and take `indexes` octets.
+    """The ChunkIndex of a Chunk or Packer that is at `offset` and takes `length` octets; its MessageIndex
+    records are at `places`, by channel's id, and take `indexes` octets.
     """
     return record(
         CHUNK_INDEX,

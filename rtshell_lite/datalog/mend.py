@@ -8,7 +8,8 @@ from rtshell_lite.text import printable
 
 
 def mend(name, out=None):
-    """Write what is whole in a log, and its summary, to a file `out`; None: only add the summary to the log itself.
+    """Write what is whole in a log, and its summary, to a file `out`; None: only add the summary to the log
+    itself.
 
     Returns what was left out, in words. Raises OSError, errors.Failed.
     """

@@ -20,8 +20,9 @@ class Pace:
     seconds    after which there are no more
     is_looped  again and again
 
-    `position` is when the last entry came (ns since the epoch), `count` how many entries were due, `is_elsewhere` whether
-    the last one does not follow the one before. Raises errors.Failed where there is no entry in the range.
+    `position` is when the last entry came (ns since the epoch), `count` how many entries were due,
+    `is_elsewhere` whether the last one does not follow the one before. Raises errors.Failed where there is no
+    entry in the range.
     """
 
     def __init__(self, log, chosen, rate=1.0, cycle=None, seconds=math.inf, is_looped=False):

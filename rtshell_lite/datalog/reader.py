@@ -1,4 +1,6 @@
-"""Reading logs in MCAP, ours and those of others: nothing in them is trusted, and everything that is whole is read."""
+"""Reading logs in MCAP, ours and those of others: nothing in them is trusted, and everything that is whole is
+read.
+"""
 
 import bisect
 import collections
@@ -23,10 +25,10 @@ Stretch = collections.namedtuple("Stretch", "offset end first last number count 
 class Log:
     """An open log, to be used in a `with` statement.
 
-    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (the earliest and the latest arrival,
-    or None), `counts` (by channel's name), `attachments` (log time, name, media type, offset of the data, size),
-    `torn` (octets of half a record at the end), `closed` (False: recording was killed, or goes on), and `damaged`
-    (messages left out), which may grow while entries are read.
+    `channels`; `started` (ns since the epoch), `count`, `first` and `last` (the earliest and the latest
+    arrival, or None), `counts` (by channel's name), `attachments` (log time, name, media type, offset of the
+    data, size), `torn` (octets of half a record at the end), `closed` (False: recording was killed, or goes
+    on), and `damaged` (messages left out), which may grow while entries are read.
     """
 
     form = "mcap"
@@ -122,8 +124,8 @@ class Log:
             yield f"{count} messages are left out: their encoding {encoding} is not read"
 
     def contents(self):
-        """(mcap.Contents, {schema: its id}, {(topic, schema, encoding, metadata): id of a channel}, the ChunkIndex
-        records) of the file, to go on with it.
+        """(mcap.Contents, {schema: its id}, {(topic, schema, encoding, metadata): id of a channel}, the
+        ChunkIndex records) of the file, to go on with it.
         """
         made = mcap.Contents()
         for kind, offset, end in self._others:
@@ -140,7 +142,9 @@ class Log:
         return made, {schema: number for number, schema in self._schemas.items()}, dict(self._ids), indexes
 
     def sound_records(self):
-        """The octets of all records up to `end`, one by one, without chunks that are damaged, and their indexes."""
+        """The octets of all records up to `end`, one by one, without chunks that are damaged, and their
+        indexes.
+        """
         stretches = {each.offset: each for each in self._stretches}
         yield self._octets(0, len(mcap.MAGIC))
         at = len(mcap.MAGIC)
@@ -172,8 +176,9 @@ class Log:
         return kind, end
 
     def _summary(self):
-        """({offset of a chunk: (its length, messages, length of their indexes)}, {channel's id: messages}, bodies of
-        schemas and channels with their opcodes) as the end of the file says; None where it says nothing sound.
+        """({offset of a chunk: (its length, messages, length of their indexes)}, {channel's id: messages},
+        bodies of schemas and channels with their opcodes) as the end of the file says; None where it says
+        nothing sound.
         """
         known = {}
         counted = None
@@ -214,7 +219,9 @@ class Log:
         return self._octets(offset + HEAD.size, end - offset - HEAD.size)
 
     def _found(self, known, counted, defined):
-        """Find all records up to the end of the data, with the help of what _summary says; False when that is not so."""
+        """Find all records up to the end of the data, with the help of what _summary says; False when that is
+        not so.
+        """
         self.channels = []
         self.attachments = []
         self.started = None
@@ -251,8 +258,8 @@ class Log:
         return True
 
     def _without_end(self):
-        """The file ends in the middle. A last chunk that is damaged is what a power failure leaves; the messages of a
-        sound one are counted, for its indexes may be cut off.
+        """The file ends in the middle. A last chunk that is damaged is what a power failure leaves; the
+        messages of a sound one are counted, for its indexes may be cut off.
         """
         self.closed = False
         if not self._stretches or self._compressed:
@@ -296,7 +303,9 @@ class Log:
         self._stretches.append(Stretch(self.end, end, first, last, self.count, count, is_chunk))
 
     def _indexes(self, at):
-        """({channel's id: messages} as the MessageIndex records at `at` say, {id: their offsets}, the offset after them)"""
+        """({channel's id: messages} as the MessageIndex records at `at` say, {id: their offsets}, the offset
+        after them)
+        """
         counts = {}
         places = {}
         while True:
@@ -310,7 +319,9 @@ class Log:
             at = head[1]
 
     def _look_inside(self, end, counts):
-        """Take the schemas and channels within the chunk at self.end; returns its messages by channel's id."""
+        """Take the schemas and channels within the chunk at self.end; returns its messages by
+        channel's id.
+        """
         octets = self._records(Stretch(self.end, end, 0, 0, 0, 0, True))
         if octets is None:
             return counts
@@ -485,7 +496,9 @@ class Log:
         return found
 
     def lacking(self):
-        """(offset, octets) of the MessageIndex records of the last chunk, which has not all of its own; None: it has."""
+        """(offset, octets) of the MessageIndex records of the last chunk, which has not all of its own; None:
+        it has.
+        """
         if not self._stretches or not self._stretches[-1].is_chunk:
             return None
         stretch = self._stretches[-1]

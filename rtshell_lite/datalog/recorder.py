@@ -91,8 +91,8 @@ class Recorder:
     """
 
     def __init__(self, most=None, types=(), channels=()):
-        """`types`: the datatypes.Type of each channel or None; `channels`: the records.Channels. Both lists may grow
-        until a message of theirs comes.
+        """`types`: the datatypes.Type of each channel or None; `channels`: the records.Channels. Both lists
+        may grow until a message of theirs comes.
         """
         self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
         self._most = most
@@ -180,7 +180,9 @@ class Recorder:
             self._sync_at = time.monotonic() + SYNC
 
     def _count(self, batch):
-        """Count what was written, and what is the last value of its channel again. Those without a timestamp may be alike."""
+        """Count what was written, and what is the last value of its channel again. Those without a timestamp
+        may be alike.
+        """
         self.count += len(batch)
         last = self._last
         for channel, message in batch:
@@ -308,7 +310,9 @@ async def record(wanted, types, properties, pull, limits, file):
 
 
 def taker(box, channels, number, triggers):
-    """The function that takes the Messages of a channel; triggers.Triggers judge them, too, if there are any."""
+    """The function that takes the Messages of a channel; triggers.Triggers judge them, too, if
+    there are any.
+    """
     deliver = box.taker(number)
     if triggers is None:
         return deliver
@@ -334,7 +338,9 @@ async def find_readers(wanted, properties, pull, channels, box, tally, triggers=
 
 
 async def wait(limits, work, opened=None):
-    """Wait for the end of recording, and report what is dropped. It ends when none of the Connections `opened` lives, too."""
+    """Wait for the end of recording, and report what is dropped. It ends when none of the Connections
+    `opened` lives, too.
+    """
     end = time.monotonic() + limits.left()
     reported = 0
     due = 0.0
@@ -365,6 +371,7 @@ async def finish(work, watch, tally):
         tally.fail(errors.Partial())
     if work.repeated:
         notes.note(
-            f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose answer it has not got"
+            f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose "
+            "answer it has not got"
         )
     notes.detail(f"{work.count} messages, {work.octets} octets recorded")

@@ -19,8 +19,8 @@ def is_moment(value):
 
 
 def is_called(word, names):
-    """Whether a channel may be called so on a command line. `names`: that in the log, the paths of its ports; the end of one
-    will do: Arm0.rtc:joints, joints.
+    """Whether a channel may be called so on a command line. `names`: that in the log, the paths of its ports;
+    the end of one will do: Arm0.rtc:joints, joints.
     """
     end = word.lstrip("./")
     return any(name == word or name.endswith(("/" + end, ":" + end)) for name in names)

@@ -1,5 +1,5 @@
-"""Logs of several files, which a flight recorder writes: parts that follow one another, a ring of which the oldest are removed, and
-what a trigger keeps of the ring.
+"""Logs of several files, which a flight recorder writes: parts that follow one another, a ring of which the
+oldest are removed, and what a trigger keeps of the ring.
 """
 
 import collections
@@ -33,7 +33,9 @@ def ring_limits(span, size, leave):
 
 
 class Parts:
-    """Writes one log after another, with the methods of writer.Writer: NAME-000001.mcap …, or NAME where there is but one."""
+    """Writes one log after another, with the methods of writer.Writer: NAME-000001.mcap …, or NAME where
+    there is but one.
+    """
 
     def __init__(self, name, channels, begun, limits, append=False):
         """Begin the first part. Raises OSError, errors.Failed."""
@@ -93,7 +95,9 @@ class Parts:
         self._writer.close()
 
     def write(self, messages):
-        """Append messages; begin another part where this one is full. Raises OSError, also when the disk is nearly full."""
+        """Append messages; begin another part where this one is full. Raises OSError, also when the disk is
+        nearly full.
+        """
         self._leave_space()
         self._writer.write(messages)
         is_old = self.limits.seconds is not None and time.monotonic() >= self._due
@@ -159,7 +163,9 @@ class Parts:
         return status.f_bavail * status.f_frsize
 
     def past(self, first, last):
-        """The messages that arrived between two moments (ns): (number of the channel, received, little, data)."""
+        """The messages that arrived between two moments (ns): (number of the channel, received, little,
+        data).
+        """
         # a part also has what came before it began, while the one before it was written
         names = [part.name for part in self._parts if part.ended >= first]
         for name in names + [self._writer.name]:
@@ -217,7 +223,9 @@ class Memory:
 
 
 class Incident:
-    """What is kept of the ring: from `first` to `last` (ns since the epoch), and why: `causes`, (moment, words)."""
+    """What is kept of the ring: from `first` to `last` (ns since the epoch), and why: `causes`, (moment,
+    words).
+    """
 
     def __init__(self, first, last, cause):
         self.first = first
@@ -229,10 +237,11 @@ class Incident:
 
 
 class Incidents:
-    """Makes files of the ring when something has happened: `before` seconds of the past and `after` of the future.
+    """Makes files of the ring when something has happened: `before` seconds of the past and `after` of the
+    future.
 
-    trigger() is called anywhere; protect(), step() and finish() on the thread that writes: protect() before the ring may drop
-    what is old, step() afterwards.
+    trigger() is called anywhere; protect(), step() and finish() on the thread that writes: protect() before
+    the ring may drop what is old, step() afterwards.
     """
 
     def __init__(self, name, before, after, done):
@@ -245,7 +254,9 @@ class Incidents:
         self.attached = {}  # by media type: what is attached to each file, as of Writer.attach
 
     def trigger(self, words, moment=None):
-        """Something has happened, now or at a moment; within the future of another incident it is one more cause of that."""
+        """Something has happened, now or at a moment; within the future of another incident it is one more
+        cause of that.
+        """
         if moment is None:
             moment = int(time.time() * 1e9)
         for incident in self._pending:
@@ -259,7 +270,9 @@ class Incidents:
         ring.protected = min((incident.first for incident in self._pending), default=None)
 
     def step(self, ring, channels, written):
-        """Copy a slice of what is due: all that came before `written` (ns) is in the ring. Raises OSError, errors.Failed."""
+        """Copy a slice of what is due: all that came before `written` (ns) is in the ring. Raises OSError,
+        errors.Failed.
+        """
         for incident in self._pending[:1]:
             if incident.last < written:
                 self._copy(incident, ring, channels, SLICE)
@@ -343,7 +356,9 @@ class Hook:
 
 
 class Mailbox:
-    """A file beside a log, NAME.trigger, in which `rtlog --trigger-now NAME` leaves a word; it is ours while we record."""
+    """A file beside a log, NAME.trigger, in which `rtlog --trigger-now NAME` leaves a word; it is ours while
+    we record.
+    """
 
     def __init__(self, name):
         """Raises OSError, errors.Failed."""
@@ -374,7 +389,9 @@ class Mailbox:
 
 
 def trigger_now(name):
-    """Have the rtlog that records to a ring of that name keep what has happened. Raises Failed where there is none."""
+    """Have the rtlog that records to a ring of that name keep what has happened. Raises Failed where there is
+    none.
+    """
     import fcntl
 
     try:

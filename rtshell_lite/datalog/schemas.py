@@ -1,7 +1,7 @@
 """Data types in the words of MCAP: as `ros2msg`, which everything reads, else as `omgidl`; and the reverse.
 
-ros2msg: the fields, one a line; then for each type that they use a line of 80 `=`, `MSG: package/Name`, its fields. It
-has no unions, no wide text, no sequences of sequences, and names that begin in lower case.
+ros2msg: the fields, one a line; then for each type that they use a line of 80 `=`, `MSG: package/Name`, its
+fields. It has no unions, no wide text, no sequences of sequences, and names that begin in lower case.
 """
 
 import re

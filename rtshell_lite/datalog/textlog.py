@@ -53,7 +53,10 @@ class Writer:
         try:
             for channel, received, little, data in messages:
                 seconds, nanoseconds = divmod(received, 10**9)
-                line = f"{seconds}.{nanoseconds:09d}\t({self._names[channel]!r}, {self._spelt(channel, little, data)})\n"
+                line = (
+                    f"{seconds}.{nanoseconds:09d}\t({self._names[channel]!r}, "
+                    f"{self._spelt(channel, little, data)})\n"
+                )
                 self._file.write(line.encode("utf-8", "backslashreplace"))
             self._file.flush()
         except OSError as e:

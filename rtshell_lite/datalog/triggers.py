@@ -170,7 +170,9 @@ class Triggers:
         self._signals = 0
 
     def wrapped(self, names, type, deliver):
-        """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of is_called."""
+        """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of
+        is_called.
+        """
         for condition in self._conditions:
             deliver = condition.wrapped(names, type, deliver)
         return deliver

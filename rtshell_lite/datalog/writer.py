@@ -42,9 +42,9 @@ class Writer:
     def __init__(self, name, channels, begun, append=False):
         """Create the file with its header, or prepare it for appending. Raises errors.Failed, too.
 
-        `begun` is when recording began, ns since the epoch; `channels` are those of which messages come: None to
-        only complete an old file. An old file of that name is replaced when the
-        header of the new one is on the disk.
+        `begun` is when recording began, ns since the epoch; `channels` are those of which messages come: None
+        to only complete an old file. An old file of that name is replaced when the header of the new one is
+        on the disk.
         """
         self.name = name
         self.streams = []
@@ -340,7 +340,9 @@ def _is_still(file, name):
 
 
 def lock(file, name):
-    """Lock a file against other recorders, if its file system, and this Python, has locks. Raises errors.Failed."""
+    """Lock a file against other recorders, if its file system, and this Python, has locks. Raises
+    errors.Failed.
+    """
     try:
         import fcntl
 

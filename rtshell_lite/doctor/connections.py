@@ -311,7 +311,9 @@ def _shown(value):
 
 
 def _mismatches(link, where, joined, undo):
-    """Why these ports should not be connected in this way (components themselves connect nearly everything)."""
+    """Why these ports should not be connected in this way (components themselves connect nearly
+    everything).
+    """
     if any(port.node is None for port in joined):
         return []
     properties = {}

@@ -1,4 +1,6 @@
-"""This host in words, for a report: versions, clock, interfaces, routes, names, settings, limits, processes."""
+"""This host in words, for a report: versions, clock, interfaces, routes, names, settings, limits,
+processes.
+"""
 
 import os
 import platform

@@ -366,7 +366,9 @@ async def _leads_away(top):
 
 
 async def _probes(nodes):
-    """{(host, port): None, or the errors.Error} of a TCP connection to each address that references publish."""
+    """{(host, port): None, or the errors.Error} of a TCP connection to each address that references
+    publish.
+    """
     wanted = sorted(
         {
             endpoint

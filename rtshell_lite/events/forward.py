@@ -290,7 +290,9 @@ class Door:
 
 
 def _answer(connection, chunk):
-    """Tell a sender that asks for it that a message has come; one that does not read that is not waited for."""
+    """Tell a sender that asks for it that a message has come; one that does not read that is not
+    waited for.
+    """
     if isinstance(chunk, str):
         chunk = chunk.encode("utf-8", "surrogateescape")
     if isinstance(chunk, bytes) and len(chunk) < 256:

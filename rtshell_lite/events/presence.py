@@ -205,7 +205,9 @@ class Presence:
             each.answered()
 
     def failed(self, each, error):
-        """A component was asked in vain: it is gone, with all of its process where that refuses, or it hangs."""
+        """A component was asked in vain: it is gone, with all of its process where that refuses, or
+        it hangs.
+        """
         if not each.is_there:
             return
         if isinstance(error, errors.Gone):
@@ -383,7 +385,9 @@ async def _has_lost(port, where, shown):
 
 
 async def _alive(each):
-    """Raise what shows that a component is gone, or hangs; a process that ends drops its connections first."""
+    """Raise what shows that a component is gone, or hangs; a process that ends drops its
+    connections first.
+    """
     ref = each.shown.node.ref
     for _ in range(TRIES):
         try:

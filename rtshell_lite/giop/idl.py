@@ -72,8 +72,8 @@ def ancestry(interface):
 
 
 def operation(interface, name):
-    """(types of its arguments, types of its results or None for oneway, ids of its exceptions) of an operation of an
-    interface, or of one of those that it inherits, as the tables have them. Raises KeyError.
+    """(types of its arguments, types of its results or None for oneway, ids of its exceptions) of an
+    operation of an interface, or of one of those that it inherits, as the tables have them. Raises KeyError.
     """
     for type_id in ancestry(interface):
         own = INTERFACES[type_id][1]

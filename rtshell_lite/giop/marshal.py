@@ -321,7 +321,9 @@ class Maker(cdr.Maker):
 
 
 class ValueMaker(Maker):
-    """Readers and writers for operations of a user's IDL: values as data ports have them, with text in UTF-8."""
+    """Readers and writers for operations of a user's IDL: values as data ports have them, with text
+    in UTF-8.
+    """
 
     read_string = cdr.Maker.read_string
     write_string = cdr.Maker.write_string

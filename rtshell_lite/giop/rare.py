@@ -31,7 +31,9 @@ def writer(descriptor, order):
 
 
 def fixed(text, digits, scale):
-    """The text of a fixed as the reader gives it: -1.50. Raises Fault for what is no number, or does not fit."""
+    """The text of a fixed as the reader gives it: -1.50. Raises Fault for what is no number, or
+    does not fit.
+    """
     data = bytearray()
     _fixed_writer(digits, scale)(data, text)
     return _fixed(digits, scale)(data, 0)[0]

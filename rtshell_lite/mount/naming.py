@@ -1,4 +1,6 @@
-"""The upper part of a mounted RTC Tree: its root, name servers, naming contexts, and what is bound in them."""
+"""The upper part of a mounted RTC Tree: its root, name servers, naming contexts, and what is bound
+in them.
+"""
 
 import posixpath
 import re

@@ -1,7 +1,7 @@
 """Interfaces of service ports in a mounted RTC Tree: their operations are files, which are called by writing.
 
-Operations are not listed, and nothing is asked until one is named: what they are is in the IDL, which IDL it is in a
-reference that only a connection gives.
+Operations are not listed, and nothing is asked until one is named: what they are is in the IDL, which IDL it
+is in a reference that only a connection gives.
 """
 
 import re
@@ -92,7 +92,9 @@ class InterfaceDirectory(Directory):
 
 
 class Operation(File):
-    """An operation: a line of JSON that is written to it calls it, what it returns is read from the same open file."""
+    """An operation: a line of JSON that is written to it calls it, what it returns is read from the same open
+    file.
+    """
 
     __slots__ = ()
     mode = stat.S_IFREG | 0o644

@@ -684,7 +684,9 @@ class Loop:
             self._strike(self._struck.popleft())
 
     def is_one_awaited(self):
-        """Whether nothing can come but at the one busy descriptor, or signals, which may wait for a moment."""
+        """Whether nothing can come but at the one busy descriptor, or signals, which may wait for a
+        moment.
+        """
         count = len(self._watched)
         if self._bell is not None:
             count -= 1

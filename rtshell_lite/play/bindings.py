@@ -17,7 +17,9 @@ class Bindings:
         self._made = []  # names of naming contexts that were made for them
 
     async def bind(self, names, reference):
-        """Bind a tuple of Names. Raises Refused where somebody who lives has it, and what remote calls raise."""
+        """Bind a tuple of Names. Raises Refused where somebody who lives has it, and what remote
+        calls raise.
+        """
         where = self._path(names)
         await self._make_contexts(where)
         try:

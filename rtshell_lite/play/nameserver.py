@@ -1,4 +1,6 @@
-"""A small name server (CosNaming 1.0.3): naming contexts, their names, and nothing that outlives the process."""
+"""A small name server (CosNaming 1.0.3): naming contexts, their names, and nothing that outlives
+the process.
+"""
 
 import itertools
 import types  # noqa: F401: in type comments
@@ -40,7 +42,9 @@ class Names:
 
 
 class Context:
-    """A naming context: `bound` is {(id, kind): (reference, whether it is a context)}, texts as on the wire."""
+    """A naming context: `bound` is {(id, kind): (reference, whether it is a context)}, texts as on
+    the wire.
+    """
 
     interface = "CosNaming.NamingContextExt"
     reference = None

@@ -338,7 +338,9 @@ def _data_types(profile, where):
 
 
 def _properties(kind, known, type_id):
-    """The properties of a data port: those that are known, without ways of transport that a recording lacks."""
+    """The properties of a data port: those that are known, without ways of transport that a
+    recording lacks.
+    """
     found = dict(known)
     found.setdefault("port.port_type", kind)
     found.setdefault("dataport.data_type", type_id)

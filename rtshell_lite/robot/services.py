@@ -103,7 +103,9 @@ async def _forget(port, where, connector_id):
 
 
 async def is_inactive(node):
-    """Whether a component is in no context Active, and so serves none of its interfaces (docs/protocol.md 7)."""
+    """Whether a component is in no context Active, and so serves none of its interfaces
+    (docs/protocol.md 7).
+    """
     try:
         return await component.state(node) != "Active"
     except errors.Error:

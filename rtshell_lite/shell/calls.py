@@ -1,4 +1,6 @@
-"""Completion of what rtcall calls: operations and attributes, parameters, items of enums. Nothing is called."""
+"""Completion of what rtcall calls: operations and attributes, parameters, items of enums. Nothing
+is called.
+"""
 
 from rtshell_lite import errors
 from rtshell_lite.data import calling, datatypes

@@ -185,8 +185,8 @@ def _python():
 
 
 def _finds_modules_alone(python):
-    """Whether Python finds its own modules with -S, by which commands take a ninth less time; in an old virtualenv it
-    does not.
+    """Whether Python finds its own modules with -S, by which commands take a ninth less time; in an old
+    virtualenv it does not.
     """
     import subprocess
 

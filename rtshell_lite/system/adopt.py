@@ -1,4 +1,6 @@
-"""Taking the present state of a system into its RtsProfile: what a person has changed becomes what is wanted."""
+"""Taking the present state of a system into its RtsProfile: what a person has changed becomes what
+is wanted.
+"""
 
 from rtshell_lite import errors
 from rtshell_lite.system import capture, restore

@@ -74,7 +74,9 @@ class Trial:
         self.why = ""
 
     def fail(self, why=""):
-        """Note a failure: the next attempt comes at once after the first one, later after others, or never."""
+        """Note a failure: the next attempt comes at once after the first one, later after others,
+        or never.
+        """
         now = time.monotonic()
         self.why = why
         if self.failures and now - self.failures[-1] > HEALTH:

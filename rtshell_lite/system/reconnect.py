@@ -1,4 +1,6 @@
-"""Which connections of kept components are not as their file has them, so that one task at a time mends each."""
+"""Which connections of kept components are not as their file has them, so that one task at a time
+mends each.
+"""
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -7,7 +9,9 @@ from rtshell_lite.system import capture, connect_steps, restore
 
 
 class Connections:
-    """The connectors of a profile and who mends them; `kept_at(end)` gives the keep.Kept of an end, or None."""
+    """The connectors of a profile and who mends them; `kept_at(end)` gives the keep.Kept of an end,
+    or None.
+    """
 
     def __init__(self, profile, site_of, kept_at):
         self._profile = profile

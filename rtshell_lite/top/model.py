@@ -393,7 +393,9 @@ class Top:
         self._act(path, command, function)
 
     def show_neighbours(self, path):
-        """Ask which components the one at a path (text) is connected with; `news` returns their paths, a set."""
+        """Ask which components the one at a path (text) is connected with; `news` returns their
+        paths, a set.
+        """
         self._act(path, "neighbours", _neighbours)
 
     def measure(self, path, command="measure"):

@@ -65,7 +65,9 @@ async def _take_keys(terminal, pace):
 
 
 async def _show(pace, write):
-    """Show the line again and again. It ends at the first column, so that what is said otherwise covers it."""
+    """Show the line again and again. It ends at the first column, so that what is said otherwise
+    covers it.
+    """
     while True:
         if pace.position is not None:
             write(line(pace) + "\x1b[K\r")

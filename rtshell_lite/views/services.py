@@ -6,8 +6,9 @@ from rtshell_lite.robot import ports
 
 
 async def interfaces(path, types, as_json):
-    """Lines about the interfaces that a component, or one of its ports, provides: the port, the instance, its type, its
-    repository id, the file of its IDL; none for a manager or a name server. Raises what calling.providers raises.
+    """Lines about the interfaces that a component, or one of its ports, provides: the port, the instance, its
+    type, its repository id, the file of its IDL; none for a manager or a name server. Raises what
+    calling.providers raises.
     """
     rows = []
     try:
@@ -31,14 +32,18 @@ async def interfaces(path, types, as_json):
         return [text.json_line(row) for row in rows]
     if not rows:
         own = text.shell_word(str(path))
-        notes.note(f"{path}: it has no ports that provide interfaces; rtcall {own} -l lists what it serves itself")
+        notes.note(
+            f"{path}: it has no ports that provide interfaces; rtcall {own} -l lists what it " "serves itself"
+        )
     for row in rows:
         row["port"] = row["port"][len(str(path.object())) + 1 :]
     return text.table([[text.printable(cell or "IDL not known") for cell in row.values()] for row in rows])
 
 
 async def operations(paths, types, as_json):
-    """Lines with the operations and attributes of the providers at Paths, as IDL; an errors.Error for what failed."""
+    """Lines with the operations and attributes of the providers at Paths, as IDL; an errors.Error for what
+    failed.
+    """
     found = []
     for path in paths:
         try:

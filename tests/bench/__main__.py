@@ -1,4 +1,5 @@
-"""What the commands cost, beside the floor under each (floors.py): medians and ratios of one run. Nothing is asserted.
+"""What the commands cost, beside the floor under each (floors.py): medians and ratios of one run. Nothing is
+asserted.
 
     python3 -m tests.bench [--sizes 1,10,100,1000] [--rounds N] [--only WORD] [--rtshell] [SECTION ...]
 
@@ -11,9 +12,11 @@ sections: commands   CPU, wall, peak memory and remote calls of every command, f
           mount      rtmount: CPU of reads and listings, beside commands
           idl        what 500 IDL files in RTSHELL_IDL cost
 
-Both of a pair run by turns, so that another load on the machine hits both. --rtshell also runs the real rtshell, where pip can
-install it (into a directory of its own); a status in place of its figures: it does not do this, or not so.
-"""
+Both of a pair run by turns, so that another load on the machine hits both. --rtshell also runs the real
+rtshell, where pip can install it (into a directory of its own); a status in place of its figures: it does not
+do this, or not so.
+"""  # noqa: E501
+
 import argparse
 import json
 import os
@@ -34,8 +37,9 @@ SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports", "mount"
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
 SIZES = sorted(ROUNDS)
 
-# A command, its floor, the objects that the floor is told, and what puts things back, not measured. {dir} is the directory,
-# {all} all components in it, {one} the first, {other} the second, {file} an RtsProfile of them.
+# A command, its floor, the objects that the floor is told, and what puts things back, not measured. {dir} is
+# the directory, {all} all components in it, {one} the first, {other} the second, {file} an RtsProfile of
+# them.
 GROWING = [
     ("rtls {dir}", "listed", "", ""),
     ("rtls -l {dir}", "figures", "", ""),
@@ -75,19 +79,25 @@ SINGLE = [
     ("rtvlog -t 0.2 {beside}/Motor0.rtc", "profiles", "{one}", ""),
     ("rttop -n 1", "figures", "", ""),
 ]
-BESIDE = [["manager"], ["fsm"], ["observed"]]  # worlds of which commands of the second list need something, in a directory apart
+# worlds of which commands of the second list need something, in a directory apart
+BESIDE = [["manager"], ["fsm"], ["observed"]]
 
 
 class Meter:
     """The process that measures."""
 
     def __init__(self):
-        self.process = subprocess.Popen([sys.executable, "-I", os.path.join(HERE, "measure.py")], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE)
+        self.process = subprocess.Popen(
+            [sys.executable, "-I", os.path.join(HERE, "measure.py")],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+        )
 
     def run(self, words, environment, out=None):
         """(seconds of CPU, seconds, MiB, exit status)"""
-        self.process.stdin.write(json.dumps({"words": words, "environment": environment, "out": out}).encode() + b"\n")
+        self.process.stdin.write(
+            json.dumps({"words": words, "environment": environment, "out": out}).encode() + b"\n"
+        )
         self.process.stdin.flush()
         return json.loads(self.process.stdout.readline().decode())
 
@@ -107,7 +117,12 @@ class Bench:
         self.place = "127.0.0.1:%d" % worlds.Server.port
         known = {name: value for name, value in worlds.ENVIRONMENT.items() if name not in (
             "PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED")}  # nobody's robot compiles at every start
-        self.environment = dict(known, RTSHELL_ORB="omniorb", RTCTREE_NAMESERVERS=self.place, RTCSH_CWD="/%s/test.host_cxt" % self.place)
+        self.environment = dict(
+            known,
+            RTSHELL_ORB="omniorb",
+            RTCTREE_NAMESERVERS=self.place,
+            RTCSH_CWD="/%s/test.host_cxt" % self.place,
+        )
 
     def close(self):
         self.meter.close()
@@ -117,8 +132,13 @@ class Bench:
     def words(self, text, size, bare=False):
         """The words of a command or, `bare`, of a floor."""
         names = ["Mock%d" % number + ("" if bare else ".rtc") for number in range(size)]
-        found = {"{dir}": ["."], "{all}": names, "{file}": [os.path.join(self.directory.name, "system.xml")],
-                 "{log}": [os.path.join(self.directory.name, "log")], "{session}": ["rtls; rtcat %s; rtec %s" % (names[0], names[0])]}
+        found = {
+            "{dir}": ["."],
+            "{all}": names,
+            "{file}": [os.path.join(self.directory.name, "system.xml")],
+            "{log}": [os.path.join(self.directory.name, "log")],
+            "{session}": ["rtls; rtcat %s; rtec %s" % (names[0], names[0])],
+        }
         one = {"{one}": names[0], "{other}": names[1 % size], "{beside}": "../beside.host_cxt"}
         words = []
         for word in text.split():
@@ -165,32 +185,72 @@ class Bench:
         return self.line(command, size, measured, calls)
 
     def line(self, command, size, measured, calls):
-        medians = {kind: [statistics.median(column) for column in zip(*found)] for kind, found in measured.items()}
-        said = {kind: ",".join(str(status) for status in sorted({int(one[3]) for one in found})) for kind, found in measured.items()}
+        medians = {
+            kind: [statistics.median(column) for column in zip(*found)] for kind, found in measured.items()
+        }
+        said = {
+            kind: ",".join(str(status) for status in sorted({int(one[3]) for one in found}))
+            for kind, found in measured.items()
+        }
         own, floor = medians["ours"], medians["floor"]
         text = "%-50s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
-            command, size, own[0] * 1000, floor[0] * 1000, own[0] / floor[0], own[1] * 1000, floor[1] * 1000, own[2], floor[2],
-            own[2] / floor[2], calls["ours"], said["ours"])
+            command,
+            size,
+            own[0] * 1000,
+            floor[0] * 1000,
+            own[0] / floor[0],
+            own[1] * 1000,
+            floor[1] * 1000,
+            own[2],
+            floor[2],
+            own[2] / floor[2],
+            calls["ours"],
+            said["ours"],
+        )
         text += "  %5.2f %5.2f %5.2f  %6d  %s" % (tuple(medians["builtin"][i] / own[i] for i in range(3)) + (
             calls["builtin"], said["builtin"]))
         if said.get("peer") == "0":
-            text += "   %6.0f %6.0f %5.1f" % (medians["peer"][0] * 1000, medians["peer"][1] * 1000, medians["peer"][2])
+            text += "   %6.0f %6.0f %5.1f" % (
+                medians["peer"][0] * 1000,
+                medians["peer"][1] * 1000,
+                medians["peer"][2],
+            )
         elif "peer" in said:
             text += "   status %s" % said["peer"]
         print(text, flush=True)
         return own[0], floor[0]
 
     def commands(self, sizes):
-        print("%-50s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s" % (
-            "command", "size", "CPU", "floor", "ratio", "wall", "floor", "MiB", "floor", "ratio", "calls", "status")
-            + "  builtin: CPU, wall, MiB, calls, status" + (
-            "   %6s %6s %5s" % ("rtshell", "wall", "MiB") if self.peer else "") + "   (ms)")
+        print(
+            "%-50s %5s  %6s %6s %5s  %6s %6s  %5s %5s %5s  %6s  %s"
+            % (
+                "command",
+                "size",
+                "CPU",
+                "floor",
+                "ratio",
+                "wall",
+                "floor",
+                "MiB",
+                "floor",
+                "ratio",
+                "calls",
+                "status",
+            )
+            + "  builtin: CPU, wall, MiB, calls, status"
+            + ("   %6s %6s %5s" % ("rtshell", "wall", "MiB") if self.peer else "")
+            + "   (ms)"
+        )
         costs = {}
         for size in sizes:
             rows = GROWING + (SINGLE if size == 10 or sizes == [size] else [])
             rows = [row for row in rows if not self.only or row[0].split()[0] in self.only]
             world = worlds.World("many", str(size))
-            beside = [worlds.World(*words + ["--context", "beside.host_cxt/%n.rtc"]) for words in BESIDE if "beside" in str(rows)]
+            beside = [
+                worlds.World(*words + ["--context", "beside.host_cxt/%n.rtc"])
+                for words in BESIDE
+                if "beside" in str(rows)
+            ]
             try:
                 self.ours(self.words("rtcryo --all -o {file} {dir}", size))
                 for row in rows:
@@ -207,8 +267,14 @@ class Bench:
         """How steep each line is."""
         for command in sorted({command for command, _ in costs}):
             if (command, least) in costs and (command, most) in costs:
-                own, floor = [(costs[command, most][i] - costs[command, least][i]) / (most - least) * 1000 for i in (0, 1)]
-                print("%-50s each component more: %.2f ms, floor %.2f ms, ratio %.2f" % (command, own, floor, own / floor))
+                own, floor = [
+                    (costs[command, most][i] - costs[command, least][i]) / (most - least) * 1000
+                    for i in (0, 1)
+                ]
+                print(
+                    "%-50s each component more: %.2f ms, floor %.2f ms, ratio %.2f"
+                    % (command, own, floor, own / floor)
+                )
 
     def hung(self):
         live = worlds.World("two")
@@ -219,7 +285,10 @@ class Bench:
             for words in (["rtls", "--timeout", "1", "."], ["rtls", "-l", "--timeout", "1", "."],
                           ["rtcat", "--timeout", "1", "ConsoleIn0.rtc"]):
                 one = self.ours(words)
-                print("%2d hung processes: %-24s %.2f s, status %d" % (count, " ".join(words), one[1], one[3]), flush=True)
+                print(
+                    "%2d hung processes: %-24s %.2f s, status %d" % (count, " ".join(words), one[1], one[3]),
+                    flush=True,
+                )
             for world in stopped:
                 world.close()
             self.ours(["rtdel", "-q", "-z"])
@@ -233,7 +302,10 @@ class Bench:
         print("rtls -l, a process each:        %6.2f ms of CPU" % (apart * 1000), flush=True)
         for many in (count, 10 * count):
             once = self.meter.run(["sh", "-c", "yes 'ls -l' | head -n %d | rtsh" % many], shell)[0] / many
-            print("ls -l, %4d times in one rtsh:   %6.2f ms of CPU, 1/%.0f" % (many, once * 1000, apart / once), flush=True)
+            print(
+                "ls -l, %4d times in one rtsh:   %6.2f ms of CPU, 1/%.0f" % (many, once * 1000, apart / once),
+                flush=True,
+            )
         world.close()
 
 
@@ -248,10 +320,16 @@ def script(name, *words):
 def real_rtshell(directory):
     """Where the commands of the real rtshell are; None when pip cannot install it."""
     venv.create(directory, with_pip=True)
-    done = subprocess.run([os.path.join(directory, "bin", "python"), "-m", "pip", "install", "-q", "rtshell-aist"],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    done = subprocess.run(
+        [os.path.join(directory, "bin", "python"), "-m", "pip", "install", "-q", "rtshell-aist"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        universal_newlines=True,
+    )
     if done.returncode or not os.path.exists(os.path.join(directory, "bin", "rtls")):
-        print("the real rtshell cannot be installed: %s" % (done.stdout.strip().splitlines() or ["no rtls"])[-1])
+        print(
+            "the real rtshell cannot be installed: %s" % (done.stdout.strip().splitlines() or ["no rtls"])[-1]
+        )
         return None
     return os.path.join(directory, "bin")
 
@@ -287,8 +365,13 @@ def main():
                     bench.sessions()
             finally:
                 bench.close()
-    for section, name in (("profiles", "restore.py"), ("logs", "rtlog.py"), ("ports", "ports.py"), ("mount", "mount.py"),
-                          ("idl", "idl.py")):
+    for section, name in (
+        ("profiles", "restore.py"),
+        ("logs", "rtlog.py"),
+        ("ports", "ports.py"),
+        ("mount", "mount.py"),
+        ("idl", "idl.py"),
+    ):
         if section in wanted:
             script(name)
 

@@ -1,5 +1,5 @@
-"""Runs commands given on stdin, a line of JSON each, and prints CPU, wall and peak memory: a small process of its own,
-because a child's peak memory begins with that of the process that started it.
+"""Runs commands given on stdin, a line of JSON each, and prints CPU, wall and peak memory: a small process of
+its own, because a child's peak memory begins with that of the process that started it.
 """
 import json
 import os
@@ -11,7 +11,9 @@ for line in sys.stdin:
     begun = time.perf_counter()
     child = os.fork()
     if not child:
-        out = os.open(os.devnull if asked["out"] is None else asked["out"], os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        out = os.open(
+            os.devnull if asked["out"] is None else asked["out"], os.O_WRONLY | os.O_CREAT | os.O_TRUNC
+        )
         os.dup2(out, 1)
         os.dup2(out, 2)
         os.execvpe(asked["words"][0], asked["words"], asked["environment"])

@@ -1,4 +1,5 @@
-"""What a mounted tree costs: `python3 tests/bench/mount.py [READS [COMPONENTS]]` prints a line for each figure.
+"""What a mounted tree costs: `python3 tests/bench/mount.py [READS [COMPONENTS]]` prints a line for each
+figure.
 
 CPU is that of all processes together except the mock components: the shell, ls, the server, the commands.
 """
@@ -65,12 +66,18 @@ def main(reads=1000, components=200):
     world = worlds.World("many", str(components))
     place = "localhost:%d" % worlds.Server.port
     known = {name: value for name, value in worlds.ENVIRONMENT.items() if name != "PYTHONDONTWRITEBYTECODE"}
-    environment = dict(known, RTCTREE_NAMESERVERS=place, RTCSH_CWD="/%s/test.host_cxt" % place,
-                       PATH=os.pathsep.join([worlds.COMMANDS, os.path.dirname(sys.executable), os.environ["PATH"]]))
+    environment = dict(
+        known,
+        RTCTREE_NAMESERVERS=place,
+        RTCSH_CWD="/%s/test.host_cxt" % place,
+        PATH=os.pathsep.join([worlds.COMMANDS, os.path.dirname(sys.executable), os.environ["PATH"]]),
+    )
     directory = tempfile.mkdtemp()
     try:
         mounted = Mounted(directory, environment)
-        report(world, mounted, os.path.join(directory, place, "test.host_cxt"), environment, reads, components)
+        report(
+            world, mounted, os.path.join(directory, place, "test.host_cxt"), environment, reads, components
+        )
     finally:
         mounts.take_away(os.path.dirname(directory))
         os.rmdir(directory)
@@ -79,9 +86,14 @@ def main(reads=1000, components=200):
 
 
 def report(world, mounted, context, environment, reads, components):
-    print("rtmount: returned after %.3f s, first ls after %.3f s, %.1f MiB" % (mounted.started, mounted.first, mounted.resident()))
+    print(
+        "rtmount: returned after %.3f s, first ls after %.3f s, %.1f MiB"
+        % (mounted.started, mounted.first, mounted.resident())
+    )
     world.ctl("reset")
-    shell, server, seconds = spent(["sh", "-c", LOOP % (reads, context + "/Mock7.rtc/state")], environment, mounted)
+    shell, server, seconds = spent(
+        ["sh", "-c", LOOP % (reads, context + "/Mock7.rtc/state")], environment, mounted
+    )
     calls = sum(int(line.split()[0]) for line in world.ctl("calls").splitlines())
     each = (shell + server) / reads
     print("%d reads of a state: %.2f ms of CPU each (shell %.2f, server %.2f), %.2f s, %.3f calls each" % (
@@ -90,13 +102,17 @@ def report(world, mounted, context, environment, reads, components):
     one, _, _ = spent(["sh", "-c", "for i in $(seq %d); do rtcat Mock7.rtc; done" % few], environment)
     print("rtcat: %.2f ms of CPU each; the mount's read: 1/%.0f" % (one / few * 1000, one / few / each))
     one, _, _ = spent(["sh", "-c", "yes 'cat Mock7.rtc' | head -n %d | rtsh" % reads], environment)
-    print("cat in rtsh: %.2f ms of CPU each; the mount's read: 1/%.1f" % (one / reads * 1000, one / reads / each))
+    print(
+        "cat in rtsh: %.2f ms of CPU each; the mount's read: 1/%.1f"
+        % (one / reads * 1000, one / reads / each)
+    )
     world.ctl("reset")
     shell, server, seconds = spent(["ls", "-lR", context], environment, mounted)
     calls = sum(int(line.split()[0]) for line in world.ctl("calls").splitlines())
     own, _, _ = spent(["rtls", "-lR", "."], environment)
-    print("ls -lR of %d components: %.2f s of CPU (ls %.2f, server %.2f), %.2f s, %d calls; rtls -lR: %.2f s of CPU" % (
-        components, shell + server, shell, server, seconds, calls, own))
+    print("ls -lR of %d components: %.2f s of CPU (ls %.2f, server %.2f), %.2f s, %d calls" % (
+        components, shell + server, shell, server, seconds, calls))
+    print("rtls -lR: %.2f s of CPU" % own)
     for _ in range(5):
         spent(["ls", "-lR", context], environment, mounted)
     print("the server after six of them: %.1f MiB" % mounted.resident())

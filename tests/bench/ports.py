@@ -1,7 +1,8 @@
 """How fast rtprint takes values from a port, beside a bare omniORBpy loop, and how much memory that needs.
 
-`python3 tests/bench/ports.py [VALUES [BLOCKS]]`: so many TimedLongs, then blocks of 1 MB; prints a line each. The sender is a
-mock whose port pushes the same bytes as fast as the receiver takes them; every value is counted at both ends.
+`python3 tests/bench/ports.py [VALUES [BLOCKS]]`: so many TimedLongs, then blocks of 1 MB; prints a line each.
+The sender is a mock whose port pushes the same bytes as fast as the receiver takes them; every value is
+counted at both ends.
 """
 import os
 import re
@@ -16,13 +17,25 @@ MB = 1000000
 
 
 def sender():
-    """A world with Source0, whose ports send without a pause while they are connected; a line when a connection ends."""
+    """A world with Source0, whose ports send without a pause while they are connected; a line when a
+    connection ends.
+    """
     from mock_components import flavour, naming, process, values
     from mock_components.__main__ import Options
     from mock_components.stage import Stage
     here = process.Process()
-    options = Options(context="test.host_cxt/%n.rtc", rate=1000.0, sync=True, contexts=1, running=True, arguments={},
-                      control=None, consumers=None, size=MB, dies=False)
+    options = Options(
+        context="test.host_cxt/%n.rtc",
+        rate=1000.0,
+        sync=True,
+        contexts=1,
+        running=True,
+        arguments={},
+        control=None,
+        consumers=None,
+        size=MB,
+        dies=False,
+    )
     stage = Stage(here, naming.Naming(here.orb, sys.argv[2]), flavour.Flavour("cpp2"), options)
     source = stage.add("Source", size=MB)
     print("ready", flush=True)
@@ -52,7 +65,9 @@ def bare():
     from rtshell_lite.corba import stubs
     import CosNaming
     server, name, number = sys.argv[2], sys.argv[3], int(sys.argv[4])
-    orb = CORBA.ORB_init(["bare", "-ORBgiopMaxMsgSize", "33554432", "-ORBendPoint", "giop:tcp:127.0.0.1:"], CORBA.ORB_ID)
+    orb = CORBA.ORB_init(
+        ["bare", "-ORBgiopMaxMsgSize", "33554432", "-ORBendPoint", "giop:tcp:127.0.0.1:"], CORBA.ORB_ID
+    )
     kind = RTC._tc_TimedLong if name == "number" else RTC._tc_TimedOctetSeq
     count = [0]
 
@@ -70,7 +85,9 @@ def bare():
     poa._get_the_POAManager().activate()
     ior = orb.object_to_string(Receiver()._this())
     names = orb.string_to_object("corbaloc:iiop:1.2@%s/NameService" % server)._narrow(CosNaming.NamingContext)
-    found = names.resolve([CosNaming.NameComponent("test", "host_cxt"), CosNaming.NameComponent("Source0", "rtc")])._narrow(RTC.RTObject)
+    found = names.resolve(
+        [CosNaming.NameComponent("test", "host_cxt"), CosNaming.NameComponent("Source0", "rtc")]
+    )._narrow(RTC.RTObject)
     port = next(p for p in found.get_ports() if p.get_port_profile().name.endswith(name))
     text = [("dataflow_type", "push"), ("interface_type", "corba_cdr"), ("subscription_type", "flush"),
             ("corba_cdr.inport_ior", ior)]
@@ -90,7 +107,9 @@ def resident(process):
 
 
 def measure(what, command, source, environment, number):
-    """Run a receiver until it has shown `number` values, to nobody; print how fast it was. Returns values a second."""
+    """Run a receiver until it has shown `number` values, to nobody; print how fast it was. Returns values a
+    second.
+    """
     process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
     sizes = resident(process)
     _, process.returncode, usage = os.wait4(process.pid, 0)
@@ -110,18 +129,36 @@ def main():
     worlds.start_name_server()
     server = "127.0.0.1:%d" % worlds.Server.port
     environment = dict(worlds.ENVIRONMENT, RTCTREE_NAMESERVERS=server, PYTHONDONTWRITEBYTECODE="1")
-    source = subprocess.Popen([sys.executable, HERE, "sender", server], env=environment, stdout=subprocess.PIPE)
-    numbers = [int(word) for word in sys.argv[1:] if re.match("[0-9]+$", word)] + [100000, 200][len(sys.argv) - 1:]
+    source = subprocess.Popen(
+        [sys.executable, HERE, "sender", server], env=environment, stdout=subprocess.PIPE
+    )
+    numbers = [int(word) for word in sys.argv[1:] if re.match("[0-9]+$", word)] + [100000, 200][
+        len(sys.argv) - 1 :
+    ]
     try:
         source.stdout.readline()
         for name, number in zip(("number", "block"), numbers):
             if not number:
                 continue
             path = "/%s/test.host_cxt/Source0.rtc:%s" % (server, name)
-            rates = [measure(what, command, source, environment, number) for what, command in (
-                ("bare %s" % name, [sys.executable, HERE, "bare", server, name, str(number)]),
-                ("rtprint %s" % name, [sys.executable, os.path.join(ROOT, "bin", "rtprint"), "-n", str(number), path,
-                                       "--property", "dataport.subscription_type=flush"]))]
+            rates = [
+                measure(what, command, source, environment, number)
+                for what, command in (
+                    ("bare %s" % name, [sys.executable, HERE, "bare", server, name, str(number)]),
+                    (
+                        "rtprint %s" % name,
+                        [
+                            sys.executable,
+                            os.path.join(ROOT, "bin", "rtprint"),
+                            "-n",
+                            str(number),
+                            path,
+                            "--property",
+                            "dataport.subscription_type=flush",
+                        ],
+                    ),
+                )
+            ]
             print("rtprint/bare: %.2f" % (rates[1] / rates[0]))
     finally:
         source.kill()

@@ -1,4 +1,6 @@
-"""How fast profiles are read and systems restored. `python3 tests/bench/restore.py [SHELL COMMAND PREFIX]`; prints a line each."""
+"""How fast profiles are read and systems restored. `python3 tests/bench/restore.py [SHELL COMMAND PREFIX]`;
+prints a line each.
+"""
 import os
 import resource
 import subprocess
@@ -20,7 +22,7 @@ from rtshell_lite.xmlprofile import rtsprofile
 profile = rtsprofile.load(files.read(sys.argv[1]), sys.argv[1])
 print(time.perf_counter() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, len(profile.components),
       len(profile.data_port_connectors))
-"""
+"""  # noqa: E501
 PROPERTIES = (("dataport.data_type", "IDL:RTC/TimedLong:1.0"), ("dataport.dataflow_type", "push"),
               ("dataport.interface_type", "corba_cdr"), ("dataport.serializer.cdr.endian", "little,big"),
               ("dataport.subscription_type", "flush"))
@@ -28,21 +30,35 @@ PROPERTIES = (("dataport.data_type", "IDL:RTC/TimedLong:1.0"), ("dataport.datafl
 
 def system(components, server):
     """A profile of mocks, each connected to the next two."""
-    profile = model.RtsProfile(id="RTSystem:Me:Bench:1", creation_date="2024-01-01T00:00:00", update_date="2024-01-01T00:00:00")
+    profile = model.RtsProfile(
+        id="RTSystem:Me:Bench:1", creation_date="2024-01-01T00:00:00", update_date="2024-01-01T00:00:00"
+    )
     for number in range(components):
-        profile.components.append(model.Component(
-            id=mocks_id(), path_uri="%s/test.host_cxt/Mock%d.rtc" % (server, number), instance_name="Mock%d" % number,
-            active_configuration_set="default", is_required=True, location=model.Location(),
-            data_ports=[model.DataPort(name="in"), model.DataPort(name="out")],
-            configuration_sets=[model.ConfigurationSet(id="default")],
-            execution_contexts=[model.ExecutionContext(id="0", kind="PERIODIC", rate=1000.0)]))
+        profile.components.append(
+            model.Component(
+                id=mocks_id(),
+                path_uri="%s/test.host_cxt/Mock%d.rtc" % (server, number),
+                instance_name="Mock%d" % number,
+                active_configuration_set="default",
+                is_required=True,
+                location=model.Location(),
+                data_ports=[model.DataPort(name="in"), model.DataPort(name="out")],
+                configuration_sets=[model.ConfigurationSet(id="default")],
+                execution_contexts=[model.ExecutionContext(id="0", kind="PERIODIC", rate=1000.0)],
+            )
+        )
     for number in range(components):
         for step in (1, 2):
             ends = [end(number, "out", server), end((number + step) % components, "in", server)]
             one = model.DataPortConnector(
-                connector_id="c%d-%d" % (number, step), name="c", data_type="IDL:RTC/TimedLong:1.0", dataflow_type="push",
-                interface_type="corba_cdr", subscription_type="flush",
-                properties=[model.Property(name=name, value=value) for name, value in PROPERTIES])
+                connector_id="c%d-%d" % (number, step),
+                name="c",
+                data_type="IDL:RTC/TimedLong:1.0",
+                dataflow_type="push",
+                interface_type="corba_cdr",
+                subscription_type="flush",
+                properties=[model.Property(name=name, value=value) for name, value in PROPERTIES],
+            )
             one.ends = ends
             profile.data_port_connectors.append(one)
     return profile
@@ -54,8 +70,12 @@ def mocks_id():
 
 def end(number, port, server):
     uri = "%s/test.host_cxt/Mock%d.rtc" % (server, number)
-    return model.TargetPort(component_id=mocks_id(), instance_name="Mock%d" % number, port_name="Mock%d.%s" % (number, port),
-                            properties=[model.Property(name="COMPONENT_PATH_ID", value=uri)])
+    return model.TargetPort(
+        component_id=mocks_id(),
+        instance_name="Mock%d" % number,
+        port_name="Mock%d.%s" % (number, port),
+        properties=[model.Property(name="COMPONENT_PATH_ID", value=uri)],
+    )
 
 
 def loading(directory):
@@ -63,7 +83,11 @@ def loading(directory):
     for form in (rtsprofile.XML, rtsprofile.YAML):
         name = os.path.join(directory, "big." + form)
         files.write(name, rtsprofile.dump(profile, form))
-        out = subprocess.check_output([sys.executable, "-c", LOAD, name], env=worlds.ENVIRONMENT).decode().split()
+        out = (
+            subprocess.check_output([sys.executable, "-c", LOAD, name], env=worlds.ENVIRONMENT)
+            .decode()
+            .split()
+        )
         print("load %-4s  %6.2f s  %5.1f MB  (%s components, %s connections, %.1f MB file)" % (
             form, float(out[0]), float(out[1]), out[2], out[3], os.path.getsize(name) / 1e6))
 
@@ -71,13 +95,26 @@ def loading(directory):
 def timed(what, *words):
     start = time.perf_counter()
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([sys.executable, os.path.join(ROOT, "bin", words[0])] + list(words[1:]), env=worlds.ENVIRONMENT,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    done = subprocess.run(
+        [sys.executable, os.path.join(ROOT, "bin", words[0])] + list(words[1:]),
+        env=worlds.ENVIRONMENT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        universal_newlines=True,
+    )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     lines = done.stdout.splitlines()
-    print("%-20s  %6.2f s  (%.2f s of CPU, status %d, %d lines; %s)" % (
-        what, time.perf_counter() - start, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
-        done.returncode, len(lines), lines[-1][:60] if lines else ""))
+    print(
+        "%-20s  %6.2f s  (%.2f s of CPU, status %d, %d lines; %s)"
+        % (
+            what,
+            time.perf_counter() - start,
+            after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+            done.returncode,
+            len(lines),
+            lines[-1][:60] if lines else "",
+        )
+    )
 
 
 def restoring(directory):
@@ -86,10 +123,14 @@ def restoring(directory):
     try:
         name = os.path.join(directory, "live.xml")
         files.write(name, rtsprofile.dump(system(200, "127.0.0.1:%d" % worlds.Server.port), rtsprofile.XML))
-        for what, words in (("dry run", ["rtresurrect", "--dry-run", name]), ("restore", ["rtresurrect", "-v", name]),
-                            ("restore again", ["rtresurrect", "-v", name]), ("check", ["rtcheck", "-s", "inactive", name]),
-                            ("tear down, dry run", ["rtteardown", "--dry-run", name]),
-                            ("tear down", ["rtteardown", "-v", name])):
+        for what, words in (
+            ("dry run", ["rtresurrect", "--dry-run", name]),
+            ("restore", ["rtresurrect", "-v", name]),
+            ("restore again", ["rtresurrect", "-v", name]),
+            ("check", ["rtcheck", "-s", "inactive", name]),
+            ("tear down, dry run", ["rtteardown", "--dry-run", name]),
+            ("tear down", ["rtteardown", "-v", name]),
+        ):
             timed(what, *words)
     finally:
         world.close()

@@ -1,14 +1,16 @@
-"""How much rtlog records without loss, beside a bare omniORBpy servant; its CPU at 100 Hz; its memory after many messages.
+"""How much rtlog records without loss, beside a bare omniORBpy servant; its CPU at 100 Hz; its memory after
+many messages.
 
     python3 tests/bench/rtlog.py [rate | block | cpu | memory | robot | triggers] [MESSAGES | SECONDS | FAILURES]     TMPDIR says which disk
 
-TimedLong: a mock component sends as fast as its port takes values (flush: each put is waited for), to rtlog and to the bare
-servant. Octets, 1 MB each: also to the bare servant; to rtlog at lower and lower rates, until nothing is dropped.
-A robot of 60 ports at 100 Hz and 4 of images of 1 MB at 10 Hz, recorded whole with --events, beside a bare servant that writes
-the same: CPU of both, by turns; values lost; memory.
-Triggers: five recorders keep 10 s before and 5 s after failures at random moments (50). All that their rings have ever held is read
-again, and each file has to have exactly what came in its 15 s.
-"""
+TimedLong: a mock component sends as fast as its port takes values (flush: each put is waited for), to rtlog
+and to the bare servant. Octets, 1 MB each: also to the bare servant; to rtlog at lower and lower rates, until
+nothing is dropped. A robot of 60 ports at 100 Hz and 4 of images of 1 MB at 10 Hz, recorded whole with
+--events, beside a bare servant that writes the same: CPU of both, by turns; values lost; memory. Triggers:
+five recorders keep 10 s before and 5 s after failures at random moments (50). All that their rings have ever
+held is read again, and each file has to have exactly what came in its 15 s.
+"""  # noqa: E501
+
 import collections
 import glob
 import os
@@ -65,7 +67,7 @@ for port, connector_id in connected:
     port.disconnect(connector_id)
 print(count / seconds, octets / seconds, used / float(sys.argv[3]))
 os._exit(0)
-""" % (ROOT, os.path.join(ROOT, "tests", "support"))
+""" % (ROOT, os.path.join(ROOT, "tests", "support"))  # noqa: E501
 
 
 def bare(world, port, type_id, *file):
@@ -139,7 +141,9 @@ def cpu(file):
 
 def memory(file, messages):
     world = worlds.World("senders", "1000000", "8")
-    process = subprocess.Popen(rtlog(file, ["-i", "-e", str(messages), path("number")] + FLUSH), env=environment())
+    process = subprocess.Popen(
+        rtlog(file, ["-i", "-e", str(messages), path("number")] + FLUSH), env=environment()
+    )
     sizes = []
     while process.poll() is None:
         with open("/proc/%d/status" % process.pid) as status:
@@ -158,8 +162,13 @@ def robot(directory, seconds):
     pairs = []
     for context, count in (("small", 30), ("images", 4)):
         for number in range(count):
-            steps = [worlds.CosNaming.NameComponent(context, "host_cxt"), worlds.CosNaming.NameComponent("Source%d" % number, "rtc")]
-            for port in worlds.Server.root.resolve(steps)._narrow(worlds.OpenRTM.DataFlowComponent).get_ports():
+            steps = [
+                worlds.CosNaming.NameComponent(context, "host_cxt"),
+                worlds.CosNaming.NameComponent("Source%d" % number, "rtc"),
+            ]
+            for port in (
+                worlds.Server.root.resolve(steps)._narrow(worlds.OpenRTM.DataFlowComponent).get_ports()
+            ):
                 type_id = worlds.LONG
                 if port.get_port_profile().name.endswith("block"):
                     type_id = "IDL:RTC/TimedOctetSeq:1.0"
@@ -168,11 +177,26 @@ def robot(directory, seconds):
         if turn == "recorded":
             whole(os.path.join(directory, "robot.mcap"), seconds)
             continue
-        said = subprocess.run([sys.executable, "-c", BARE, ",".join(pairs), "", str(seconds / 5), os.path.join(directory, "bare")],
-                              check=True, stdout=subprocess.PIPE, env=worlds.ENVIRONMENT).stdout.split()
+        said = subprocess.run(
+            [
+                sys.executable,
+                "-c",
+                BARE,
+                ",".join(pairs),
+                "",
+                str(seconds / 5),
+                os.path.join(directory, "bare"),
+            ],
+            check=True,
+            stdout=subprocess.PIPE,
+            env=worlds.ENVIRONMENT,
+        ).stdout.split()
         os.remove(os.path.join(directory, "bare"))
         count, octets, used = map(float, said)
-        print("bare, %s: %.0f/s, %.1f MB/s, %.1f %% of a CPU" % (turn, count, octets / 1e6, used * 100), flush=True)
+        print(
+            "bare, %s: %.0f/s, %.1f MB/s, %.1f %% of a CPU" % (turn, count, octets / 1e6, used * 100),
+            flush=True,
+        )
     small.close()
     images.close()
 
@@ -184,7 +208,9 @@ def whole(file, seconds):
     while process.poll() is None:
         with open("/proc/%d/status" % process.pid) as status, open("/proc/%d/stat" % process.pid) as stat:
             peak = max([peak] + [int(line.split()[1]) / 1024 for line in status if line.startswith("VmHWM")])
-            used = max(used, sum(map(int, stat.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK"))
+            used = max(
+                used, sum(map(int, stat.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK")
+            )
         time.sleep(0.2)
     last, lost, octets = {}, 0, 0
     with logfile.load(file) as log:
@@ -196,14 +222,26 @@ def whole(file, seconds):
                 lost += number - last.get(entry.channel, number - 1) - 1
                 last[entry.channel] = number
                 octets += len(entry.data)
-        print("rtlog, %d s: status %s, %d channels, %.0f/s, %.1f MB/s, %.1f %% of a CPU, %d lost, %d damaged, peak %.1f MiB" % (
-            seconds, process.returncode, len(last), log.count / seconds, octets / 1e6 / seconds, used / seconds * 100, lost, log.damaged,
-            peak))
+        print(
+            "rtlog, %d s: status %s, %d channels, %.0f/s, %.1f MB/s, %.1f %% of a CPU, %d lost, %d "
+            "damaged, peak %.1f MiB"
+            % (
+                seconds,
+                process.returncode,
+                len(last),
+                log.count / seconds,
+                octets / 1e6 / seconds,
+                used / seconds * 100,
+                lost,
+                log.damaged,
+                peak,
+            )
+        )
 
 
 class Flight:
-    """A component that fails, two that send, and an rtlog that keeps a ring of them. The parts of the ring get other names, too, under
-    which they stay.
+    """A component that fails, two that send, and an rtlog that keeps a ring of them. The parts of the ring
+    get other names, too, under which they stay.
     """
 
     def __init__(self, directory, number):
@@ -213,13 +251,20 @@ class Flight:
         top = "/127.0.0.1:%d/f%d.host_cxt" % (worlds.Server.port, number)
         self.component = top + "/ConsoleIn0.rtc"
         context = "f%d.host_cxt/%%n.rtc" % number
-        self.worlds = [worlds.World("observed", "--context", context), worlds.World("sources", "2", "100", "8", "--context", context)]
+        self.worlds = [
+            worlds.World("observed", "--context", context),
+            worlds.World("sources", "2", "100", "8", "--context", context),
+        ]
         words = ["--ring", "10", "--after", "5", "--trigger", "error", top]
         self.process = subprocess.Popen(rtlog(self.name + ".mcap", words), env=environment())
         self.failures = []
 
     def command(self, name):
-        subprocess.run([sys.executable, os.path.join(ROOT, "bin", name), "-q", self.component], check=True, env=environment())
+        subprocess.run(
+            [sys.executable, os.path.join(ROOT, "bin", name), "-q", self.component],
+            check=True,
+            env=environment(),
+        )
 
     def fly(self, failures):
         threading.Thread(target=self.link).start()
@@ -247,8 +292,11 @@ class Flight:
         """How often each value (channel, arrival, octets) of a time is in a log."""
         with logfile.load(name) as log:
             names = [channel.name for channel in log.channels]
-            return collections.Counter((names[entry.channel], entry.received, entry.data) for entry in log.entries()
-                                       if entry.data is not None and first <= entry.received <= last)
+            return collections.Counter(
+                (names[entry.channel], entry.received, entry.data)
+                for entry in log.entries()
+                if entry.data is not None and first <= entry.received <= last
+            )
 
     def judge(self):
         """(files, complete ones, seconds from a failure until it was known)"""
@@ -267,8 +315,16 @@ class Flight:
             is_whole = is_closed and found and found == wanted
             good += is_whole
             if not is_whole:
-                print("%s: %d of %d values, %d others" % (
-                    file, sum((found & wanted).values()), sum(wanted.values()), sum((found - wanted).values())), flush=True)
+                print(
+                    "%s: %d of %d values, %d others"
+                    % (
+                        file,
+                        sum((found & wanted).values()),
+                        sum(wanted.values()),
+                        sum((found - wanted).values()),
+                    ),
+                    flush=True,
+                )
         return len(files), good, late
 
 
@@ -284,9 +340,16 @@ def triggers(directory, failures):
         for world in flight.worlds:
             world.close()
     late = [each for _, _, found in judged for each in found]
-    print("%d failures, %d files, %d complete; known after %.2f s, at most %.2f s" % (
-        sum(len(flight.failures) for flight in flights), sum(files for files, _, _ in judged), sum(good for _, good, _ in judged),
-        sum(late) / len(late), max(late)))
+    print(
+        "%d failures, %d files, %d complete; known after %.2f s, at most %.2f s"
+        % (
+            sum(len(flight.failures) for flight in flights),
+            sum(files for files, _, _ in judged),
+            sum(good for _, good, _ in judged),
+            sum(late) / len(late),
+            max(late),
+        )
+    )
 
 
 def main():

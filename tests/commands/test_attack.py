@@ -1,4 +1,6 @@
-"""A command that receives values, while others keep its port busy: all values come, and what was turned away is reported."""
+"""A command that receives values, while others keep its port busy: all values come, and what was turned away
+is reported.
+"""
 import glob
 import os
 import re
@@ -26,7 +28,11 @@ QUESTION = giop_client.request(b"x", "_non_existent")
 
 def listening_port(pid):
     """The port at which a process listens, or None."""
-    found = [re.match(r"socket:\[(\d+)\]", os.readlink(path)) for path in glob.glob("/proc/%d/fd/*" % pid) if os.path.islink(path)]
+    found = [
+        re.match(r"socket:\[(\d+)\]", os.readlink(path))
+        for path in glob.glob("/proc/%d/fd/*" % pid)
+        if os.path.islink(path)
+    ]
     inodes = {match.group(1) for match in found if match}
     for table in ("tcp", "tcp6"):
         with open("/proc/net/" + table) as file:

@@ -1,4 +1,5 @@
-"""TAB in the user's shell: if one of these fails, an operator gets wrong names, none, or a shell that hangs."""
+"""TAB in the user's shell: if one of these fails, an operator gets wrong names, none, or a shell that hangs.
+"""
 import os
 import pty
 import re
@@ -16,8 +17,26 @@ from worlds import Server, World
 from rtshell_lite import path
 from rtshell_lite.corba import orb
 
-HOSTILE = ["$(touch canary)", "`touch canary`", ";touch canary;", "q\"uo'te !", "a&&touch canary", "w*?~[a]", "日本 語", "=ls", "~root",
-           "#no", "{a,b}", "-e", "b\\$x", "co:lon", "new\nline", "sl/ash", "e\x1b[31m", "two words\\"]
+HOSTILE = [
+    "$(touch canary)",
+    "`touch canary`",
+    ";touch canary;",
+    "q\"uo'te !",
+    "a&&touch canary",
+    "w*?~[a]",
+    "日本 語",
+    "=ls",
+    "~root",
+    "#no",
+    "{a,b}",
+    "-e",
+    "b\\$x",
+    "co:lon",
+    "new\nline",
+    "sl/ash",
+    "e\x1b[31m",
+    "two words\\",
+]
 PART = 8  # a short run takes one in PART of its tests
 ONCE = "three shells are tried: one Python is enough"
 LIMIT = 1.0  # seconds from TAB to the next key, with a name server that hangs
@@ -25,20 +44,27 @@ LIMIT = 1.0  # seconds from TAB to the next key, with a name server that hangs
 # How each shell starts, without the user's own files; the key Ctrl-G writes down the line as it is then.
 SHELLS = {
     "bash": (["bash", "--norc", "--noprofile", "-i"],
-             "eval \"$(rtcwd --shell bash)\"; bind -x '\"\\C-g\": printf %s \"$READLINE_LINE\" >line; mv line shown'"),
+             "eval \"$(rtcwd --shell bash)\"; bind -x '\"\\C-g\": printf %s \"$READLINE_LINE\" >line; "
+             "mv line shown'"),
     "zsh": (["zsh", "-f", "-i"],
-            "eval \"$(rtcwd --shell zsh)\"; show() { print -rn -- \"$BUFFER\" >line; mv line shown }; zle -N show; bindkey '^G' show"
-            "; bindkey -e '^U' kill-whole-line; bindkey '^G' show"),
+            "eval \"$(rtcwd --shell zsh)\"; show() { print -rn -- \"$BUFFER\" >line; mv line shown }; zle "
+            "-N show; bindkey '^G' show; bindkey -e '^U' kill-whole-line; bindkey '^G' show"),
     "fish": (["fish", "--no-config", "-i"],
-             "rtcwd --shell fish | source; function show; commandline >line; mv line shown; end; bind \\cg show; "
-             "bind \\cu 'commandline \"\"'"),
+             "rtcwd --shell fish | source; function show; commandline >line; mv line shown; end; bind "
+             "\\cg show; bind \\cu 'commandline \"\"'"),
 }
 
 
 def setUpModule():
     worlds.start_name_server()
-    World.one = World("these", "ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "Sensor:Sensor0", "ConfigSample:ConfigSample0",
-                      "MyServiceProvider:MyServiceProvider0")
+    World.one = World(
+        "these",
+        "ConsoleIn:ConsoleIn0",
+        "ConsoleOut:ConsoleOut0",
+        "Sensor:Sensor0",
+        "ConfigSample:ConfigSample0",
+        "MyServiceProvider:MyServiceProvider0",
+    )
     World.manager = World("manager", "ConsoleIn")
     World.one.resolve().bind(orb.naming_name([("odd", "thing")]), World.one.resolve("ConsoleIn0.rtc"))
     hostile = World.one.resolve().bind_new_context(orb.naming_name([("hostile", "cxt")]))
@@ -54,9 +80,17 @@ def tearDownModule():
 
 def environment(home):
     """What a user has: commands on PATH, a name server, a working directory."""
-    return dict(worlds.ENVIRONMENT, PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"], HOME=home, TERM="dumb", LC_ALL="C.UTF-8",
-                RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port,
-                PYTHONDONTWRITEBYTECODE="1", HISTFILE=os.path.join(home, "history"))
+    return dict(
+        worlds.ENVIRONMENT,
+        PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"],
+        HOME=home,
+        TERM="dumb",
+        LC_ALL="C.UTF-8",
+        RTCTREE_NAMESERVERS="localhost:%d" % Server.port,
+        RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port,
+        PYTHONDONTWRITEBYTECODE="1",
+        HISTFILE=os.path.join(home, "history"),
+    )
 
 
 class Terminal:
@@ -84,7 +118,9 @@ class Terminal:
         while not os.path.exists(path):
             self.drain(0.01)
             if time.monotonic() > end:
-                raise AssertionError("no %s; the terminal shows:\n%s" % (name, self.said.decode("utf-8", "replace")))
+                raise AssertionError(
+                    "no %s; the terminal shows:\n%s" % (name, self.said.decode("utf-8", "replace"))
+                )
         with open(path, encoding="utf-8") as file:
             found = file.read()
         os.unlink(path)
@@ -136,41 +172,44 @@ class InShell:
         with open(os.path.join(self.directory, "robot one.rtsys"), "w"):
             pass
         for typed, wanted in [
-                ("rtls --rec", "rtls --recurse "),
-                ("rtpwd --", "rtpwd --"),
-                ("rtprint ConsoleOut0.rtc:", "rtprint ConsoleOut0.rtc:"),
-                ("rtprint ConsoleIn0.rtc:", "rtprint ConsoleIn0.rtc:out "),
-                ("rtinject ConsoleOut0.rtc:", "rtinject ConsoleOut0.rtc:in "),
-                ("rtfsm ConsoleIn0.rtc gets", "rtfsm ConsoleIn0.rtc getst"),
-                ("rtdoc -f h", "rtdoc -f html "),
-                ("rtdoc --format=h", "rtdoc --format=html "),
-                ("rtls /", "rtls /localhost:PORT/"),
-                ("rtls /localhost:%s" % str(Server.port)[:2], "rtls /localhost:PORT/"),
-                ("rtls /localhost:PORT/te", "rtls /localhost:PORT/test.host_cxt/"),
-                ("rtact ConsoleIn", "rtact ConsoleIn0.rtc "),
-                ("rtact ConsoleIn0.rtc Sens", "rtact ConsoleIn0.rtc Sensor0.rtc "),
-                ("rtcat ConsoleIn0.rtc:", "rtcat ConsoleIn0.rtc:out "),
-                ("rtcat /localhost:PORT/test.host_cxt/ConsoleOut0.rtc:i", "rtcat /localhost:PORT/test.host_cxt/ConsoleOut0.rtc:in "),
-                ("rtcon ConsoleOut", "rtcon ConsoleOut0.rtc:"),
-                ("rtconf ConfigSample0.rtc d", "rtconf ConfigSample0.rtc d"),
-                ("rtconf ConfigSample0.rtc get str_param1", "rtconf ConfigSample0.rtc get str_param1 "),
-                ("rtconf ConfigSample0.rtc act def", "rtconf ConfigSample0.rtc act default "),
-                ("rtmgr -r ma", "rtmgr -r manager.mgr "),
-                ("rtcat odd", "rtcat odd.thing "),
-                ("rtcon odd", "rtcon odd"),
-                ("rtfind --state err", "rtfind --state error "),
-                ("rtfind --state=err", "rtfind --state=error "),
-                ("rtcheck -s act", "rtcheck -s active "),
-                ("rtls ma", "rtls manager.mgr/"),
-                ("rtls manager.mgr/C", "rtls manager.mgr/ConsoleIn0.rtc "),
-                ("rtls -- Sens", "rtls -- Sensor0.rtc "),
-                ("true; rtls Sens", "true; rtls Sensor0.rtc "),
-                ("rtcheck --state Active rob", "rtcheck --state Active robot\\ one.rtsys "),
-                ("rtls nothing", "rtls nothing"),
-                ("rtls nothing/", "rtls nothing/"),
-                ("rtls --nonsense Sens", "rtls --nonsense Sens"),
-                ("rtls $HOME/", "rtls $HOME/"),
-                ]:
+            ("rtls --rec", "rtls --recurse "),
+            ("rtpwd --", "rtpwd --"),
+            ("rtprint ConsoleOut0.rtc:", "rtprint ConsoleOut0.rtc:"),
+            ("rtprint ConsoleIn0.rtc:", "rtprint ConsoleIn0.rtc:out "),
+            ("rtinject ConsoleOut0.rtc:", "rtinject ConsoleOut0.rtc:in "),
+            ("rtfsm ConsoleIn0.rtc gets", "rtfsm ConsoleIn0.rtc getst"),
+            ("rtdoc -f h", "rtdoc -f html "),
+            ("rtdoc --format=h", "rtdoc --format=html "),
+            ("rtls /", "rtls /localhost:PORT/"),
+            ("rtls /localhost:%s" % str(Server.port)[:2], "rtls /localhost:PORT/"),
+            ("rtls /localhost:PORT/te", "rtls /localhost:PORT/test.host_cxt/"),
+            ("rtact ConsoleIn", "rtact ConsoleIn0.rtc "),
+            ("rtact ConsoleIn0.rtc Sens", "rtact ConsoleIn0.rtc Sensor0.rtc "),
+            ("rtcat ConsoleIn0.rtc:", "rtcat ConsoleIn0.rtc:out "),
+            (
+                "rtcat /localhost:PORT/test.host_cxt/ConsoleOut0.rtc:i",
+                "rtcat " "/localhost:PORT/test.host_cxt/ConsoleOut0.rtc:in " "",
+            ),
+            ("rtcon ConsoleOut", "rtcon ConsoleOut0.rtc:"),
+            ("rtconf ConfigSample0.rtc d", "rtconf ConfigSample0.rtc d"),
+            ("rtconf ConfigSample0.rtc get str_param1", "rtconf ConfigSample0.rtc get str_param1 "),
+            ("rtconf ConfigSample0.rtc act def", "rtconf ConfigSample0.rtc act default "),
+            ("rtmgr -r ma", "rtmgr -r manager.mgr "),
+            ("rtcat odd", "rtcat odd.thing "),
+            ("rtcon odd", "rtcon odd"),
+            ("rtfind --state err", "rtfind --state error "),
+            ("rtfind --state=err", "rtfind --state=error "),
+            ("rtcheck -s act", "rtcheck -s active "),
+            ("rtls ma", "rtls manager.mgr/"),
+            ("rtls manager.mgr/C", "rtls manager.mgr/ConsoleIn0.rtc "),
+            ("rtls -- Sens", "rtls -- Sensor0.rtc "),
+            ("true; rtls Sens", "true; rtls Sensor0.rtc "),
+            ("rtcheck --state Active rob", "rtcheck --state Active robot\\ one.rtsys "),
+            ("rtls nothing", "rtls nothing"),
+            ("rtls nothing/", "rtls nothing/"),
+            ("rtls --nonsense Sens", "rtls --nonsense Sens"),
+            ("rtls $HOME/", "rtls $HOME/"),
+        ]:
             self.check(typed, wanted)
 
     def test_properties(self):
@@ -183,16 +222,26 @@ class InShell:
         self.check("rtls Conso", "rtls Console")
 
     def test_names_that_shells_trip_over(self):
-        """Completed from their first letters and inside quotes, they stay the same for the shell, and nothing is executed."""
+        """Completed from their first letters and inside quotes, they stay the same for the shell, and nothing
+        is executed.
+        """
         before = {name: None for name in os.listdir(self.directory)}
         for name in HOSTILE:
             spelt = str(path.Name(name, "x"))
-            for quote, typed in ("", self.typed(spelt)), ("'", spelt[0]), ('"', "\\" * (spelt[0] in self.special) + spelt[0]):
+            for quote, typed in (
+                ("", self.typed(spelt)),
+                ("'", spelt[0]),
+                ('"', "\\" * (spelt[0] in self.special) + spelt[0]),
+            ):
                 with self.subTest(name, quote=quote):
                     line = self.terminal.line("rtls %shostile.cxt/%s\t" % (quote, typed))
                     line += quote * (not line.endswith(quote))  # bash closes it
-                    said = subprocess.run([self.name, "-c", "printf '%s\\n' " + line[4:].strip()], cwd=self.directory,
-                                          stdout=subprocess.PIPE, env=environment(self.directory)).stdout.decode()
+                    said = subprocess.run(
+                        [self.name, "-c", "printf '%s\\n' " + line[4:].strip()],
+                        cwd=self.directory,
+                        stdout=subprocess.PIPE,
+                        env=environment(self.directory),
+                    ).stdout.decode()
                     self.assertEqual(said, "hostile.cxt/%s/\n" % spelt, line)
         self.assertEqual({name: None for name in os.listdir(self.directory)}, before)
 

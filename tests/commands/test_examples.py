@@ -1,14 +1,16 @@
 """Every example in docstrings (and so in --help and the manual pages) and in README.md does what it says.
 
-Each line is run by sh in a directory with robot.rtsys in it, on a robot of mock components, fresh for each command that may
-change it. What is special about those of a command is stated in its transcript, as in tests/support/invocations.py:
+Each line is run by sh in a directory with robot.rtsys in it, on a robot of mock components, fresh for each
+command that may change it. What is special about those of a command is stated in its transcript, as in
+tests/support/invocations.py:
 
   examples: asking        they only ask: they share a robot whose system runs, with those of other such commands, and are quick
   examples: endless       they are run at the same time, and some end with Ctrl-C
   prepared: SHELL         what is done before them; `world WORDS` starts that world instead of the robot
   example: LINE <- SHELL  what is done before this one; `world` alone starts the robot anew
   example: LINE -> 1      its exit status
-"""
+"""  # noqa: E501
+
 import ast
 import os
 import re
@@ -31,30 +33,54 @@ from rtshell_lite.data import datatypes, values
 PART = 16  # a short run takes one in PART of its tests
 ONCE = "each example is run by the tests of its command on all Pythons, in other words"
 
-ROBOT = ["ConsoleIn:ConsoleIn0", "ConsoleOut:ConsoleOut0", "Sensor:Sensor0", "Controller:Controller0", "Motor:Motor0",
-         "ConfigSample:ConfigSample0", "MyServiceProvider:MyServiceProvider0", "MyServiceConsumer:MyServiceConsumer0",
-         "SequenceOutComponent:SequenceOutComponent0", "Microwave:Microwave0", "Source:Source0"]
+ROBOT = [
+    "ConsoleIn:ConsoleIn0",
+    "ConsoleOut:ConsoleOut0",
+    "Sensor:Sensor0",
+    "Controller:Controller0",
+    "Motor:Motor0",
+    "ConfigSample:ConfigSample0",
+    "MyServiceProvider:MyServiceProvider0",
+    "MyServiceConsumer:MyServiceConsumer0",
+    "SequenceOutComponent:SequenceOutComponent0",
+    "Microwave:Microwave0",
+    "Source:Source0",
+]
 CONTEXT = "robot.host_cxt"
 SYSTEM = "rtresurrect robot.rtsys && rtstart -q robot.rtsys >/dev/null"
 
 FRESH = ("these",) + tuple(ROBOT)
-STATED = [re.match("(.*) (<-|->) (.*)$", words).groups() for lines in invocations.stated("example").values() for words in lines]
+STATED = [
+    re.match("(.*) (<-|->) (.*)$", words).groups()
+    for lines in invocations.stated("example").values()
+    for words in lines
+]
 # What is done before the examples of a command, or before one line.
 PREPARED = {command: lines[0] for command, lines in invocations.stated("prepared").items()}
 PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
-PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is not Active"'] = "rtact Motor0.rtc"  # in README.md
+# in README.md
+PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is not Active"'] = (
+    "rtact Motor0.rtc"
+)
 # Things that mocks do not have, and what stands for them. All hosts are this one.
 NAMES = [
-    ("--map robot=localhost --only '*Image*'", "--only '*Console*'"), ("--serve 2809 --loop", "--serve @FREE@ -t 1"),
+    ("--map robot=localhost --only '*Image*'", "--only '*Console*'"),
+    ("--serve 2809 --loop", "--serve @FREE@ -t 1"),
     ("--when-connected replay.host_cxt", "-t 1 replay.host_cxt"),
-    ("arm.host_cxt", CONTEXT), ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
-    ("localhost=robot2:2810", "localhost:@PORT@=localhost:@PORT@"), ("--manager robot", "--manager /localhost:@PORT@/robot"),
+    ("arm.host_cxt", CONTEXT),
+    ("old.host_cxt=robot2.host_cxt", "%s=%s" % (CONTEXT, CONTEXT)),
+    ("localhost=robot2:2810", "localhost:@PORT@=localhost:@PORT@"),
+    ("--manager robot", "--manager /localhost:@PORT@/robot"),
     ("corbaloc:iiop:robot:2810", "corbaloc:iiop:localhost:@MANAGER@"),
     ("Camera.so:CameraInit -c Camera", "Hokuyo_AIST.py:Hokuyo_AISTInit -c Hokuyo_AIST"),
     (r"(rtvlog.*) Arm0.rtc", r"\1"),
     ("Arm0.rtc:status", "Source0.rtc:number"),
-    ("Arm0.rtc:joints", "Source0.rtc:number"), ("Hand0.rtc:force", "Source0.rtc:number"), ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
-    ("rtlog -f run.mcap -t 60", "rtlog -f run.mcap -t 1"), ("rtlog --ring", "rtlog -t 1 --ring"), ("rtlog --rotate", "rtlog -t 1 --rotate"),
+    ("Arm0.rtc:joints", "Source0.rtc:number"),
+    ("Hand0.rtc:force", "Source0.rtc:number"),
+    ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
+    ("rtlog -f run.mcap -t 60", "rtlog -f run.mcap -t 1"),
+    ("rtlog --ring", "rtlog -t 1 --ring"),
+    ("rtlog --rotate", "rtlog -t 1 --rotate"),
     ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
     (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
@@ -64,14 +90,16 @@ NAMES = [
 # Statuses other than 0.
 STATUS = {line: int(what) for line, arrow, what in STATED if arrow == "->"}
 STATUS["rtstodot --text --live --broken"] = 1  # nothing is
-STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0.rtc:in -t 10 --plot"] = 1  # they are not connected
+# they are not connected
+STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0.rtc:in -t 10 --plot"] = 1
 ENDLESS, ASKING = ([command for command, lines in invocations.stated("examples").items() if word in lines]
                    for word in ("endless", "asking"))
 ELSEWHERE = {  # run by other tests
     "eval": "test_completion", "rtcwd --shell": "test_completion",
 }
 FIRST_WORDS = ("until", "while", "for", "if", "echo", "eval")
-# Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour), and what runs this.
+# Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour),
+# and what runs this.
 NO_COMMANDS = ("/localhost/", "fail  ", "RTC.", '{"data"', "mock_components/tour ", "tests/run ", "python3 ")
 PATIENCE = 3.0   # seconds after which Ctrl-C is pressed
 LIMIT = 30.0
@@ -88,8 +116,8 @@ def setUpModule():
     Server.root.bind_new_context(orb.naming_name([("old", "host_cxt")]))
     robot = Robot(FRESH)
     try:
-        robot.prepare("rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in && rtcon Sensor0.rtc:out Controller0.rtc:in && "
-                      "rtcryo -o ../robot.rtsys")
+        robot.prepare("rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in && rtcon Sensor0.rtc:out "
+                      "Controller0.rtc:in && rtcryo -o ../robot.rtsys")
     finally:
         robot.close()
 
@@ -148,7 +176,9 @@ class Robot:
         """The same with the names and ports of this machine."""
         for name, ours in NAMES:
             line = re.sub(name, ours, line) if "(" in name else line.replace(name, ours)
-        line = line.replace("@PORT@", str(Server.port)).replace("@FREE@", str(processes.nameserver.free_port()))
+        line = line.replace("@PORT@", str(Server.port)).replace(
+            "@FREE@", str(processes.nameserver.free_port())
+        )
         return line.replace("@MANAGER@", self.manager_port() if "manager" in line else "")
 
     def manager_port(self):
@@ -170,11 +200,23 @@ class Robot:
     def start(self, line, words=("sh", "-c")):
         """A process of a shell that runs something here."""
         environment = dict(
-            worlds.ENVIRONMENT, PATH=os.pathsep.join([TOP, worlds.COMMANDS, os.environ["PATH"]]), LC_ALL="C.UTF-8",
-            RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/%s" % (Server.port, CONTEXT),
-            PYTHONDONTWRITEBYTECODE="1", ROBOT=str(self.worlds[0].process.pid))
-        return subprocess.Popen(list(words) + [line], cwd=self.directory, env=environment, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+            worlds.ENVIRONMENT,
+            PATH=os.pathsep.join([TOP, worlds.COMMANDS, os.environ["PATH"]]),
+            LC_ALL="C.UTF-8",
+            RTCTREE_NAMESERVERS="localhost:%d" % Server.port,
+            RTCSH_CWD="/localhost:%d/%s" % (Server.port, CONTEXT),
+            PYTHONDONTWRITEBYTECODE="1",
+            ROBOT=str(self.worlds[0].process.pid),
+        )
+        return subprocess.Popen(
+            list(words) + [line],
+            cwd=self.directory,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
 
     def run(self, line, endless=False, words=("sh", "-c")):
         """Status and output of what a shell runs."""
@@ -271,7 +313,10 @@ class Special(unittest.TestCase):
         self.assertEqual([line for line in list(PREPARED) + list(STATUS) if line not in known], [])
 
     def test_nothing_is_overlooked(self):
-        self.assertEqual([line for line in indented() if line not in readme_lines() and not line.startswith(NO_COMMANDS)], [])
+        self.assertEqual(
+            [line for line in indented() if line not in readme_lines() and not line.startswith(NO_COMMANDS)],
+            [],
+        )
 
     def test_values(self):
         """The values in docs/reference.md can be sent, as values of the types that they name."""
@@ -282,7 +327,9 @@ class Special(unittest.TestCase):
         for word in found:
             with self.subTest(word):
                 name = re.match(r"RTC\.\w+|", word).group() or "RTC.TimedLong"
-                self.assertTrue(types.named(name).encode(values.Expression(word, types, types.named(name)).value(0)))
+                self.assertTrue(
+                    types.named(name).encode(values.Expression(word, types, types.named(name)).value(0))
+                )
 
 
 class Readme(Case):
@@ -297,14 +344,19 @@ class Readme(Case):
     def test_library(self):
         program, = re.findall(r"```python\n((?:.*\n)*?)```", read("README.md"))
         self.robot.prepare("rtact Motor0.rtc")
-        status, said = self.robot.run(program.replace('"/localhost', '"/localhost:%d' % Server.port), words=(sys.executable, "-c"))
+        status, said = self.robot.run(
+            program.replace('"/localhost', '"/localhost:%d' % Server.port), words=(sys.executable, "-c")
+        )
         self.assertEqual(status, 0, said)
         self.assertEqual(said, "Active\n")
 
     def script(self, name):
         """One of the scripts: the file that it is in, and both shells to run it."""
-        found, = [block for block in re.findall(r"```sh\n((?:.*\n)*?)```", read("README.md")) if "\n# " + name + " " in block + " "
-                  or "\n# " + name + "\n" in block]
+        (found,) = [
+            block
+            for block in re.findall(r"```sh\n((?:.*\n)*?)```", read("README.md"))
+            if "\n# " + name + " " in block + " " or "\n# " + name + "\n" in block
+        ]
         path = os.path.join(self.robot.directory, name)
         with open(path, "w") as file:
             file.write(found)
@@ -326,10 +378,12 @@ class Readme(Case):
     def test_log_port(self):
         """It ends when the disk is full: here after two files, because of our `df`."""
         with open(os.path.join(TOP, "df"), "w") as file:
-            file.write("#!/bin/sh\necho; if [ $(ls logs | wc -l) -lt 2 ]; then echo a b c 999999; else echo a b c 10; fi\n")
+            file.write("#!/bin/sh\necho; if [ $(ls logs | wc -l) -lt 2 ]; then echo a b c 999999; else "
+                       "echo a b c 10; fi\n")
         os.chmod(os.path.join(TOP, "df"), 0o755)
         self.addCleanup(os.remove, os.path.join(TOP, "df"))
-        self.in_shells("log-port", "Source0.rtc:number logs 1.2", "rm -rf logs; mkdir logs; rtact Source0.rtc",
+        self.in_shells("log-port", "Source0.rtc:number logs 1.2", "rm -rf logs; mkdir logs; rtact "
+                                                                  "Source0.rtc",
                        "test $(ls logs | wc -l) = 2 && rtlog -d -f logs/$(ls logs | head -n 1)")
 
 

@@ -62,13 +62,20 @@ class CtrlC(unittest.TestCase):
     def test_ends_every_command_that_waits_for_a_peer(self):
         for command in sorted(COMMANDS):
             with self.subTest(command), SilentPeer() as peer:
-                self.interrupt([command] + [word.replace("SERVER", peer.address) for word in COMMANDS[command]], peer)
+                self.interrupt(
+                    [command] + [word.replace("SERVER", peer.address) for word in COMMANDS[command]], peer
+                )
 
     def interrupt(self, words, peer):
         environment = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or processes.ROOT,
                            RTCTREE_NAMESERVERS=peer.address[1:])
-        process = subprocess.Popen([sys.executable, "-m", "rtshell_lite"] + words + ["--timeout", "60"], env=environment,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=hear_ctrl_c)
+        process = subprocess.Popen(
+            [sys.executable, "-m", "rtshell_lite"] + words + ["--timeout", "60"],
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            preexec_fn=hear_ctrl_c,
+        )
         killer = threading.Timer(START_LIMIT, process.kill)
         try:
             self.assertTrue(peer.wait_for_request())
@@ -93,14 +100,27 @@ class CtrlC(unittest.TestCase):
             with open(os.path.join(directory, "argparse.py"), "w") as file:
                 file.write("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
             path = os.pathsep.join([directory, os.environ.get("PYTHONPATH") or processes.ROOT])
-            ran = subprocess.run([sys.executable, "-m", "rtshell_lite", "rtpwd"], env=dict(os.environ, PYTHONPATH=path),
-                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=hear_ctrl_c, timeout=START_LIMIT)
+            ran = subprocess.run(
+                [sys.executable, "-m", "rtshell_lite", "rtpwd"],
+                env=dict(os.environ, PYTHONPATH=path),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                preexec_fn=hear_ctrl_c,
+                timeout=START_LIMIT,
+            )
         self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (-signal.SIGINT, b"", b""))
 
     def test_rtpwd_waits_for_nobody(self):
-        ran = subprocess.run([sys.executable, "-m", "rtshell_lite", "rtpwd"], stdout=subprocess.PIPE, timeout=START_LIMIT,
-                             env=dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or processes.ROOT,
-                                      RTCSH_CWD="/192.0.2.1/a.cxt"))
+        ran = subprocess.run(
+            [sys.executable, "-m", "rtshell_lite", "rtpwd"],
+            stdout=subprocess.PIPE,
+            timeout=START_LIMIT,
+            env=dict(
+                os.environ,
+                PYTHONPATH=os.environ.get("PYTHONPATH") or processes.ROOT,
+                RTCSH_CWD="/192.0.2.1/a.cxt",
+            ),
+        )
         self.assertEqual((ran.returncode, ran.stdout), (0, b"/192.0.2.1/a.cxt\n"))
 
 

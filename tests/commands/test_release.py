@@ -17,7 +17,9 @@ ONCE = "one Python builds the wheel"
 
 class Reproducible(unittest.TestCase):
     def built(self, name, mask, **environment):
-        """A wheel of the checkout, built in a directory of this name, from files with the modes that a umask leaves."""
+        """A wheel of the checkout, built in a directory of this name, from files with the modes that a umask
+        leaves.
+        """
         source = os.path.join(self.top, name)
         os.mkdir(source)
         for each in environments.SOURCES:
@@ -28,12 +30,27 @@ class Reproducible(unittest.TestCase):
                 os.utime(path, (mask, mask))
         builder = glob.glob(os.path.join(environments.STORE, "build-*", "bin", "python"))[0]
         environment = dict(os.environ, SOURCE_DATE_EPOCH="1764072000", **environment)
-        subprocess.check_call([builder, "-m", "pip", "wheel", "-q", "--no-build-isolation", "--no-deps", "--no-index", "-w",
-                               source + "-wheel", source], env=environment, preexec_fn=lambda: os.umask(mask))
+        subprocess.check_call(
+            [
+                builder,
+                "-m",
+                "pip",
+                "wheel",
+                "-q",
+                "--no-build-isolation",
+                "--no-deps",
+                "--no-index",
+                "-w",
+                source + "-wheel",
+                source,
+            ],
+            env=environment,
+            preexec_fn=lambda: os.umask(mask),
+        )
         path, = glob.glob(os.path.join(source + "-wheel", "*.whl"))
         return path
 
-    @unittest.skipUnless(glob.glob(os.path.join(environments.STORE, "build-*")), "tests/run has built no wheel")
+    @unittest.skipUnless(glob.glob(os.path.join(environments.STORE, "build-*")), "tests/run has built no wheel")  # noqa: E501
     def test_octet_for_octet(self):
         self.top = tempfile.mkdtemp(prefix="rt-")
         self.addCleanup(shutil.rmtree, self.top)
@@ -41,8 +58,10 @@ class Reproducible(unittest.TestCase):
                  self.built("in another place", 0o002, TZ="Asia/Tokyo", PYTHONHASHSEED="2", LC_ALL="C.UTF-8")]
         with zipfile.ZipFile(paths[0]) as one, zipfile.ZipFile(paths[1]) as other:
             for first, second in zip(one.infolist(), other.infolist()):
-                self.assertEqual((first.filename, first.date_time, oct(first.external_attr), one.read(first)),
-                                 (second.filename, second.date_time, oct(second.external_attr), other.read(second)))
+                self.assertEqual(
+                    (first.filename, first.date_time, oct(first.external_attr), one.read(first)),
+                    (second.filename, second.date_time, oct(second.external_attr), other.read(second)),
+                )
                 self.assertEqual(first.date_time, (2025, 11, 25, 12, 0, 0))
         with open(paths[0], "rb") as one, open(paths[1], "rb") as other:
             self.assertEqual(one.read(), other.read())
@@ -50,7 +69,9 @@ class Reproducible(unittest.TestCase):
     def test_the_changelog_begins_with_this_version(self):
         with open(os.path.join(ROOT, "CHANGELOG.md"), encoding="utf-8") as file:
             first = re.search("^## (.*)$", file.read(), re.MULTILINE).group(1)
-        self.assertRegex(first, "^%s [(]2[0-9]{3}-[0-9]{2}-[0-9]{2}[)]$" % re.escape(rtshell_lite.__version__))
+        self.assertRegex(
+            first, "^%s [(]2[0-9]{3}-[0-9]{2}-[0-9]{2}[)]$" % re.escape(rtshell_lite.__version__)
+        )
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 """Follows the advice of rtdoctor blindly: if one of these fails, the advice does harm, or does not help.
 
-For each fault: what there is in the world is written down, each remedy that is a command is pasted into a shell, and rtdoctor
-looks again. What it found must be gone, and nothing else may have changed but what the remedy is for.
+For each fault: what there is in the world is written down, each remedy that is a command is pasted into a
+shell, and rtdoctor looks again. What it found must be gone, and nothing else may have changed but what the
+remedy is for.
 """
 import collections
 import json
@@ -30,12 +31,19 @@ from rtshell_lite.system import capture
 
 PART = 10  # a short run takes one in PART of its tests
 ONCE = "what commands do is the same for every Python"
-PROGRAMS = set(os.listdir(worlds.COMMANDS)) & {name for name in os.listdir(worlds.COMMANDS) if name.startswith("rt")} | {"unset"}
-SETTLED = ("dataport.data_type", "dataport.dataflow_type", "dataport.interface_type", "dataport.subscription_type")
+PROGRAMS = set(os.listdir(worlds.COMMANDS)) & {
+    name for name in os.listdir(worlds.COMMANDS) if name.startswith("rt")
+} | {"unset"}
+SETTLED = (
+    "dataport.data_type",
+    "dataport.dataflow_type",
+    "dataport.interface_type",
+    "dataport.subscription_type",
+)
 
-# A fault: `worlds` are started, {} in `before` (commands) and in `doctor` (words of rtdoctor) stands for the name server, the
-# world's control is asked `asks`; `settings` are environment variables. `mends` maps names of remedies to patterns of the facts
-# that they may change, each "KIND OBJECT".
+# A fault: `worlds` are started, {} in `before` (commands) and in `doctor` (words of rtdoctor) stands for the
+# name server, the world's control is asked `asks`; `settings` are environment variables. `mends` maps names
+# of remedies to patterns of the facts that they may change, each "KIND OBJECT".
 Fault = collections.namedtuple("Fault", "worlds asks before doctor settings mends")
 
 
@@ -45,58 +53,115 @@ def fault(*worlds, asks=(), before=(), doctor=("{}",), settings=None, mends=None
 
 FAULTS = {
     "in Error": fault("error", mends={"reset": ["state Broken0"]}),
-    "nothing executes it": fault("idle", mends={"start context": ["running Stopped0"], "set rate": ["rate Still0"]}),
+    "nothing executes it": fault(
+        "idle", mends={"start context": ["running Stopped0"], "set rate": ["rate Still0"]}
+    ),
     "nothing started": fault("two", mends={"activate": ["state Console(In|Out)0"]}),
-    "one has been reset": fault("linked", before=["rtact --wait {}/test.host_cxt/ConsoleIn0.rtc"]),  # words: it may move
-    "connections gone wrong": fault("crossed", mends={
-        "disconnect": ["connection (Have.|Want.|Out2|Sensor0)"], "reconnect": ["connection (In|Out)[01]"]}),
-    "names astray": fault("astray", mends={
-        "delete zombie": ["name (Ended0|Gone0)"], "delete name": ["name (Nil0|empty.cxt|emptier.cxt)"],
-        "activate": ["state .*0"]}),
+    # words: it may move
+    "one has been reset": fault("linked", before=["rtact --wait {}/test.host_cxt/ConsoleIn0.rtc"]),
+    "connections gone wrong": fault(
+        "crossed",
+        mends={
+            "disconnect": ["connection (Have.|Want.|Out2|Sensor0)"],
+            "reconnect": ["connection (In|Out)[01]"],
+        },
+    ),
+    "names astray": fault(
+        "astray",
+        mends={
+            "delete zombie": ["name (Ended0|Gone0)"],
+            "delete name": ["name (Nil0|empty.cxt|emptier.cxt)"],
+            "activate": ["state .*0"],
+        },
+    ),
     "dead": fault("zombie 3", mends={"delete zombie": ["name Mock[012]"]}),
     "aliases": fault("aliased", mends={"activate": ["state Inner0"]}),
     "dead members": fault("deadmember", mends={"delete zombie": ["name Peer0"]}),
-    "dead far ends": fault("orphan", "fragile", mends={"delete zombie": ["name Peer0"], "activate": ["state (Orphan|Fragile)0"]}),
-    "managers": fault("deadslave", "deadchild --context other.host_cxt/%n.rtc", mends={
-        "delete zombie": ["name ConsoleOut0"], "activate": ["state ConsoleIn0"]}),
-    "other settings": fault("robot", settings={"ORBendPoint": "giop:tcp:203.0.113.9:", "OMNIORB_CONFIG": "/nowhere"}, mends={
-        "unset": [], "activate": ["state .*"]}),
-    "a rule": fault(settings={"ORBclientTransportRule": "198.51.100.1 none", "RTSHELL_ORB": "omniorb"},
-                    mends={"unset": []}),
+    "dead far ends": fault(
+        "orphan", "fragile", mends={"delete zombie": ["name Peer0"], "activate": ["state (Orphan|Fragile)0"]}
+    ),
+    "managers": fault(
+        "deadslave",
+        "deadchild --context other.host_cxt/%n.rtc",
+        mends={"delete zombie": ["name ConsoleOut0"], "activate": ["state ConsoleIn0"]},
+    ),
+    "other settings": fault(
+        "robot",
+        settings={"ORBendPoint": ("giop:tcp:203.0.113.9:"), "OMNIORB_CONFIG": "/nowhere"},
+        mends={"unset": [], "activate": ["state .*"]},
+    ),
+    "a rule": fault(
+        settings={"ORBclientTransportRule": "198.51.100.1 none", "RTSHELL_ORB": "omniorb"},
+        mends={"unset": []},
+    ),
     "not as in the profile": fault(
-        "robot", before=["rtact --wait {0}/test.host_cxt/Sensor0.rtc {0}/test.host_cxt/Clusterer0.rtc", "rtcryo -o robot.rtsys {}",
-                         "rtdis {}/test.host_cxt/Sensor0.rtc:out", "rtconf {}/test.host_cxt/Motor0.rtc set motor_id 7",
-                         "rtec {}/test.host_cxt/Controller0.rtc rate 20"],
+        "robot",
+        before=[
+            "rtact --wait {0}/test.host_cxt/Sensor0.rtc {0}/test.host_cxt/Clusterer0.rtc",
+            "rtcryo -o robot.rtsys {}",
+            "rtdis {}/test.host_cxt/Sensor0.rtc:out",
+            "rtconf {}/test.host_cxt/Motor0.rtc " "set motor_id 7",
+            "rtec {}/test.host_cxt/Controller0.rtc rate 20",
+        ],
         doctor=["{}", "--profile", "robot.rtsys", "--state", "Inactive"],
-        mends={"restore": ["connection (Sensor|Controller)0", "set Motor0", "rate Controller0"],
-               "deactivate": ["state (Sensor0|Clusterer0)"]}),
+        mends={
+            "restore": ["connection (Sensor|Controller)0", "set Motor0", "rate Controller0"],
+            "deactivate": ["state (Sensor0|Clusterer0)"],
+        },
+    ),
     "another rate than in the profile": fault(
-        "linked", before=["rtcryo -o rates.rtsys {}", "rtec {}/test.host_cxt/ConsoleIn0.rtc rate 20"],
-        doctor=["{}", "--profile", "rates.rtsys", "--state", "Inactive"], mends={"set rate": ["rate ConsoleIn0"]}),
+        "linked",
+        before=["rtcryo -o rates.rtsys {}", "rtec {}/test.host_cxt/ConsoleIn0.rtc rate 20"],
+        doctor=["{}", "--profile", "rates.rtsys", "--state", "Inactive"],
+        mends={"set rate": ["rate ConsoleIn0"]},
+    ),
     "another rate of a second context": fault(
-        "contexts", before=["rtcryo --all -o two.rtsys {}", "rtec -e 1 {}/test.host_cxt/Multi0.rtc rate 20"],
-        doctor=["{}", "--profile", "two.rtsys", "--state", "Inactive"], mends={"set rate": ["rate Multi0"]}),
-    "in Error in the context of another": fault("contexts", asks=["error Driver0 1"], mends={"reset": ["state Multi0"]}),
+        "contexts",
+        before=["rtcryo --all -o two.rtsys {}", "rtec -e 1 {}/test.host_cxt/Multi0.rtc rate 20"],
+        doctor=["{}", "--profile", "two.rtsys", "--state", "Inactive"],
+        mends={"set rate": ["rate Multi0"]},
+    ),
+    "in Error in the context of another": fault(
+        "contexts", asks=["error Driver0 1"], mends={"reset": ["state Multi0"]}
+    ),
     "in Error, Inactive in the profile": fault(
-        "linked", asks=["error ConsoleIn0"], before=["rtcryo -o linked.rtsys {}"],
-        doctor=["{}", "--profile", "linked.rtsys", "--state", "Inactive"], mends={"reset": ["state ConsoleIn0"]}),
+        "linked",
+        asks=["error ConsoleIn0"],
+        before=["rtcryo -o linked.rtsys {}"],
+        doctor=["{}", "--profile", "linked.rtsys", "--state", "Inactive"],
+        mends={"reset": ["state ConsoleIn0"]},
+    ),
     "one not started": fault(
-        "linked", before=["rtcryo -o linked.rtsys {}", "rtact --wait {}/test.host_cxt/ConsoleOut0.rtc"],
-        doctor=["{}", "--profile", "linked.rtsys"], mends={"activate": ["state ConsoleIn0"]}),
-    "a tiny timeout": fault(doctor=["--timeout", "0.4", "{}"], settings={"RTSHELL_TIMEOUT": "0.4"}, mends={"unset": []}),
+        "linked",
+        before=["rtcryo -o linked.rtsys {}", "rtact --wait {}/test.host_cxt/ConsoleOut0.rtc"],
+        doctor=["{}", "--profile", "linked.rtsys"],
+        mends={"activate": ["state ConsoleIn0"]},
+    ),
+    "a tiny timeout": fault(
+        doctor=["--timeout", "0.4", "{}"], settings={"RTSHELL_TIMEOUT": ("0.4")}, mends={"unset": []}
+    ),
     "a wrong working directory": fault(settings={"RTCSH_CWD": "nowhere"}, mends={"unset": []}),
-    "a stale mount": fault(before=[
-        "mkdir stale; rtmount -f stale & until [ -e stale/README ]; do sleep 0.1; done; kill -9 $!"], mends={"unmount": []}),
+    "a stale mount": fault(
+        before=["mkdir stale; rtmount -f stale & until [ -e stale/README ]; do sleep 0.1; done; kill -9 $!"],
+        mends={"unmount": []},
+    ),
     "not started": fault(
-        "linked", before=["rtcryo -o linked.rtsys {}"], doctor=["{}", "--profile", "linked.rtsys"],
-        mends={"start system": ["state ConsoleIn0", "state ConsoleOut0"]}),
+        "linked",
+        before=["rtcryo -o linked.rtsys {}"],
+        doctor=["{}", "--profile", "linked.rtsys"],
+        mends={"start system": ["state ConsoleIn0", "state ConsoleOut0"]},
+    ),
     "in Error in the profile": fault(
-        "linked", asks=["error ConsoleIn0"], before=["rtcryo -o linked.rtsys {}"], doctor=["{}", "--profile", "linked.rtsys"],
-        mends={"reset and activate": ["state ConsoleIn0"], "activate": ["state ConsoleOut0"]}),
+        "linked",
+        asks=["error ConsoleIn0"],
+        before=["rtcryo -o linked.rtsys {}"],
+        doctor=["{}", "--profile", "linked.rtsys"],
+        mends={"reset and activate": ["state ConsoleIn0"], "activate": ["state ConsoleOut0"]},
+    ),
 }
 
 
-# ---- what there is --------------------------------------------------------------------------------------------
+# ---- what there is --------------------------------------------------------------------------------------------  # noqa: E501
 
 TIMEOUT = 5.0  # seconds
 
@@ -138,7 +203,7 @@ def changed(before, after):
     return sorted(key for key in set(before) | set(after) if before.get(key) != after.get(key))
 
 
-# ---- which remedy it is -----------------------------------------------------------------------------------------
+# ---- which remedy it is -----------------------------------------------------------------------------------------  # noqa: E501
 
 def is_command(remedy):
     return remedy.split(" ")[0] in PROGRAMS
@@ -146,8 +211,11 @@ def is_command(remedy):
 
 def named(remedy):
     """The names of the commands in the table that a remedy may be made from."""
-    return [name for name, template in remedies.COMMANDS.items()
-            if re.match(".*".join(map(re.escape, re.split(r" ?\{\w+\}", template))) + r"\Z", remedy, re.DOTALL)]
+    return [
+        name
+        for name, template in remedies.COMMANDS.items()
+        if re.match(".*".join(map(re.escape, re.split(r" ?\{\w+\}", template))) + r"\Z", remedy, re.DOTALL)
+    ]
 
 
 class Following(unittest.TestCase):
@@ -166,7 +234,9 @@ class Following(unittest.TestCase):
 
     def shell(self, words, settings):
         """What a POSIX shell prints for some lines, in a directory of ours."""
-        environment = running.environment(PATH=os.path.dirname(self.program()) + os.pathsep + os.environ["PATH"], **settings)
+        environment = running.environment(
+            PATH=os.path.dirname(self.program()) + os.pathsep + os.environ["PATH"], **settings
+        )
         done = subprocess.run(["sh"], input="\n".join(words).encode(), cwd=self.around.top, env=environment,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=running.LIMIT)
         return done.stdout.decode(), done.stderr.decode()
@@ -178,7 +248,10 @@ class Following(unittest.TestCase):
             target = os.path.join(place, name)
             if not os.path.exists(target):
                 with open(target, "w") as file:
-                    file.write('#!/bin/sh\nexec "%s" "%s" "$@"\n' % (sys.executable, os.path.join(worlds.COMMANDS, name)))
+                    file.write(
+                        '#!/bin/sh\nexec "%s" "%s" "$@"\n'
+                        % (sys.executable, os.path.join(worlds.COMMANDS, name))
+                    )
                 os.chmod(target, 0o755)
         return target
 
@@ -202,7 +275,8 @@ class Following(unittest.TestCase):
         self.shell([line.format(server) for line in fault.before], settings)
         doctor = [word.format(server) for word in fault.doctor]
         seen, _ = self.examined(doctor, settings)
-        for each in sorted(seen, key=lambda each: each.check != "profile"):  # a profile knows more than states as such
+        # a profile knows more than states as such
+        for each in sorted(seen, key=lambda each: each.check != "profile"):
             if is_command(each.remedy):
                 self.assertTrue(named(each.remedy), each.remedy)
                 rest = self.obey(each, fault, doctor, settings, server, rest)
@@ -218,12 +292,19 @@ class Following(unittest.TestCase):
         before, end = facts(server), time.monotonic() + worlds.LIMIT
         left, err = self.examined(doctor, settings, [each.remedy])
         while each in left and time.monotonic() < end:  # components change their states in their next cycles
-            left, _ = self.examined(doctor, settings, [each.remedy] if each.remedy.startswith("unset") else [])
+            left, _ = self.examined(
+                doctor, settings, [each.remedy] if each.remedy.startswith("unset") else []
+            )
         self.assertNotIn(each, left, err)
         allowed = [pattern.partition(" ") for name in which for pattern in fault.mends[name]]
         for fact in changed(before, facts(server)):
-            self.assertTrue(any(fact.startswith(kind + " ") and re.search(r"/%s\b" % what, fact) for kind, _, what in allowed),
-                            "%s: %s has changed" % (each.remedy, fact))
+            self.assertTrue(
+                any(
+                    fact.startswith(kind + " ") and re.search(r"/%s\b" % what, fact)
+                    for kind, _, what in allowed
+                ),
+                "%s: %s has changed" % (each.remedy, fact),
+            )
         for name in which:
             Following.followed[name] += 1
         return [name for name in rest if name not in which]
@@ -239,7 +320,9 @@ for _name in FAULTS:
 
 class Table(unittest.TestCase):
     def test_every_command_is_the_remedy_of_a_fault(self):
-        self.assertEqual(set(remedies.COMMANDS) - {name for fault in FAULTS.values() for name in fault.mends}, set())
+        self.assertEqual(
+            set(remedies.COMMANDS) - {name for fault in FAULTS.values() for name in fault.mends}, set()
+        )
 
     def test_the_first_word_tells_commands_from_words(self):
         for name, template in remedies.COMMANDS.items():
@@ -263,8 +346,13 @@ class Table(unittest.TestCase):
 
     def test_words_of_the_shell_are_quoted(self):
         where = path.parse("/localhost/a$(b) c.rtc")
-        self.assertEqual(remedies.command("reset", option=["-e", "1"], path=where).text, "rtreset -e 1 '/localhost/a$(b) c.rtc'")
-        self.assertEqual(remedies.command("reset", option=[], path="/localhost/a.rtc").text, "rtreset /localhost/a.rtc")
+        self.assertEqual(
+            remedies.command("reset", option=["-e", "1"], path=where).text,
+            "rtreset -e 1 '/localhost/a$(b) c.rtc'",
+        )
+        self.assertEqual(
+            remedies.command("reset", option=[], path="/localhost/a.rtc").text, "rtreset /localhost/a.rtc"
+        )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""Restoring whole systems: if this fails, a saved robot does not come back as it was, or a report on it cannot be trusted."""
+"""Restoring whole systems: if this fails, a saved robot does not come back as it was, or a report on it
+cannot be trusted.
+"""
 import random
 import time
 import unittest
@@ -30,7 +32,9 @@ def tearDownModule():
 
 
 def where(name, port=None):
-    return path.parse("/127.0.0.1:%d/test.host_cxt/%s.rtc" % (worlds.Server.port, name) + (":" + port if port else ""))
+    return path.parse(
+        "/127.0.0.1:%d/test.host_cxt/%s.rtc" % (worlds.Server.port, name) + (":" + port if port else "")
+    )
 
 
 def ask(coroutine):
@@ -86,14 +90,16 @@ class Worlds(unittest.TestCase):
         return world
 
 
-# ---- what is saved comes back ---------------------------------------------------------------------------------
+# ---- what is saved comes back ---------------------------------------------------------------------------------  # noqa: E501
 
 class Everything(Worlds):
     def make(self, dice):
         """A system at random: connections of all kinds, values in all sets, rates, members."""
         mock_names = ["Mock%d" % number for number in range(6)]
         for number in range(dice.randrange(3, 8)):
-            ends = [dice.choice(mock_names) + ":out"] + [name + ":in" for name in dice.sample(mock_names, dice.choice([1, 1, 2, 3]))]
+            ends = [dice.choice(mock_names) + ":out"] + [
+                name + ":in" for name in dice.sample(mock_names, dice.choice([1, 1, 2, 3]))
+            ]
             properties = {dice.choice(WORDS): dice.choice(WORDS) for _ in range(dice.randrange(3))}
             try:
                 connect(*ends, name=dice.choice(WORDS + [""]), given=properties,
@@ -109,7 +115,11 @@ class Everything(Worlds):
         for name in ("ConfigSample0", "ConfigSample1", "Motor0"):
             found = ask(configuration.of(node(name)))
             for one in found.sets(with_hidden=True):
-                values = {key: dice.choice(WORDS) for key in one.values if key.startswith("str_") and dice.random() < 0.6}
+                values = {
+                    key: dice.choice(WORDS)
+                    for key in one.values
+                    if key.startswith("str_") and dice.random() < 0.6
+                }
                 if values:
                     ask(found.store(values, one))
         found = ask(configuration.of(node("ConfigSample0")))
@@ -128,8 +138,15 @@ class Everything(Worlds):
                 self.round(random.Random(seed), reboot=seed % 2)
 
     def round(self, dice, reboot):
-        away = ["Mock:Mock%d" % number for number in (3, 4, 5)] + ["MyServiceConsumer", "ConfigSample:ConfigSample1"]
-        here = worlds.World(*["these"] + ["Mock:Mock%d" % number for number in range(3)] + ["MyServiceProvider", "ConfigSample"])
+        away = ["Mock:Mock%d" % number for number in (3, 4, 5)] + [
+            "MyServiceConsumer",
+            "ConfigSample:ConfigSample1",
+        ]
+        here = worlds.World(
+            *["these"]
+            + ["Mock:Mock%d" % number for number in range(3)]
+            + ["MyServiceProvider", "ConfigSample"]
+        )
         self.addCleanup(here.close)
         there, third = worlds.World("these", *away), worlds.World("composite")
         self.addCleanup(third.close)
@@ -139,7 +156,9 @@ class Everything(Worlds):
             self.assertEqual(statuses(restored(saved)), {"already so"})
             if not reboot or dice.random() < 0.5:
                 self.assertLessEqual(statuses(torn_down(saved)), {"done"})
-                self.assertEqual([c for c in captured().data_port_connectors + captured().service_port_connectors], [])
+                self.assertEqual(
+                    [c for c in captured().data_port_connectors + captured().service_port_connectors], []
+                )
             if reboot:
                 there.close()
                 there = worlds.World("these", *away)
@@ -161,12 +180,19 @@ def without_dates(profile):
                              service_port_connectors=profile.service_port_connectors)]
 
 
-# ---- what is reported is what there is ------------------------------------------------------------------------
+# ---- what is reported is what there is ------------------------------------------------------------------------  # noqa: E501
 
 HERE = ("these", "ConsoleIn", "ConsoleOut", "ConfigSample")
 THERE = ("these", "ConsoleOut:ConsoleOut1", "ConsoleOut:ConsoleOut2", "MyServiceConsumer")
-CHANGES = {"connect", "notify_connect", "set_configuration_set_values", "activate_configuration_set", "set_rate", "add_members",
-           "get_port_profile"}
+CHANGES = {
+    "connect",
+    "notify_connect",
+    "set_configuration_set_values",
+    "activate_configuration_set",
+    "set_rate",
+    "add_members",
+    "get_port_profile",
+}
 WRECKED = {"str_param0": "wrecked", "str_param1": "too"}
 
 
@@ -206,7 +232,9 @@ class Faults(Worlds):
     def faults(self):
         """(world, operation, how many calls of it a restoration makes)"""
         restored(self.saved)
-        found = [(world, name, count) for world in self.worlds for name, count in sorted(self.calls(world).items())]
+        found = [
+            (world, name, count) for world in self.worlds for name, count in sorted(self.calls(world).items())
+        ]
         self.wreck()
         return found
 
@@ -231,21 +259,31 @@ class Faults(Worlds):
             there = []
             for site, port in step.ends:
                 world = self.world_of(site.instance)
-                there.append(step.connector.connector_id + " " in world.ctl("connectors", "%s:%s" % (site.instance, port)))
+                there.append(
+                    step.connector.connector_id + " "
+                    in world.ctl("connectors", "%s:%s" % (site.instance, port))
+                )
             self.assertEqual(len(set(there)), 1, "half connected: " + step.title)
             return there[0]
         uri = step.sites[0].where[1:]
         one, other = now[uri], then[uri]
         if step.kind == "configuration":
-            mine, wanted = [{each.id: {item.name: item.data for item in each.configuration_data} for each in side.configuration_sets}
-                            [step.set_id] for side in (one, other)]
+            mine, wanted = [
+                {
+                    each.id: {item.name: item.data for item in each.configuration_data}
+                    for each in side.configuration_sets
+                }[step.set_id]
+                for side in (one, other)
+            ]
             return mine == wanted
         if step.kind == "active set":
             return one.active_configuration_set == other.active_configuration_set
         if step.kind == "rate":
             return one.execution_contexts[step.index].rate == other.execution_contexts[step.index].rate
         if step.kind == "members":
-            return {each.instance for each in step.members} <= {each.component.instance_name for each in one.participants}
+            return {each.instance for each in step.members} <= {
+                each.component.instance_name for each in one.participants
+            }
         return None
 
     def world_of(self, instance):
@@ -312,7 +350,9 @@ class Faults(Worlds):
                 self.wreck()
                 self.worlds[place].ctl("fail", operation, str(count), "DIE")
                 outcomes = restored(self.saved)
-                self.assertLessEqual(statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes))
+                self.assertLessEqual(
+                    statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes)
+                )
                 self.assertIn("failed", statuses(outcomes))
                 self.worlds[place].close()
                 self.worlds[place] = self.start(*(HERE, THERE)[place])

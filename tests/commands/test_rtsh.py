@@ -33,8 +33,14 @@ def tearDownModule():
 
 def environment(**more):
     """What rtsh runs in."""
-    usual = dict(worlds.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], TERM="dumb", LC_ALL="C.UTF-8",
-                 RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port)
+    usual = dict(
+        worlds.ENVIRONMENT,
+        PATH=COMMANDS + os.pathsep + os.environ["PATH"],
+        TERM="dumb",
+        LC_ALL="C.UTF-8",
+        RTCTREE_NAMESERVERS="localhost:%d" % Server.port,
+        RTCSH_CWD="/localhost:%d/test.host_cxt" % Server.port,
+    )
     return dict(usual, **more)
 
 
@@ -138,9 +144,16 @@ class AtThePrompt(unittest.TestCase):
         self.assertEqual(self.status(), 3)
 
     def test_completion(self):
-        for keys, wanted in [("rtc\t\t", r"rtcall .*rtcheck "), ("\x15l\t\t", "log +ls"), ("\x15cat ConsoleO\t", r"cat ConsoleOut0\.rtc$"),
-                             (":\t", r":in "), ("\x15pwd; print ConsoleI\t", r"print ConsoleIn0\.rtc:$"), ("\x15ls --rec\t", "--recurse "),
-                             ("\x15conf ConfigSample0.rtc g\t", "rtc get "), ("\x15rtact Conf\t", r"ConfigSample0\.rtc ")]:
+        for keys, wanted in [
+            ("rtc\t\t", r"rtcall .*rtcheck "),
+            ("\x15l\t\t", "log +ls"),
+            ("\x15cat ConsoleO\t", r"cat ConsoleOut0\.rtc$"),
+            (":\t", r":in "),
+            ("\x15pwd; print ConsoleI\t", r"print ConsoleIn0\.rtc:$"),
+            ("\x15ls --rec\t", "--recurse "),
+            ("\x15conf ConfigSample0.rtc g\t", "rtc get "),
+            ("\x15rtact Conf\t", r"ConfigSample0\.rtc "),
+        ]:
             with self.subTest(keys):
                 self.press(keys)
                 self.shows(wanted)
@@ -153,7 +166,8 @@ class AtThePrompt(unittest.TestCase):
         self.press("rubbish")
         self.shows("rubbish")
         self.press(CTRL_C)
-        self.shows(r"\nrtsh .*> $", again=CTRL_C)  # one that comes just before Python waits for keys is seen at the next
+        # one that comes just before Python waits for keys is seen at the next
+        self.shows(r"\nrtsh .*> $", again=CTRL_C)
         self.press("pwd\r")
         self.shows(r"\n/localhost:\d+/test\.host_cxt\nrtsh .*> $")
         self.press(CTRL_D)

@@ -1,4 +1,6 @@
-"""rttop's live page in a real terminal (tmux): if one of these fails, it shows or does what it should not, or harms a terminal."""
+"""rttop's live page in a real terminal (tmux): if one of these fails, it shows or does what it should not, or
+harms a terminal.
+"""
 import os
 import re
 import shutil
@@ -50,8 +52,15 @@ class Terminal(unittest.TestCase):
         self.home = os.path.realpath(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.home)
         self.top = "/localhost:%d/test.host_cxt" % Server.port
-        environment = dict(worlds.ENVIRONMENT, PATH=COMMANDS + os.pathsep + os.environ["PATH"], HOME=self.home, LC_ALL="C.UTF-8",
-                           RTCTREE_NAMESERVERS="localhost:%d" % Server.port, RTCSH_CWD=self.top, RTSHELL_TIMEOUT="1")
+        environment = dict(
+            worlds.ENVIRONMENT,
+            PATH=COMMANDS + os.pathsep + os.environ["PATH"],
+            HOME=self.home,
+            LC_ALL="C.UTF-8",
+            RTCTREE_NAMESERVERS="localhost:%d" % Server.port,
+            RTCSH_CWD=self.top,
+            RTSHELL_TIMEOUT="1",
+        )
         for name in "TMUX", "ENV", "NO_COLOR", "LINES", "COLUMNS":
             environment.pop(name, None)
         self.tmux("-f", "/dev/null", "-u", "new-session", "-d", "-x", "80", "-y", "24", "sh", env=environment)
@@ -61,8 +70,14 @@ class Terminal(unittest.TestCase):
         self.shows("^ready")
 
     def tmux(self, *words, **more):
-        done = subprocess.run(["tmux", "-S", os.path.join(self.home, "tmux")] + list(words), stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, universal_newlines=True, cwd=self.home, **more)
+        done = subprocess.run(
+            ["tmux", "-S", os.path.join(self.home, "tmux")] + list(words),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            universal_newlines=True,
+            cwd=self.home,
+            **more
+        )
         return done.stdout
 
     def type(self, line):
@@ -77,13 +92,19 @@ class Terminal(unittest.TestCase):
         return self.tmux("capture-pane", "-p")
 
     def shows(self, pattern, without=None):
-        """Wait until the terminal shows a line that matches, and none that matches `without`; returns the whole screen."""
+        """Wait until the terminal shows a line that matches, and none that matches `without`; returns the
+        whole screen.
+        """
         end = time.monotonic() + worlds.LIMIT
         while True:
             screen = self.screen()
-            if re.search(pattern, screen, re.MULTILINE) and not (without and re.search(without, screen, re.MULTILINE)):
+            if re.search(pattern, screen, re.MULTILINE) and not (
+                without and re.search(without, screen, re.MULTILINE)
+            ):
                 return screen
-            self.assertLess(time.monotonic(), end, "no %s, or still %s, here:\n%s" % (pattern, without, screen))
+            self.assertLess(
+                time.monotonic(), end, "no %s, or still %s, here:\n%s" % (pattern, without, screen)
+            )
             time.sleep(0.05)
 
     def start(self, words=""):
@@ -107,7 +128,9 @@ class Terminal(unittest.TestCase):
         """The terminal is as it was before."""
         self.type("clear; stty -g > after; cmp before after && echo same")
         self.shows("^same")
-        self.assertEqual(self.tmux("display-message", "-p", "#{alternate_on} #{cursor_flag} #{keypad_flag}"), "0 1 0\n")
+        self.assertEqual(
+            self.tmux("display-message", "-p", "#{alternate_on} #{cursor_flag} #{keypad_flag}"), "0 1 0\n"
+        )
 
     def connectors(self, component="Sensor0:out"):
         return World.robot.ctl("connectors", component)
@@ -121,19 +144,28 @@ class Page(Terminal):
         self.assertRegex(screen, r"(?m)^\? +- +- +\?Mock0\.rtc: no answer within 1s$")
         self.assertRegex(screen, r"(?m)^\? keys  q end .*c cat$")
         names = re.findall(r"\?*(\w+)\.rtc", screen)
-        self.assertEqual(names[:2] + sorted(names[2:]), ["Broken0", "Mock0"] + names[2:], "trouble comes first")
+        self.assertEqual(
+            names[:2] + sorted(names[2:]), ["Broken0", "Mock0"] + names[2:], "trouble comes first"
+        )
         self.tmux("pipe-pane", "-o", "cat > sent")
         before = World.robot.count("get_component_state")
-        eventually(lambda: World.robot.count("get_component_state") > before + 3 * len(names), "some looks, which find nothing new")
+        eventually(
+            lambda: World.robot.count("get_component_state") > before + 3 * len(names),
+            "some looks, which find nothing new",
+        )
         self.tmux("pipe-pane")
-        self.assertLess(os.path.getsize(os.path.join(self.home, "sent")), 20, "what has not changed is not sent again")
+        self.assertLess(
+            os.path.getsize(os.path.join(self.home, "sent")), 20, "what has not changed is not sent again"
+        )
         self.press("s")
         self.shows("^sorted by name$")
         names = re.findall(r"\?*(\w+)\.rtc", self.screen())
         self.assertEqual(names, sorted(names))
         self.press("s")
         self.shows("^sorted by state$")
-        self.assertEqual(re.findall(r"^(\S+) .*\.rtc", self.screen(), re.MULTILINE), ["Error", "?"] + 7 * ["Inactive"])
+        self.assertEqual(
+            re.findall(r"^(\S+) .*\.rtc", self.screen(), re.MULTILINE), ["Error", "?"] + 7 * ["Inactive"]
+        )
         self.press("/")
         self.tmux("send-keys", "-l", "ensorx")
         self.press("BSpace")
@@ -200,7 +232,10 @@ class Page(Terminal):
         self.start()
         self.press("g")
         self.shows("^/localhost:\\d+/hung.host_cxt: 1 component: 1 silent")
-        self.assertRegex(self.screen(), r"(?m)^/localhost:\d+/test.host_cxt: 8 components: 1 Error, 7 Inactive\n.*\bBroken0")
+        self.assertRegex(
+            self.screen(),
+            r"(?m)^/localhost:\d+/test.host_cxt: 8 components: 1 Error, 7 Inactive\n.*\bBroken0",
+        )
         self.press("g", "g")
         self.shows("^grouped by none$", without="hung.host_cxt: ")
         self.type("/motor")
@@ -208,7 +243,9 @@ class Page(Terminal):
         self.press("n")
         self.shows("^2 connected with .*Motor0.rtc; Esc shows all$")
         screen = self.shows(r"Sensor0\.rtc", without="Clusterer0")
-        self.assertEqual(re.findall(r"(\w+)\.rtc$", screen, re.MULTILINE), ["Controller0", "Motor0", "Sensor0"])
+        self.assertEqual(
+            re.findall(r"(\w+)\.rtc$", screen, re.MULTILINE), ["Controller0", "Motor0", "Sensor0"]
+        )
         self.press("Escape")
         self.shows("Clusterer0")
         self.press("q")
@@ -238,7 +275,9 @@ class Page(Terminal):
         claimed, measured, values = re.search(r"Active +(\d+) +(\S+) +(\S+) .*Source0", found).groups()
         self.assertTrue(0 < float(measured) < float(values), found)
         self.assertRegex(found, r"(?m)^Inactive +1000 +0\.0 +0\.0 +2 +Motor0\.rtc")
-        eventually(lambda: senders.ctl("connectors", "Source0:number").count("\n") == 0, "it has disconnected")
+        eventually(
+            lambda: senders.ctl("connectors", "Source0:number").count("\n") == 0, "it has disconnected"
+        )
         self.press("q")
         self.ended(0)
 
@@ -259,7 +298,9 @@ class Page(Terminal):
         self.press("q")
         self.shows(r"^Active .*Source0\.rtc")
         for port in "number", "block":
-            eventually(lambda: senders.ctl("connectors", "Source0:" + port).count("\n") == 0, "it has disconnected")
+            eventually(
+                lambda: senders.ctl("connectors", "Source0:" + port).count("\n") == 0, "it has disconnected"
+            )
         self.press("p")
         self.shows("[\u2801-\u28ff]")
         self.press("C-c")
@@ -268,7 +309,10 @@ class Page(Terminal):
             self.assertEqual(senders.ctl("connectors", "Source0:" + port).count("\n"), 0)
 
     def test_a_component_in_the_context_of_another_one(self):
-        for words in (["rtec", "Sensor0.rtc", "attach", "Motor0.rtc"], ["rtact", "-e", "1", "--wait", "Motor0.rtc"]):
+        for words in (
+            ["rtec", "Sensor0.rtc", "attach", "Motor0.rtc"],
+            ["rtact", "-e", "1", "--wait", "Motor0.rtc"],
+        ):
             self.type(" ".join(words))
         self.addCleanup(self.type, "rtec Sensor0.rtc detach Motor0.rtc")
         self.start("-f motor")
@@ -383,14 +427,20 @@ class End(Terminal):
 
     def test_marks_of_rtkeep(self):
         """What a running rtkeep says of a component stands beside what has changed."""
-        world = World("these", "Motor:Kept0", "ConsoleIn:Left0", "ConsoleIn:Free0", "--context", "kept.host_cxt/%n.rtc")
-        names = ["/localhost:%d/kept.host_cxt/%s.rtc" % (Server.port, name) for name in ("Kept0", "Left0", "Free0")]
+        world = World(
+            "these", "Motor:Kept0", "ConsoleIn:Left0", "ConsoleIn:Free0", "--context", "kept.host_cxt/%n.rtc"
+        )
+        names = [
+            "/localhost:%d/kept.host_cxt/%s.rtc" % (Server.port, name) for name in ("Kept0", "Left0", "Free0")
+        ]
         self.addCleanup(running.run, ["rtdel"] + names, self.home)
         self.addCleanup(world.close)
         self.tmux("resize-window", "-x", "160", "-y", "40")
         place = "/localhost:%d/kept.host_cxt" % Server.port
         more = {"XDG_RUNTIME_DIR": self.home}
-        done = running.run(["rtcryo", "--all", "-o", "a.xml", place + "/Kept0.rtc", place + "/Left0.rtc"], self.home)
+        done = running.run(
+            ["rtcryo", "--all", "-o", "a.xml", place + "/Kept0.rtc", place + "/Left0.rtc"], self.home
+        )
         self.assertEqual(done.status, 0, done)
         keeping = running.start(["rtkeep", "a.xml"], self.home, more, stdout=subprocess.DEVNULL)
         self.addCleanup(keeping.wait)

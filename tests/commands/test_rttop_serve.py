@@ -1,5 +1,6 @@
-"""rttop --serve with browsers, real ones and others: if one of these fails, somebody sees what is not so, does what only looking
-was meant for, or costs the robot calls."""
+"""rttop --serve with browsers, real ones and others: if one of these fails, somebody sees what is not so,
+does what only looking was meant for, or costs the robot calls.
+"""
 import json
 import os
 import re
@@ -48,9 +49,19 @@ class Served(unittest.TestCase):
 
     def start(self, *words):
         self.top = "/localhost:%d/test.host_cxt" % Server.port
-        more = {"RTCTREE_NAMESERVERS": "localhost:%d" % Server.port, "RTCSH_CWD": self.top, "RTSHELL_TIMEOUT": "1"}
-        self.process = running.start(["rttop", "-r", "5"] + list(words), self.home, more, stdin=subprocess.DEVNULL,
-                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        more = {
+            "RTCTREE_NAMESERVERS": "localhost:%d" % Server.port,
+            "RTCSH_CWD": self.top,
+            "RTSHELL_TIMEOUT": ("1"),
+        }
+        self.process = running.start(
+            ["rttop", "-r", "5"] + list(words),
+            self.home,
+            more,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
         self.addCleanup(self.stop)
         self.address = self.process.stdout.readline().decode().strip()
 
@@ -75,8 +86,12 @@ class Served(unittest.TestCase):
         host, port = re.match(r"http://(.*):(\d+)/", self.address).groups()
         made = socket.create_connection((host, int(port)), worlds.LIMIT)
         self.addCleanup(made.close)
-        made.sendall(("GET %sevents?none HTTP/1.1\r\nHost: %s\r\n\r\n" % (self.address[len("http://%s:%s" % (host, port)):], host))
-                     .encode())
+        made.sendall(
+            (
+                "GET %sevents?none HTTP/1.1\r\nHost: %s\r\n\r\n"
+                % (self.address[len("http://%s:%s" % (host, port)) :], host)
+            ).encode()
+        )
         file = made.makefile("rb")
         self.addCleanup(file.close)
         return file
@@ -85,8 +100,10 @@ class Served(unittest.TestCase):
         """Read events until is_so({name of a component: [state, words]}, [connections])."""
         found = {"boxes": [], "connections": []}
         now = {}
-        while not is_so({box["name"]: now.get(str(number), [None, ""]) for number, box in enumerate(found["boxes"])},
-                        found["connections"]):
+        while not is_so(
+            {box["name"]: now.get(str(number), [None, ""]) for number, box in enumerate(found["boxes"])},
+            found["connections"],
+        ):
             line = file.readline().decode()
             self.assertTrue(line, "the stream has ended")
             if line.startswith("event: "):
@@ -115,7 +132,9 @@ class Robot(Served):
         self.assertEqual(self.status(Host="localhost:9"), 200, "as through a tunnel of ssh")
         self.assertEqual(self.status(Origin=self.address[:-1]), 200)
         self.assertEqual(self.status(Host="attacker.example:" + port), 403)
-        self.assertEqual(self.status(Host="attacker.example:" + port, Origin="http://attacker.example:" + port), 403)
+        self.assertEqual(
+            self.status(Host="attacker.example:" + port, Origin="http://attacker.example:" + port), 403
+        )
         self.assertEqual(self.status(Origin="http://attacker.example"), 403)
         self.assertEqual(self.status(Origin="null"), 403)
         self.assertEqual(self.status(Origin="https://127.0.0.1:" + port), 403)
@@ -130,7 +149,15 @@ class Robot(Served):
         self.assertEqual(self.status(), 200)
         self.assertEqual(self.status("http://127.0.0.2:%s/%s/" % (port, token)), 200)
         wrong = token[:-1] + ("0" if token[-1] != "0" else "1")
-        for path in "/", "//", "/x", "/%s/" % wrong, "/%s/" % token[:-1], "/%s" % token.upper(), "/%s/events?x" % wrong:
+        for path in (
+            "/",
+            "//",
+            "/x",
+            "/%s/" % wrong,
+            "/%s/" % token[:-1],
+            "/%s" % token.upper(),
+            "/%s/events?x" % wrong,
+        ):
             self.assertIn(self.status("http://127.0.0.2:%s%s" % (port, path)), (403, 404), path)
         self.assertEqual(self.status("http://127.0.0.2:%s/%s/" % (port, token), Host="attacker.example"), 403)
 
@@ -202,7 +229,9 @@ class Robot(Served):
         port = self.address.rsplit(":", 1)[1].strip("/")
         self.start("--serve", "127.0.0.1:" + port)
         self.assertEqual(self.process.wait(worlds.LIMIT), 1)
-        self.assertRegex(self.process.stderr.read().decode(), "^rttop: --serve 127.0.0.1:%s: .*in use\n$" % port)
+        self.assertRegex(
+            self.process.stderr.read().decode(), "^rttop: --serve 127.0.0.1:%s: .*in use\n$" % port
+        )
 
 
 @unittest.skipUnless(browser.program(), "needs Chromium (Debian's package chromium)")
@@ -244,7 +273,8 @@ class Browsers(Served):
         self.addCleanup(self.rt, "rtreset", "Err0.rtc")
         page.wait((BOX % "Err0") + ".getAttribute('class').includes('Error broken')")
         page.wait("document.getElementById('status').textContent === 'Err0: ✖ Error'")
-        page.run("document.getElementById('search').value = ''; document.getElementById('search').dispatchEvent(new Event('input'))")
+        page.run("document.getElementById('search').value = ''; "
+                 "document.getElementById('search').dispatchEvent(new Event('input'))")
         page.wait("document.querySelector('#list button').textContent.includes('Broken0')")
 
     def test_what_a_person_does_stays(self):
@@ -255,7 +285,10 @@ class Browsers(Served):
         page.run("document.querySelector('#details summary').click()")
         page.run((BOX % "Sensor0") + ".focus()")
         page.run("zoom(3); document.getElementById('map').scrollTo(77, 33)")
-        where = "[element('map').scrollLeft, element('map').scrollTop, document.querySelector('#details details').open]"
+        where = (
+            "[element('map').scrollLeft, element('map').scrollTop, document.querySelector('#details "
+            "details').open]"
+        )
         before = page.run(where)
         world = World("these", "ConsoleIn:More0")
         try:
@@ -277,20 +310,26 @@ class Browsers(Served):
         page.close()
 
     def test_whatever_a_robot_says_stays_text(self):
-        """Components all of whose strings are hostile, among them <script>; also when one changes, and when it dies."""
+        """Components all of whose strings are hostile, among them <script>; also when one changes, and when
+        it dies.
+        """
         world = World("hostile", "--context", "h.host_cxt/%n.rtc")
         self.addCleanup(running.run, ["rtdel", "-z", "/localhost:%d/h.host_cxt" % Server.port], self.home)
         try:
             self.start("--serve", "127.0.0.1:0")
             page = self.open()
             page.wait("data.boxes.some((box) => (box.path || '').includes('h.host_cxt') && box.parts.length)")
-            number = page.run("data.boxes.findIndex((box) => (box.path || '').includes('h.host_cxt') && box.parts.length)")
+            number = page.run("data.boxes.findIndex((box) => (box.path || '').includes('h.host_cxt') && "
+                              "box.parts.length)")
             page.run("select(%d)" % number)
             self.assertIn("<script", page.run(DETAILS))
         finally:
             world.close()
-        page.wait("data.boxes.some((box) => (box.path || '').includes('h.host_cxt') && box.state === 'Unknown')")
-        self.assertEqual(page.run("[document.querySelectorAll('script').length, document.images.length]"), [2, 0])
+        page.wait("data.boxes.some((box) => (box.path || '').includes('h.host_cxt') && box.state === "
+                  "'Unknown')")
+        self.assertEqual(
+            page.run("[document.querySelectorAll('script').length, document.images.length]"), [2, 0]
+        )
 
     def test_a_phone(self):
         self.start("--serve", "0.0.0.0:0")

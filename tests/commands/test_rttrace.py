@@ -1,4 +1,6 @@
-"""rttrace on chains with one fault each, drawn by seed: if this fails, it blames a stage that passes values on, or none."""
+"""rttrace on chains with one fault each, drawn by seed: if this fails, it blames a stage that passes values
+on, or none.
+"""
 import os
 import random
 import re
@@ -30,8 +32,20 @@ class Chains(unittest.TestCase):
         try:
             top = "/localhost:%d/test.host_cxt/" % Server.port
             begun = time.monotonic()
-            done = subprocess.run(["rttrace", "-t", str(SECONDS), top + "Link0.rtc:out", "--to", top + "Link%d.rtc:in" % (count - 1)],
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True, env=worlds.ENVIRONMENT)
+            done = subprocess.run(
+                [
+                    "rttrace",
+                    "-t",
+                    str(SECONDS),
+                    top + "Link0.rtc:out",
+                    "--to",
+                    top + "Link%d.rtc:in" % (count - 1),
+                ],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                universal_newlines=True,
+                env=worlds.ENVIRONMENT,
+            )
             return done.stdout, done.returncode, time.monotonic() - begun
         finally:
             world.close()
@@ -47,9 +61,15 @@ class Chains(unittest.TestCase):
                 said, status, seconds = self.trace(count, "%s@%d" % (fault, place))
                 took.append(seconds)
                 wanted = place - 1 if fault == "cut" else place
-                self.assertRegex(said, r"(?m)^/localhost:\d+/test\.host_cxt/Link%d\.rtc: .*\((certain|probable)\)$" % wanted)
+                self.assertRegex(
+                    said,
+                    r"(?m)^/localhost:\d+/test\.host_cxt/Link%d\.rtc: .*\((certain|probable)\)$" % wanted,
+                )
                 self.assertEqual(status, 1, said)
-        print("%d faults named in %.1f s at most, %.1f s in the mean" % (ROUNDS, max(took), sum(took) / len(took)))
+        print(
+            "%d faults named in %.1f s at most, %.1f s in the mean"
+            % (ROUNDS, max(took), sum(took) / len(took))
+        )
 
     def test_nothing_is_named_where_all_is_well(self):
         chance = random.Random(int(os.environ.get("RTSHELL_SEED", 1)) + 1)

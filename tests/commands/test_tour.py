@@ -1,4 +1,5 @@
-"""mock_components/tour, without its installation: if this fails, the first thing that a newcomer tries does."""
+"""mock_components/tour, without its installation: if this fails, the first thing that a newcomer tries does.
+"""
 import os
 import pty
 import re
@@ -34,11 +35,19 @@ class Tour(unittest.TestCase):
         self.program(os.path.join(".venv-tour", "bin", "python"), FOUND)
         self.made_from(sys.base_prefix, *sys.version_info[:3])
         os.symlink(worlds.COMMANDS, os.path.join(self.top, "bin"))
-        for package in os.path.join(processes.ROOT, "mock_components"), os.path.dirname(rtshell_lite.__file__):
+        for package in os.path.join(processes.ROOT, "mock_components"), os.path.dirname(
+            rtshell_lite.__file__
+        ):
             os.symlink(package, os.path.join(self.top, os.path.basename(package)))
         self.words = ["sh", os.path.join(self.top, "mock_components", "tour")]
-        self.environment = dict(worlds.ENVIRONMENT, PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"], PYTHON=sys.executable,
-                                PYTHONDONTWRITEBYTECODE="1", LC_ALL="C.UTF-8", TMPDIR=self.top)
+        self.environment = dict(
+            worlds.ENVIRONMENT,
+            PATH=worlds.COMMANDS + os.pathsep + os.environ["PATH"],
+            PYTHON=sys.executable,
+            PYTHONDONTWRITEBYTECODE="1",
+            LC_ALL="C.UTF-8",
+            TMPDIR=self.top,
+        )
 
     def program(self, name, text):
         path = os.path.join(self.top, name)
@@ -53,8 +62,14 @@ class Tour(unittest.TestCase):
 
     def run_it(self, *words, before=(), **environment):
         """Status and output, without a terminal."""
-        done = subprocess.run(list(before) + self.words + list(words), env=dict(self.environment, **environment), timeout=300,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        done = subprocess.run(
+            list(before) + self.words + list(words),
+            env=dict(self.environment, **environment),
+            timeout=300,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
         return done.returncode, done.stdout.decode("utf-8", "replace")
 
     def needs_omninames(self):
@@ -65,11 +80,19 @@ class Tour(unittest.TestCase):
         self.needs_omninames()
         status, said = self.run_it()
         self.assertEqual(status, 0, said)
-        self.assertEqual(re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said), [
-            ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "2"), ("rtact Broken0.rtc", "6"),
-            ("rtcall Robot0.rtc:svc sey hello", "3"), ("rtcall Robot0.rtc:svc say hello", "6"),
-            ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6"), ("rttrace -t 1 Link0.rtc:out", "1")] + [
-                ("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()), said)
+        self.assertEqual(
+            re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said),
+            [
+                ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "2"),
+                ("rtact Broken0.rtc", "6"),
+                ("rtcall Robot0.rtc:svc sey hello", "3"),
+                ("rtcall Robot0.rtc:svc say hello", "6"),
+                ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6"),
+                ("rttrace -t 1 Link0.rtc:out", "1"),
+            ]
+            + [("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()),
+            said,
+        )
         self.assertNotIn("a key goes on", said, "it waits on terminals only")
         self.assertRegex(said, r"(?m)^/localhost:\d+/line.host_cxt/Link1.rtc: it is Inactive \(certain\)$")
         self.assertRegex(said, r"\$ rtprint -n 3 Link1.rtc:out\n(\[[\d.]+\] \d+\n){3}\n")
@@ -80,7 +103,10 @@ class Tour(unittest.TestCase):
         """Ctrl-C ends the tour, and leaves the terminal as it was, and no file."""
         self.needs_omninames()
         waits, looking, connecting = "a key goes on", "m1  Looking\x1b", "m2  Connecting\x1b"
-        for words, talk in ([], [(waits, b"x"), (looking, b""), (waits, b"\3")]), (["--no-pause"], [(looking, b""), (connecting, b"\3")]):
+        for words, talk in ([], [(waits, b"x"), (looking, b""), (waits, b"\3")]), (
+            ["--no-pause"],
+            [(looking, b""), (connecting, b"\3")],
+        ):
             with self.subTest(words):
                 child, terminal = pty.fork()
                 if child == 0:
@@ -97,7 +123,9 @@ class Tour(unittest.TestCase):
                 self.assertEqual((talk, os.WIFEXITED(status) and os.WEXITSTATUS(status)), ([], 130), said)
                 self.assertEqual(termios.tcgetattr(terminal), before)
                 os.close(terminal)
-                self.assertEqual(sorted(os.listdir(self.top)), [".venv-tour", "bin", "mock_components", "rtshell_lite"])
+                self.assertEqual(
+                    sorted(os.listdir(self.top)), [".venv-tour", "bin", "mock_components", "rtshell_lite"]
+                )
 
     def test_a_shell_to_play_in(self):
         """rtcwd changes its directory; in bash and zsh, TAB completes."""
@@ -109,8 +137,11 @@ class Tour(unittest.TestCase):
             child, terminal = pty.fork()
             if child == 0:
                 os.execvpe("sh", self.words + ["--shell"], environment)
-            talk = [("Leave with exit", b"rtcwd ../plant.host_cxt && rtpwd | tr a-z A-Z\n"),
-                    ("PLANT.HOST_CXT", b"rtcwd ../test.host_cxt\n" + typed + b"| tr a-z A-Z\n"), ("BROKEN0.RTC", b"exit\n")]
+            talk = [
+                ("Leave with exit", b"rtcwd ../plant.host_cxt && rtpwd | tr a-z A-Z\n"),
+                ("PLANT.HOST_CXT", b"rtcwd ../test.host_cxt\n" + typed + b"| tr a-z A-Z\n"),
+                ("BROKEN0.RTC", b"exit\n"),
+            ]
             said = ""
             while select.select([terminal], [], [], worlds.LIMIT)[0]:
                 try:
@@ -129,26 +160,43 @@ class Tour(unittest.TestCase):
     def test_another_python_means_another_environment(self):
         self.made_from(sys.base_prefix, 3, 1, 4)
         status, said = self.run_it(PYTHON=self.program("broken", BROKEN))
-        self.assertEqual((status, said.splitlines()), (1, [
-            "Installing omniORBpy into a private environment, once ...", "no venv", "tour: the installation failed"]))
+        self.assertEqual(
+            (status, said.splitlines()),
+            (
+                1,
+                [
+                    "Installing omniORBpy into a private environment, once ...",
+                    "no venv",
+                    "tour: the installation failed",
+                ],
+            ),
+        )
         self.assertFalse(os.path.exists(os.path.join(self.top, ".venv-tour", "made-from")))
 
     def test_pythons_that_will_not_do(self):
         self.assertEqual(self.run_it(PYTHON="/no/python"),
                          (1, "tour: /no/python not found; name a Python 3.7 to 3.13 with PYTHON=...\n"))
-        self.assertEqual(self.run_it(PYTHON="false"), (1, "tour: false is not Python 3.7 to 3.13; name one with PYTHON=...\n"))
+        self.assertEqual(self.run_it(PYTHON="false"), (1, "tour: false is not Python 3.7 to 3.13; name "
+                                                          "one with PYTHON=...\n"))
         self.words = [os.path.join(processes.ROOT, "tests", "run")]
-        self.assertEqual(self.run_it(PYTHON="/no/python"), (1, "tests/run: /no/python not found; it needs Python 3.6 or later\n"))
-        self.assertEqual(self.run_it(PYTHON="false"), (1, "tests/run: false is too old; it needs Python 3.6 or later\n"))
+        self.assertEqual(self.run_it(PYTHON="/no/python"), (1, "tests/run: /no/python not found; it "
+                                                               "needs Python 3.6 or later\n"))
+        self.assertEqual(self.run_it(PYTHON="false"), (1, "tests/run: false is too old; it needs Python "
+                                                          "3.6 or later\n"))
 
     def test_a_network_without_loopback(self):
         """One line, at once, from the tour and from tests/run."""
         alone = ["unshare", "--map-root-user", "--net"]
         if not shutil.which("unshare") or subprocess.call(alone + ["true"], stderr=subprocess.DEVNULL):
             self.skipTest("no network namespace can be made")
-        needed = "127.0.0.1 does not work here (Network is unreachable); in a new network namespace: ip link set lo up\n"
+        needed = (
+            "127.0.0.1 does not work here (Network is unreachable); in a new network namespace: ip link "
+            "set lo up\n"
+        )
         if processes.nameserver.binary():
-            self.assertEqual(self.run_it(before=alone), (1, "tour: nameserver does not start: nameserver: " + needed))
+            self.assertEqual(
+                self.run_it(before=alone), (1, "tour: nameserver does not start: nameserver: " + needed)
+            )
         self.words = [os.path.join(processes.ROOT, "tests", "run")]
         self.assertEqual(self.run_it("rtpwd", before=alone), (1, "tests/run: " + needed))
 
@@ -160,8 +208,14 @@ class Mocks(unittest.TestCase):
     """What can be tried without omniORBpy: -S leaves out what is installed."""
 
     def run_it(self, *words):
-        done = subprocess.run([sys.executable, "-S", "-m"] + list(words), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=processes.ROOT), cwd="/")
+        done = subprocess.run(
+            [sys.executable, "-S", "-m"] + list(words),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env=dict(os.environ, PYTHONPATH=processes.ROOT),
+            cwd="/",
+        )
         return done.returncode, done.stdout.decode(), done.stderr.decode()
 
     def test_list_of_worlds(self):
@@ -173,14 +227,22 @@ class Mocks(unittest.TestCase):
         nowhere, end = os.pipe()
         os.close(nowhere)
         self.addCleanup(os.close, end)
-        done = subprocess.run([sys.executable, "-m", "mock_components", "--list"], stdin=subprocess.DEVNULL, stdout=end,
-                              stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=processes.ROOT), cwd="/")
+        done = subprocess.run(
+            [sys.executable, "-m", "mock_components", "--list"],
+            stdin=subprocess.DEVNULL,
+            stdout=end,
+            stderr=subprocess.PIPE,
+            env=dict(os.environ, PYTHONPATH=processes.ROOT),
+            cwd="/",
+        )
         self.assertEqual((done.returncode, done.stderr), (-signal.SIGPIPE, b""))
 
     def test_no_omniorb(self):
         status, said, failures = self.run_it("mock_components", "two")
         self.assertEqual((status, said), (2, ""))
-        self.assertRegex(failures, r"mock_components: error: needs omniORBpy \(for Python 3\.7 to 3\.13\)\n\Z")
+        self.assertRegex(
+            failures, r"mock_components: error: needs omniORBpy \(for Python 3\.7 to 3\.13\)\n\Z"
+        )
 
     def test_no_name_server(self):
         status, said, failures = self.run_it("mock_components.nameserver")

@@ -1,7 +1,8 @@
-"""Logs and the official readers of MCAP: each value that we write is read by them, and we read what their writers write.
+"""Logs and the official readers of MCAP: each value that we write is read by them, and we read what their
+writers write.
 
-`tests/run --compat` runs this, in an environment of its own with the packages `mcap` and `mcap-ros2-support`; those of npm are used
-where npm can install them.
+`tests/run --compat` runs this, in an environment of its own with the packages `mcap` and `mcap-ros2-support`;
+those of npm are used where npm can install them.
 """
 import glob
 import json
@@ -40,13 +41,20 @@ from rtshell_lite.giop import descriptors  # noqa: E402
 
 START = 1700000000 * 10 ** 9
 EACH = 20  # values of a type
-IDL = sorted(glob.glob(os.path.join(os.path.dirname(TESTS), "rtshell_lite", "idl_stubs", "idl", "**", "*.idl"), recursive=True))
+IDL = sorted(
+    glob.glob(
+        os.path.join(os.path.dirname(TESTS), "rtshell_lite", "idl_stubs", "idl", "**", "*.idl"),
+        recursive=True,
+    )
+)
 
 
 def known_types():
     """The datatypes.Types that can be recorded, of the standard IDL and of the tests'."""
     found = {}
-    for name in IDL + [os.path.join(TESTS, "data", "idl", "valid", name + ".idl") for name in ("unions", "recursive")]:
+    for name in IDL + [
+        os.path.join(TESTS, "data", "idl", "valid", name + ".idl") for name in ("unions", "recursive")
+    ]:
         found.update(parser.parse_file(name))
     made = []
     for type_id in sorted(found):
@@ -70,7 +78,10 @@ def comparable(value, type):
     if sort in (descriptors.FLOAT, descriptors.DOUBLE):
         return "nan" if math.isnan(value) else value
     if sort in (descriptors.SEQUENCE, descriptors.ARRAY):
-        return [comparable(each, descriptors.element(inner)) if not isinstance(value, bytes) else each for each in value]
+        return [
+            comparable(each, descriptors.element(inner)) if not isinstance(value, bytes) else each
+            for each in value
+        ]
     if sort == descriptors.STRUCT:
         return {name: comparable(getattr(value, name), member) for name, member in descriptors.members(inner)}
     return value
@@ -110,7 +121,9 @@ class Case(unittest.TestCase):
         """A log of random values of all types: [(channel's name, Type, value)]."""
         rng = random.Random(1)
         types = known_types()
-        channels = [records.Channel(type.name, type.id, type.to_bytes(), ("/h/A.rtc:" + type.name,)) for type in types]
+        channels = [
+            records.Channel(type.name, type.id, type.to_bytes(), ("/h/A.rtc:" + type.name,)) for type in types
+        ]
         out = writer.Writer(self.name, channels, START)
         written = []
         for turn in range(EACH):
@@ -141,9 +154,13 @@ class Ours(Case):
             plain = {channel.topic for channel in summary.channels.values()
                      if channel.schema_id and summary.schemas[channel.schema_id].encoding == "ros2msg"}
             self.assertGreater(len(plain), 50)
-            found = [(each.channel.topic, theirs(each.decoded_message)) for each in reader.iter_decoded_messages(
-                topics=plain, log_time_order=False)]
-        expected = [(name, comparable(value, type.descriptor)) for name, type, value in written if name in plain]
+            found = [
+                (each.channel.topic, theirs(each.decoded_message))
+                for each in reader.iter_decoded_messages(topics=plain, log_time_order=False)
+            ]
+        expected = [
+            (name, comparable(value, type.descriptor)) for name, type, value in written if name in plain
+        ]
         for one, other in zip(found, expected):
             self.assertEqual(one, other)
         self.assertEqual(len(found), len(expected))
@@ -168,17 +185,25 @@ class Ours(Case):
 
     @unittest.skipUnless(os.environ.get("RTSHELL_NPM"), "npm has not installed @mcap/core")
     def test_javascript_reads_every_value(self):
-        """Of the types that omgidl describes, structs: its reader shows unions in its own way, and reads no wide text."""
+        """Of the types that omgidl describes, structs: its reader shows unions in its own way, and reads no
+        wide text.
+        """
         written = self.recorded()
-        said = subprocess.run(["node", os.path.join(TESTS, "compat", "read_mcap.js"), self.name], stdout=subprocess.PIPE, check=True,
-                              env=dict(os.environ, NODE_PATH=os.environ["RTSHELL_NPM"])).stdout.decode()
+        said = subprocess.run(
+            ["node", os.path.join(TESTS, "compat", "read_mcap.js"), self.name],
+            stdout=subprocess.PIPE,
+            check=True,
+            env=dict(os.environ, NODE_PATH=os.environ["RTSHELL_NPM"]),
+        ).stdout.decode()
         found = [json.loads(line) for line in said.splitlines()]
         self.assertEqual(len(found), len(written))
         compared = set()
         for line, (name, type, value) in zip(found, written):
             self.assertEqual(line["topic"], name)
-            if line["value"] is None or any(descriptors.kind(inner) in (descriptors.UNION, descriptors.WCHAR, descriptors.WSTRING)
-                                            for _, inner in descriptors.walk(type.descriptor, "")):
+            if line["value"] is None or any(
+                descriptors.kind(inner) in (descriptors.UNION, descriptors.WCHAR, descriptors.WSTRING)
+                for _, inner in descriptors.walk(type.descriptor, "")
+            ):
                 continue
             compared.add(name)
             self.assertEqual(of_javascript(line["value"]), comparable(value, type.descriptor), name)
@@ -194,11 +219,21 @@ class Theirs(Case):
             schema = out.register_msgdef("rtc/msg/TimedLong", "rtc/Time tm\nint32 data\n" + "=" * 80 +
                                          "\nMSG: rtc/Time\nuint32 sec\nuint32 nsec")
             for number in range(100):
-                out.write_message("/numbers", schema, {"tm": {"sec": 1, "nsec": number}, "data": number}, START + number, START, number)
+                out.write_message(
+                    "/numbers",
+                    schema,
+                    {"tm": {"sec": 1, "nsec": number}, "data": number},
+                    START + number,
+                    START,
+                    number,
+                )
             out.finish()
 
     def test_ros2(self):
-        for options in ({"compression": CompressionType.NONE}, {"compression": CompressionType.NONE, "chunk_size": 300}):
+        for options in (
+            {"compression": CompressionType.NONE},
+            {"compression": CompressionType.NONE, "chunk_size": 300},
+        ):
             self.ros(**options)
             with logfile.load(self.name) as log:
                 channels = decode.Channels(log, datatypes.Types())
@@ -206,7 +241,10 @@ class Theirs(Case):
                 self.assertEqual((log.count, log.closed), (100, True))
                 for entry in log.entries():
                     value = channels.value(entry)
-                    self.assertEqual((value.tm.nsec, value.data, entry.received), (entry.number, entry.number, START + entry.number))
+                    self.assertEqual(
+                        (value.tm.nsec, value.data, entry.received),
+                        (entry.number, entry.number, START + entry.number),
+                    )
                 self.assertEqual(next(log.entries(57)).number, 57)
                 self.assertEqual(log.since(START + 70), 70)
 
@@ -218,12 +256,16 @@ class Theirs(Case):
                 logfile.load(self.name)
 
     def test_zstd(self):
-        """Read where Python has it; what is damaged is counted, as elsewhere; a mended copy is read by theirs."""
+        """Read where Python has it; what is damaged is counted, as elsewhere; a mended copy is read by
+        theirs.
+        """
         with mock.patch.object(compression, "_zstd", lambda: zstd):
             self.ros(compression=CompressionType.ZSTD, chunk_size=300)
             with logfile.load(self.name) as log:
                 self.assertEqual([entry.number for entry in log.entries()], list(range(100)))
-                self.assertEqual(([entry.number for entry in log.entries(57)][0], log.since(START + 70)), (57, 70))
+                self.assertEqual(
+                    ([entry.number for entry in log.entries(57)][0], log.since(START + 70)), (57, 70)
+                )
                 offsets = [(stretch.end, stretch.number) for stretch in log._stretches]
             end, count = offsets[len(offsets) // 2]
             with open(self.name, "r+b") as file:
@@ -232,7 +274,9 @@ class Theirs(Case):
                 self.assertEqual((len(list(log.entries())), log.damaged, log.closed), (count, 0, False))
             mend.mend(self.name, self.name + "-mended")
         with open(self.name + "-mended", "rb") as file:
-            messages = make_reader(file, validate_crcs=True, decoder_factories=[DecoderFactory()]).iter_decoded_messages()
+            messages = make_reader(
+                file, validate_crcs=True, decoder_factories=[DecoderFactory()]
+            ).iter_decoded_messages()
             self.assertEqual([each.decoded_message.data for each in messages], list(range(count)))
 
     def test_zstd_that_is_damaged(self):
@@ -244,15 +288,19 @@ class Theirs(Case):
             file.write(b"\xff" * 8)
             file.flush()
             with logfile.load(self.name) as log:
-                self.assertEqual((len(list(log.entries())), log.damaged), (100 - stretch.count, stretch.count))
+                self.assertEqual(
+                    (len(list(log.entries())), log.damaged), (100 - stretch.count, stretch.count)
+                )
 
     def test_json_and_omgidl_in_no_chunk(self):
         for chunking in (True, False):
             with open(self.name, "wb") as file:
                 out = Writer(file, compression=CompressionType.NONE, use_chunking=chunking)
                 out.start()
-                state = out.register_channel("/state", "json", out.register_schema("State", "jsonschema", b"{}"))
-                idl = b"module own { enum Colour { red, green }; struct Odd { Colour colour; sequence<double> values; }; };"
+                state = out.register_channel(
+                    "/state", "json", out.register_schema("State", "jsonschema", b"{}")
+                )
+                idl = b"module own { enum Colour { red, green }; struct Odd { Colour colour; sequence<double> values; }; };"  # noqa: E501
                 odd = out.register_channel("/odd", "cdr", out.register_schema("own::Odd", "omgidl", idl))
                 own = datatypes.Type(schemas.to_type(("own::Odd", "omgidl", idl)).descriptor)
                 for number in range(5):
@@ -263,7 +311,9 @@ class Theirs(Case):
             with logfile.load(self.name) as log:
                 channels = decode.Channels(log, datatypes.Types())
                 lines = [decode.record(channels, entry) for entry in log.entries()]
-                self.assertEqual([line["value"] for line in lines[::2]], [{"a": number} for number in range(5)])
+                self.assertEqual(
+                    [line["value"] for line in lines[::2]], [{"a": number} for number in range(5)]
+                )
                 self.assertIn(lines[1]["value"]["colour"], ("red", "green"))
                 self.assertEqual((log.count, log.damaged, lines[1]["type"]), (10, 0, "IDL:own/Odd:1.0"))
 

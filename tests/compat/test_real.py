@@ -1,7 +1,7 @@
 """Every command against real components of OpenRTM-aist: `tests/run --real DIR … [--rounds N]`.
 
-After each step every process lives, and every port has the connectors that it had before; after what connects, all parts are
-Active, too. Each loop prints what it counted.
+After each step every process lives, and every port has the connectors that it had before; after what
+connects, all parts are Active, too. Each loop prints what it counted.
 """
 import collections
 import concurrent.futures
@@ -45,14 +45,38 @@ LOOPS = {
 }
 # Each command once: what it is to answer with besides 0.
 ONCE = [
-    ("rtls -lR HOME", ()), ("rtls --json -l HOME", ()), ("rtcat -ll PART CONFIG", ()), ("rtcat --json PROVIDER OUT", ()),
-    ("rtfind HOME --state active", ()), ("rtfind HOME -t c -0", ()), ("rtconf CONFIG list", ()), ("rtconf CONFIG get int_param0", ()),
-    ("rtconf CONFIG set int_param0 7", ()), ("rtconf CONFIG act default", ()), ("rtdoc PART", ()),
-    ("rtec PART", ()), ("rtec --json PART", ()), ("rtcryo -o FILE HOME", ()), ("rtcheck -s Active FILE", (1,)),
-    ("rtstodot --live --text FILE", ()), ("rtresurrect FILE", ()), ("rtdoctor HOME", (1,)), ("rtdoctor --measure 0.3 HOME", (1,)),
-    ("rttop -n 2 HOME", ()), ("rtwatch -t 1 PART", (6,)), ("rtvlog -t 1 PART", (6,)), ("rtcon PROVIDER:MyService CONSUMER:MyService", ()),
-    ("rtdis PROVIDER:MyService", ()), ("rtdeact PART", ()), ("rtact --wait PART", ()), ("rtstop FILE", ()), ("rtstart FILE", ()),
-    ("rtsh -c ls", ()), ("rtprint --stats -t 1 OUT", ()), ("rtinject --dry-run -c 1 IN", ()), ("rtdel -z", ()),
+    ("rtls -lR HOME", ()),
+    ("rtls --json -l HOME", ()),
+    ("rtcat -ll PART CONFIG", ()),
+    ("rtcat --json PROVIDER OUT", ()),
+    ("rtfind HOME --state active", ()),
+    ("rtfind HOME -t c -0", ()),
+    ("rtconf CONFIG list", ()),
+    ("rtconf CONFIG get int_param0", ()),
+    ("rtconf CONFIG set int_param0 7", ()),
+    ("rtconf CONFIG act default", ()),
+    ("rtdoc PART", ()),
+    ("rtec PART", ()),
+    ("rtec --json PART", ()),
+    ("rtcryo -o FILE HOME", ()),
+    ("rtcheck -s Active FILE", (1,)),
+    ("rtstodot --live --text FILE", ()),
+    ("rtresurrect FILE", ()),
+    ("rtdoctor HOME", (1,)),
+    ("rtdoctor --measure 0.3 HOME", (1,)),
+    ("rttop -n 2 HOME", ()),
+    ("rtwatch -t 1 PART", (6,)),
+    ("rtvlog -t 1 PART", (6,)),
+    ("rtcon PROVIDER:MyService CONSUMER:MyService", ()),
+    ("rtdis PROVIDER:MyService", ()),
+    ("rtdeact PART", ()),
+    ("rtact --wait PART", ()),
+    ("rtstop FILE", ()),
+    ("rtstart FILE", ()),
+    ("rtsh -c ls", ()),
+    ("rtprint --stats -t 1 OUT", ()),
+    ("rtinject --dry-run -c 1 IN", ()),
+    ("rtdel -z", ()),
 ]
 
 SERVICE = "called.idl"  # in `top`
@@ -71,7 +95,14 @@ def setUpModule():
     try:
         for implementation in real.implementations(DIRECTORIES):
             for rate in RATES if implementation.name == "C++" else RATES[:1]:
-                robots.append(real.Robot(implementation, "%s%d" % (implementation.name[0].lower(), rate), rate, worlds.Server.port))
+                robots.append(
+                    real.Robot(
+                        implementation,
+                        "%s%d" % (implementation.name[0].lower(), rate),
+                        rate,
+                        worlds.Server.port,
+                    )
+                )
         if not robots:
             raise AssertionError("no built examples in " + ", ".join(DIRECTORIES))
         for robot in robots:
@@ -96,8 +127,11 @@ def prepare(robot):
     path = robot.path
     for one, other in (("Sensor", "Controller"), ("Controller", "Motor")):
         done(["rtcon", path(one) + ":out", path(other) + ":in"])
-    active = [part for part in ("Sensor", "Controller", "Motor", "ConsoleOut", "SeqOut", "SeqIn", "ConfigSample")
-              if part in robot.nodes]
+    active = [
+        part
+        for part in ("Sensor", "Controller", "Motor", "ConsoleOut", "SeqOut", "SeqIn", "ConfigSample")
+        if part in robot.nodes
+    ]
     done(["rtact", "--wait", "10"] + [path(part) for part in active])
     robot.feeder = start(["rtinject", "--anyway", "-n", "-1", "-r", "100", "-c", "1", path("Sensor") + ":in"])
     done(["rtprint", "-n", "1", "-t", "30", path("Sensor") + ":out"])
@@ -106,17 +140,28 @@ def prepare(robot):
 
 def start(words, stdin=subprocess.DEVNULL):
     command = [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:]
-    return subprocess.Popen(command, cwd=top, stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            preexec_fn=lambda: [signal.signal(number, signal.SIG_DFL) for number in SIGNALS if number],
-                            env=dict(os.environ, RTCTREE_NAMESERVERS="127.0.0.1:%d" % worlds.Server.port,
-                                     LC_ALL="C.UTF-8", PYTHONDONTWRITEBYTECODE="1"))
+    return subprocess.Popen(
+        command,
+        cwd=top,
+        stdin=stdin,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        preexec_fn=lambda: [signal.signal(number, signal.SIG_DFL) for number in SIGNALS if number],
+        env=dict(
+            os.environ,
+            RTCTREE_NAMESERVERS="127.0.0.1:%d" % worlds.Server.port,
+            LC_ALL="C.UTF-8",
+            PYTHONDONTWRITEBYTECODE="1",
+        ),
+    )
 
 
 def read_values(said):
     """The numbers that a ConsoleOut has read, by what it said.
 
-    Python prints the whole structure that it has read. C++ prints a number that arrives twice, by its listeners, and twice more
-    as it is read, from several threads at the same time: only the numbers themselves are never torn apart.
+    Python prints the whole structure that it has read. C++ prints a number that arrives twice, by its
+    listeners, and twice more as it is read, from several threads at the same time: only the numbers
+    themselves are never torn apart.
     """
     whole = re.findall(r"data=(-?\d+)\)", said)
     said = re.sub(r"([0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}|-{10,}|\d+\[n?s\])", "\n", said)
@@ -137,7 +182,9 @@ def says(robot, value):
 def asks(process):
     """Whether a command has a socket."""
     try:
-        return any(os.readlink(link).startswith("socket:") for link in glob.glob("/proc/%d/fd/*" % process.pid))
+        return any(
+            os.readlink(link).startswith("socket:") for link in glob.glob("/proc/%d/fd/*" % process.pid)
+        )
     except OSError:
         return False
 
@@ -213,7 +260,8 @@ class Real(unittest.TestCase):
                     done(["rtinject", "-q", "-c", value, robot.path("ConsoleOut") + ":in"])
                     read[hz] += says(robot, value)
                 self.unharmed(robot, "rtinject at %d Hz" % hz)
-            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])  # early, because it takes effect late: see test_7
+            # early, because it takes effect late: see test_7
+            done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
             if set(read.values()) != {50 if ROUNDS >= 50 else ROUNDS}:
                 raise AssertionError("read: %s" % dict(read))
             return "values read at 2, 10, 100, 1000 Hz: %s" % sorted(read.items())
@@ -285,13 +333,16 @@ class Real(unittest.TestCase):
             raise AssertionError("%s %s: %s, not %s" % (robot.label, part, states, wanted))
 
     def test_5_operations(self):
-        """Operations of a service port, interrupted at random: nothing is done twice, and no connector stays."""
+        """Operations of a service port, interrupted at random: nothing is done twice, and no connector stays.
+        """
         def call(robot):
             provider = robot.path("MyServiceProvider")
             done(["rtact", "--wait", "5", provider])
             statuses = collections.Counter()
             for number in range(ROUNDS):
-                process = start(["rtcall", provider + ":MyService", "echo", "round %d" % number, "--idl", SERVICE])
+                process = start(
+                    ["rtcall", provider + ":MyService", "echo", "round %d" % number, "--idl", SERVICE]
+                )
                 while process.poll() is None and not asks(process):
                     time.sleep(0.01)
                 time.sleep(random.uniform(0, 0.3))
@@ -302,35 +353,48 @@ class Real(unittest.TestCase):
                 statuses["it may have been done" in said] += 1
                 self.unharmed(robot, "rtcall, round %d" % number)
             time.sleep(LONGEST_ECHO)
-            status, said = ended(start(["rtcall", "--json", provider + ":MyService", "get_echo_history", "--idl", SERVICE]))
+            status, said = ended(
+                start(["rtcall", "--json", provider + ":MyService", "get_echo_history", "--idl", SERVICE])
+            )
             effects = collections.Counter(re.findall(r"round \d+", said))
             if status or not effects or max(effects.values()) > 1 or len(effects) > statuses[True]:
                 raise AssertionError("%s %s: %d were called\n%s" % (status, effects, statuses[True], said))
             done(["rtdeact", "--wait", "5", provider])
-            return "%d of %d calls were under way, %d were done, none twice" % (statuses[True], ROUNDS, len(effects))
+            return "%d of %d calls were under way, %d were done, none twice" % (
+                statuses[True],
+                ROUNDS,
+                len(effects),
+            )
         with open(os.path.join(top, SERVICE), "w") as file:
-            file.write("module SimpleService { typedef sequence<string> Echoes; interface MyService { string echo(in string msg); "
-                       "Echoes get_echo_history(); }; };")
+            file.write("module SimpleService { typedef sequence<string> Echoes; interface MyService { "
+                       "string echo(in string msg); Echoes get_echo_history(); }; };")
         self.each_robot(call)
 
     def test_6_bare_calls(self):
         """The same connections from one process, one after the other, while values go through."""
         def bare(robot):
-            port, = [each for each in wait_for(ports.ports(robot.nodes["Sensor"])) if each.name.endswith("out")]
+            (port,) = [
+                each for each in wait_for(ports.ports(robot.nodes["Sensor"])) if each.name.endswith("out")
+            ]
             for number in range(ROUNDS):
                 wait_for(_read(port))
                 self.unharmed(robot, "%d bare push connections" % (number + 1))
-            return "%d bare push connections without harm, near misses until now: %d" % (ROUNDS, robot.near_misses())
+            return "%d bare push connections without harm, near misses until now: %d" % (
+                ROUNDS,
+                robot.near_misses(),
+            )
         self.each_robot(bare)
 
     def test_7_a_log_is_read(self):
-        """5,000 entries played into a reader that claims the same rate: all that it takes are read, all others are counted; into a
-        slower one: the truth.
+        """5,000 entries played into a reader that claims the same rate: all that it takes are read, all
+        others are counted; into a slower one: the truth.
         """
         def play(robot):
             reader = robot.path("ConsoleOut") + ":in"
             count = min(5000, 50 * ROUNDS)
-            source = worlds.World("senders", "%d" % robot.rate, "10", "--context", robot.label + "-log.host_cxt/%n.rtc")
+            source = worlds.World(
+                "senders", "%d" % robot.rate, "10", "--context", robot.label + "-log.host_cxt/%n.rtc"
+            )
             try:
                 done(["rtlog", "-q", "-i", "-e", str(count), "-f", robot.label + "-play.rtlog",
                       "/127.0.0.1:%d/%s-log.host_cxt/Source0.rtc:number" % (worlds.Server.port, robot.label)])
@@ -342,9 +406,13 @@ class Real(unittest.TestCase):
             read, refused = robot.reads() - before, sum(map(int, re.findall(r"it refused (\d+) of", words)))
             self.unharmed(robot, "rtlog -p")
             if status != (5 if refused else 0) or read + refused != count:
-                raise AssertionError("%d of %d entries were read, status %s\n%s" % (read, count, status, words))
+                raise AssertionError(
+                    "%d of %d entries were read, status %s\n%s" % (read, count, status, words)
+                )
             done(["rtec", robot.path("ConsoleOut"), "rate", "10"])
-            status, words = ended(start(["rtlog", "-p", "-f", robot.label + "-play.rtlog", "--linger", "1", reader]))
+            status, words = ended(
+                start(["rtlog", "-p", "-f", robot.label + "-play.rtlog", "--linger", "1", reader])
+            )
             if status != 5 or "they came faster than it reads them" not in words:
                 raise AssertionError("rtlog -p into a slower reader: status %s\n%s" % (status, words))
             return "%d entries, %d refused, %d read; into a slower reader: %s" % (
@@ -352,16 +420,22 @@ class Real(unittest.TestCase):
         self.each_robot(play)
 
     def test_8_what_was_sent_has_been_read(self):
-        """rtinject -r 0 of bursts, at the full rate that the context claims: all have been read when it ends with status 0."""
+        """rtinject -r 0 of bursts, at the full rate that the context claims: all have been read when it ends
+        with status 0.
+        """
         def burst(robot):
             read = collections.Counter()
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % max(RATES)])
             for number in range(max(1, ROUNDS // 10)):
                 before, values = robot.reads(), "".join("%d\n" % (number * 1000 + i) for i in range(300))
-                process = start(["rtinject", "-r", "0", robot.path("ConsoleOut") + ":in"], stdin=subprocess.PIPE)
+                process = start(
+                    ["rtinject", "-r", "0", robot.path("ConsoleOut") + ":in"], stdin=subprocess.PIPE
+                )
                 status, words = ended(process, values.encode())
                 if status or robot.reads() - before != 300:
-                    raise AssertionError("status %s, %d of 300 read\n%s" % (status, robot.reads() - before, words))
+                    raise AssertionError(
+                        "status %s, %d of 300 read\n%s" % (status, robot.reads() - before, words)
+                    )
                 read["bursts"] += 1
             self.unharmed(robot, "rtinject -r 0")
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
@@ -369,7 +443,8 @@ class Real(unittest.TestCase):
         self.each_robot(burst)
 
     def test_9_connections_of_one_port(self):
-        """A port that another transport connects alone, as in ROS: made, kept, missed, restored and removed."""
+        """A port that another transport connects alone, as in ROS: made, kept, missed, restored and removed.
+        """
         def connect(robot):
             if robot.implementation.name != "Python":
                 return "no transport that connects one port"

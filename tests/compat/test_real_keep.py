@@ -1,7 +1,8 @@
 """rtkeep on real components of OpenRTM-aist, in rounds: `tests/run --real DIR … [--rounds N] test_real_keep`.
 
-Each round kills a process and starts it again, stops one for a while, cuts a connection, or does what a person may do. After
-it all is as the file says but for what the person did, and nothing was done to what had only stopped.
+Each round kills a process and starts it again, stops one for a while, cuts a connection, or does what a
+person may do. After it all is as the file says but for what the person did, and nothing was done to what had
+only stopped.
 """
 import json
 import os
@@ -47,7 +48,9 @@ class Keeping(unittest.TestCase):
 
     def keep(self, implementation):
         self.directory = tempfile.mkdtemp()
-        self.robot = real.Robot(implementation, implementation.name[0].lower(), 100, worlds.Server.port, PARTS)
+        self.robot = real.Robot(
+            implementation, implementation.name[0].lower(), 100, worlds.Server.port, PARTS
+        )
         self.random = random.Random(SEED)
         self.hands, self.taken = set(), []
         try:
@@ -67,17 +70,43 @@ class Keeping(unittest.TestCase):
         self.profile = relocate.read(os.path.join(self.directory, "robot.rtsys"))
         with open(os.path.join(self.directory, "said"), "wb") as said:
             self.keeping = running.start(
-                ["rtkeep", "--burst", "1000/60", "--delay", "0.2-0.5", "--leave", "--events", "events", "robot.rtsys"],
-                self.directory, {"XDG_RUNTIME_DIR": self.directory}, stdin=subprocess.DEVNULL, stdout=said, stderr=said)
+                [
+                    "rtkeep",
+                    "--burst",
+                    "1000/60",
+                    "--delay",
+                    "0.2-0.5",
+                    "--leave",
+                    "--events",
+                    "events",
+                    "robot.rtsys",
+                ],
+                self.directory,
+                {"XDG_RUNTIME_DIR": self.directory},
+                stdin=subprocess.DEVNULL,
+                stdout=said,
+                stderr=said,
+            )
         self.calm("at the start")
         for number in range(ROUNDS):
-            step = self.random.choice([self.kill, self.kill, self.stop, self.cut, self.deactivate, self.configure])
+            step = self.random.choice(
+                [self.kill, self.kill, self.stop, self.cut, self.deactivate, self.configure]
+            )
             begun = time.time()
             what = step()
             self.calm("round %d: %s" % (number, what))
             self.taken.append((step.__name__, time.time() - begun))
-        print("%s: %d rounds: %s" % (self.robot.implementation.name, ROUNDS, ", ".join(
-            "%s %d, most %.1f s" % (name, len(times), max(times)) for name, times in sorted(self.by_name().items()))))
+        print(
+            "%s: %d rounds: %s"
+            % (
+                self.robot.implementation.name,
+                ROUNDS,
+                ", ".join(
+                    "%s %d, most %.1f s" % (name, len(times), max(times))
+                    for name, times in sorted(self.by_name().items())
+                ),
+            )
+        )
 
     def by_name(self):
         found = {}
@@ -111,7 +140,9 @@ class Keeping(unittest.TestCase):
                 return
             if time.monotonic() > end:
                 with open(os.path.join(self.directory, "said")) as said:
-                    self.fail("%s: %s, but a person did %s\n%s" % (what, found, self.hands, said.read()[-3000:]))
+                    self.fail(
+                        "%s: %s, but a person did %s\n%s" % (what, found, self.hands, said.read()[-3000:])
+                    )
             time.sleep(0.2)
 
     def is_settled(self):
@@ -149,7 +180,11 @@ class Keeping(unittest.TestCase):
 
     def cut(self):
         number = self.random.randrange(3)
-        connector_id, part, port = [("first", "Sensor", "out"), ("second", "Controller", "out"), ("long", "SeqOut", "Long")][number]
+        connector_id, part, port = [
+            ("first", "Sensor", "out"),
+            ("second", "Controller", "out"),
+            ("long", "SeqOut", "Long"),
+        ][number]
 
         async def disconnect():
             found, = await ports.find([paths.parse(self.robot.path(part) + ":" + port)])

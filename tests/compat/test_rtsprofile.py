@@ -46,14 +46,43 @@ def ours(text):
 
 def styles(rng):
     """Options for PyYAML's writer."""
-    return dict(default_flow_style=rng.choice([False, True, None]), default_style=rng.choice([None, None, '"', "'", "|", ">"]),
-                allow_unicode=rng.random() < 0.5, width=rng.choice([None, 10, 80, 1000]), indent=rng.choice([None, 2, 4, 7]),
-                explicit_start=rng.random() < 0.2 or None, explicit_end=rng.random() < 0.2 or None,
-                line_break=rng.choice([None, "\r\n", "\r"]))
+    return dict(
+        default_flow_style=rng.choice([False, True, None]),
+        default_style=rng.choice([None, None, '"', "'", "|", ">"]),
+        allow_unicode=rng.random() < 0.5,
+        width=rng.choice([None, 10, 80, 1000]),
+        indent=rng.choice([None, 2, 4, 7]),
+        explicit_start=rng.random() < 0.2 or None,
+        explicit_end=rng.random() < 0.2 or None,
+        line_break=rng.choice([None, "\r\n", "\r"]),
+    )
 
 
-PIECES = ["a", "b", ": ", ":", "- ", "-", "\n", "\n  ", "\n    ", " ", "'", '"', "#", " #", "|\n", ">-\n", "&a ", "*a",
-          "!!str ", "? ", "1", "~", "\\"]
+PIECES = [
+    "a",
+    "b",
+    ": ",
+    ":",
+    "- ",
+    "-",
+    "\n",
+    "\n  ",
+    "\n    ",
+    " ",
+    "'",
+    '"',
+    "#",
+    " #",
+    "|\n",
+    ">-\n",
+    "&a ",
+    "*a",
+    "!!str ",
+    "? ",
+    "1",
+    "~",
+    "\\",
+]
 
 
 class PyYAML(unittest.TestCase):
@@ -66,7 +95,8 @@ class PyYAML(unittest.TestCase):
                 data = {"x": data, "y": shared, "z": shared[0], "w": [shared[1], shared[1]]}
             style = styles(rng)
             text = pyyaml.safe_dump(data, **style)
-            if not re.search(r"(^|[\n\r\x85\u2028\u2029{,])[ -]*\? ", text):  # keys of several lines, and long ones: not in profiles
+            # keys of several lines, and long ones: not in profiles
+            if not re.search(r"(^|[\n\r\x85\u2028\u2029{,])[ -]*\? ", text):
                 compared += 1
                 self.assertTrue(fields.same(ours(text), theirs(text)), (style, text))
         self.assertGreater(compared, COUNT / 2)
@@ -95,7 +125,8 @@ class PyYAML(unittest.TestCase):
                 continue
             with self.subTest(text):
                 wanted = theirs(text)
-                if "\n: " not in text and not re.search(r"\d:\d", text):  # keys and numbers of base 60 are text here
+                # keys and numbers of base 60 are text here
+                if "\n: " not in text and not re.search(r"\d:\d", text):
                     self.assertTrue(fields.same(data, keyed_by_text(wanted)), (data, wanted))
 
 
@@ -170,7 +201,9 @@ class Rtsprofile(unittest.TestCase):
         profile.data_port_connectors = [connector]
         for form, keyword in ((rtsprofile.XML, "xml_spec"), (rtsprofile.YAML, "yaml_spec")):
             real = RtsProfile(**{keyword: rtsprofile.dump(profile, form)})
-            self.assertEqual(real.data_port_connectors[0].target_data_port.port_name, connector.target.port_name)
+            self.assertEqual(
+                real.data_port_connectors[0].target_data_port.port_name, connector.target.port_name
+            )
 
     def test_foreign_parts_do_not_disturb_it(self):
         for seed in range(COUNT // 10):
@@ -180,7 +213,9 @@ class Rtsprofile(unittest.TestCase):
             self.assertEqual(RtsProfile(yaml_spec=rtsprofile.dump(profile, rtsprofile.YAML)).id, profile.id)
 
     def test_dates_with_fraction_and_zone_do_not_disturb_it(self):
-        profile = model.RtsProfile(id="a", creation_date="2008-12-19T19:44:06.450+09:00", update_date="2008-12-19T19:44:06Z")
+        profile = model.RtsProfile(
+            id="a", creation_date="2008-12-19T19:44:06.450+09:00", update_date="2008-12-19T19:44:06Z"
+        )
         self.assertEqual(RtsProfile(yaml_spec=rtsprofile.dump(profile, rtsprofile.YAML)).id, "a")
 
 

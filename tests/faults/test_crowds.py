@@ -1,4 +1,5 @@
-"""Many at once: commands side by side, components by the thousand, name servers by the dozen, half of them dead.
+"""Many at once: commands side by side, components by the thousand, name servers by the dozen, half of them
+dead.
 
 If one of these fails, what a command prints depends on who else looks, or a big robot is too big.
 """
@@ -43,10 +44,20 @@ class SideBySide(unittest.TestCase):
         around.world(server, "fsm")
         text, log = around.files(server)
         home = server + "/test.host_cxt"
-        meant = {"SERVER": home, "A": home + "/ConsoleIn0.rtc", "B": home + "/ConsoleOut0.rtc", "MGR": home + "/manager.mgr",
-                 "OUT": "out", "LOG": log}
+        meant = {
+            "SERVER": home,
+            "A": home + "/ConsoleIn0.rtc",
+            "B": home + "/ConsoleOut0.rtc",
+            "MGR": home + "/manager.mgr",
+            "OUT": "out",
+            "LOG": log,
+        }
         meant["FILE"] = around.profile(text, "crowd.yaml", server, meant["A"], meant["B"])
-        lines = ["%s %s" % (command, line) for command, lines in sorted(invocations.stated("looking").items()) for line in lines]
+        lines = [
+            "%s %s" % (command, line)
+            for command, lines in sorted(invocations.stated("looking").items())
+            for line in lines
+        ]
         lines += ["rtfsm %s/Microwave0.rtc getstructure" % home, "rtconf -l %s/ConfigSample0.rtc" % home]
 
         def look(line):
@@ -61,7 +72,10 @@ class SideBySide(unittest.TestCase):
                     same = answers[number * CROWD:(number + 1) * CROWD]
                     self.assertEqual(len(set(same)), 1, sorted(set(same)))
                     self.assertNotIn(same[0][0], (2, 4, 5, 70), same[0])
-        print("figures: %d runs, %d of each of %d commands at a time, all outputs alike" % (runs, CROWD, len(lines)))
+        print(
+            "figures: %d runs, %d of each of %d commands at a time, all outputs alike"
+            % (runs, CROWD, len(lines))
+        )
 
 
 class ManyComponents(unittest.TestCase):
@@ -69,9 +83,14 @@ class ManyComponents(unittest.TestCase):
         server = around.name_server("big")
         around.world(server, "many", str(COMPONENTS))
         figures = []
-        for line, count in (("rtls SERVER", COMPONENTS), ("rtls -l SERVER", COMPONENTS), ("rtls --json -lR SERVER", COMPONENTS + 1),
-                            ("rtfind --state inactive SERVER", COMPONENTS), ("rtcat SERVER/Mock999.rtc", 1),
-                            ("rtcryo -y --all SERVER", COMPONENTS)):
+        for line, count in (
+            ("rtls SERVER", COMPONENTS),
+            ("rtls -l SERVER", COMPONENTS),
+            ("rtls --json -lR SERVER", COMPONENTS + 1),
+            ("rtfind --state inactive SERVER", COMPONENTS),
+            ("rtcat SERVER/Mock999.rtc", 1),
+            ("rtcryo -y --all SERVER", COMPONENTS),
+        ):
             words = line.replace("SERVER", server + "/test.host_cxt").split()
             ran = running.run(words, around.top, RTCTREE_NAMESERVERS=server[1:])
             with self.subTest(line):
@@ -89,14 +108,26 @@ class ManyServers(unittest.TestCase):
         alive = [around.name_server("server%d" % number) for number in range(SERVERS // 2)]
         for server in alive[:3]:
             around.world(server, "two")
-        ports = around.faulty(*["%s%d=%s" % (mode, number, mode) for mode in ("refused", "silent", "dead-host", "drip", "garbage")
-                                for number in range(SERVERS // 10)])
+        ports = around.faulty(
+            *[
+                "%s%d=%s" % (mode, number, mode)
+                for mode in ("refused", "silent", "dead-host", "drip", "garbage")
+                for number in range(SERVERS // 10)
+            ]
+        )
         dead = ["/127.0.0.1:%d" % port for port in ports.values()]
         servers = ";".join(server[1:] for pair in zip(alive, dead) for server in pair)
         start_up = running.run(["rtls", "-R", alive[-1]], around.top).seconds
-        for words, patience in ((["rtls", "-R", "/"], 1), (["rtfind", "/", "-t", "c"], 1), (["rtdel", "-z", "--dry-run"], 1),
-                                (["rtdoctor", "-q"], 3), (["rtls", "-l"] + alive + dead, 1)):
-            ran = running.run(words, around.top, RTCTREE_NAMESERVERS=servers, RTSHELL_TIMEOUT=str(running.TIMEOUT))
+        for words, patience in (
+            (["rtls", "-R", "/"], 1),
+            (["rtfind", "/", "-t", "c"], 1),
+            (["rtdel", "-z", "--dry-run"], 1),
+            (["rtdoctor", "-q"], 3),
+            (["rtls", "-l"] + alive + dead, 1),
+        ):
+            ran = running.run(
+                words, around.top, RTCTREE_NAMESERVERS=servers, RTSHELL_TIMEOUT=str(running.TIMEOUT)
+            )
             with self.subTest(" ".join(words[:2])):
                 self.assertNotIn(ran.status, (0, 2, 70), ran)
                 said = ran.out + ran.err
@@ -106,7 +137,10 @@ class ManyServers(unittest.TestCase):
                     self.assertIn(server.encode(), said)
                 self.assertLess(ran.seconds, patience * running.TIMEOUT + running.SLACK + start_up, ran)
                 self.assertLess(ran.resident, running.RESIDENT)
-        print("figures: %d name servers, %d of them bad: rtls -R / in %.2f s" % (SERVERS, len(dead), ran.seconds))
+        print(
+            "figures: %d name servers, %d of them bad: rtls -R / in %.2f s"
+            % (SERVERS, len(dead), ran.seconds)
+        )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Peers all of whose text is hostile: it reaches no terminal, shell or reader of JSON unescaped.
 
-If one of these fails, whoever can start a component, or reach a name server, can type into the operator's terminal.
+If one of these fails, whoever can start a component, or reach a name server, can type into the operator's
+terminal.
 """
 import glob
 import json
@@ -31,9 +32,13 @@ EACH = 2                # strings that each command line meets
 # what colours, clears and moves; rtlog -p ends its line with a return, so that the next text covers it
 OWN = re.compile("\x1b\\[K\r|\x1b\\[(?:(?:%s)m|2K|\\d*A|[HJK]|\\?1049[hl]|\\?25[hl])" %
                  "|".join(sorted(set(text.COLOURS.values()) | {"00"})))
-HARMFUL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\u3164\u115f\uffa0\u2800"
-                     "\U000e0041\ufe0f\u034f]|[^\x21-\U0010ffff]\u0301|[\u0301\u0332\u20dd]{5}")
-SHELLS = [words for words in (["dash"], ["busybox", "ash"], ["bash"], ["zsh"], ["mksh"]) if shutil.which(words[0])]
+HARMFUL = re.compile(
+    "[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\u3164\u115f\uffa0\u2800"
+    "\U000e0041\ufe0f\u034f]|[^\x21-\U0010ffff]\u0301|[\u0301\u0332\u20dd]{5}"
+)
+SHELLS = [
+    words for words in (["dash"], ["busybox", "ash"], ["bash"], ["zsh"], ["mksh"]) if shutil.which(words[0])
+]
 
 
 def setUpModule():
@@ -69,11 +74,18 @@ class Case:
         self.on_terminal = number % 2 == 0
 
     def __str__(self):
-        return "%s %s: %s%s" % (self.command, self.line, self.key, " on a terminal" if self.on_terminal else "")
+        return "%s %s: %s%s" % (
+            self.command,
+            self.line,
+            self.key,
+            " on a terminal" if self.on_terminal else "",
+        )
 
     def words(self):
         other = KEYS[(KEYS.index(self.key) + 1) % len(KEYS)]
-        meant = {"SERVER": str(home), "A": str(component(self.key)), "B": str(component(other)), "OUT": "out", "LOG": log,
+        meant = {"SERVER": str(home), "A": str(component(self.key)), "B": str(component(other)), "OUT": (
+            "out"
+        ), "LOG": log,
                  "MGR": str(home.child(path.Name(wicked.STRINGS["substitution"], "mgr"))), "FILE": profile}
         words = []
         for word in invocations.words(self.line, {name: name for name in meant}):
@@ -81,7 +93,11 @@ class Case:
             if found:
                 words.append(port(self.key if found.group(1) == "A" else other, found.group(2)))
             else:
-                words += invocations.words(word, meant)[:1] if " " not in word else [word.replace("SERVER", str(home))]
+                words += (
+                    invocations.words(word, meant)[:1]
+                    if " " not in word
+                    else [word.replace("SERVER", str(home))]
+                )
         return [word.replace(" ", "\\x20") if word.startswith("/") else word for word in words]
 
     def run(self):
@@ -99,7 +115,12 @@ class Case:
             said = said.replace("instance name:\t", "")  # as rtshell writes it
         if self.line in ("A getstructure", "A get p") and not self.on_terminal:
             said = said[:0]  # which has to come as it is, to be given back
-        if ran.status in USAGE.get(self.command, {2, 70}) or ran.status > 128 or "Traceback" in said or "internal error" in said:
+        if (
+            ran.status in USAGE.get(self.command, {2, 70})
+            or ran.status > 128
+            or "Traceback" in said
+            or "internal error" in said
+        ):
             yield "status %d" % ran.status
         for found in list(HARMFUL.finditer(said))[:3]:
             yield "harmful: %r" % said[max(0, found.start() - 30):found.end() + 10]
@@ -110,7 +131,11 @@ class Case:
 
 
 def cases():
-    found = [(command, line) for command, lines in sorted(invocations.stated("invocation").items()) for line in lines]
+    found = [
+        (command, line)
+        for command, lines in sorted(invocations.stated("invocation").items())
+        for line in lines
+    ]
     found += [("rtlog", line) for line in READING]
     chosen = [(command, line, key) for number, (command, line) in enumerate(found)
               for key in running.sample(KEYS, EACH, number)]
@@ -118,7 +143,9 @@ def cases():
 
 
 def canaries():
-    return [name for name in glob.glob(os.path.join(glob.escape(around.top), "**", "canary*"), recursive=True)]
+    return [
+        name for name in glob.glob(os.path.join(glob.escape(around.top), "**", "canary*"), recursive=True)
+    ]
 
 
 class Hostile(unittest.TestCase):
@@ -158,18 +185,24 @@ class Hostile(unittest.TestCase):
             self.assertIn(ran.status, (0, 5), ran)
             return ran.out
         printed = dry("rtdis", str(component("substitution"))) + dry("rtdis", str(component("quotes")))
-        printed += dry("rtcon", port("substitution", "out"), port("path", "in")) + dry("rtcon", port("lines", "out"), port("bidi", "in"))
+        printed += dry("rtcon", port("substitution", "out"), port("path", "in")) + dry(
+            "rtcon", port("lines", "out"), port("bidi", "in")
+        )
         printed += dry("rtdel", "--recursive", str(home)) + dry("rtteardown", profile)
         running.run(["rtteardown", "-q", profile], around.top)
         printed += dry("rtresurrect", profile)
         running.run(["rtresurrect", "-q", profile], around.top)
-        counts = {name: len(re.findall(b"(?m)^%s " % name.encode(), printed)) for name in ("rtcon", "rtdis", "rtdel")}
+        counts = {
+            name: len(re.findall(b"(?m)^%s " % name.encode(), printed))
+            for name in ("rtcon", "rtdis", "rtdel")
+        }
         self.assertTrue(min(counts.values()) >= len(KEYS) - 2, counts)
         for shell in SHELLS:
             ran = subprocess.run(
                 shell, input=printed, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env={"PATH": tools},
                 cwd=around.directory("shell"), executable=shutil.which(shell[0]))
-            said = [line for line in ran.stderr.splitlines() if b"rgument list too long" not in line]  # two long names in one word
+            # two long names in one word
+            said = [line for line in ran.stderr.splitlines() if b"rgument list too long" not in line]
             self.assertEqual((ran.stdout, said), (b"", []), shell)
         self.assertEqual(canaries(), [])
 
@@ -188,8 +221,12 @@ class Hostile(unittest.TestCase):
             self.assertTrue(answers, line)
             for shell in SHELLS:
                 for answer in answers:
-                    said = subprocess.run(shell + ["-c", "set -- %s; echo $#" % answer], stdout=subprocess.PIPE,
-                                          stderr=subprocess.PIPE, cwd=around.directory("shell"))
+                    said = subprocess.run(
+                        shell + ["-c", "set -- %s; echo $#" % answer],
+                        stdout=subprocess.PIPE,
+                        stderr=subprocess.PIPE,
+                        cwd=around.directory("shell"),
+                    )
                     self.assertEqual((said.stdout, said.stderr), (b"1\n", b""), answer)
         self.assertEqual(canaries(), [])
 

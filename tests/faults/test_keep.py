@@ -1,7 +1,8 @@
-"""rtkeep in a storm: 30 components in 10 processes that are killed, stopped, disconnected, changed and in Error, by seed.
+"""rtkeep in a storm: 30 components in 10 processes that are killed, stopped, disconnected, changed and in
+Error, by seed.
 
-If this fails, a robot that is kept is not as its file says, or a person's work is undone. 3 rounds, or 10 minutes with
-`tests/run --long test_keep`; RTSHELL_SEED chooses another storm. Prints how long repairs took.
+If this fails, a robot that is kept is not as its file says, or a person's work is undone. 3 rounds, or 10
+minutes with `tests/run --long test_keep`; RTSHELL_SEED chooses another storm. Prints how long repairs took.
 """
 import collections
 import json
@@ -71,7 +72,12 @@ class Robot:
 
     @staticmethod
     def start(number):
-        words = ["these", "ConsoleIn:In%d" % number, "ConsoleOut:Out%d" % number, "ConfigSample:Set%d" % number]
+        words = [
+            "these",
+            "ConsoleIn:In%d" % number,
+            "ConsoleOut:Out%d" % number,
+            "ConfigSample:Set%d" % number,
+        ]
         return worlds.World(*words, "--flavour", "py2" if number < PROCESSES - POLLED else "cpp2")
 
     @staticmethod
@@ -80,7 +86,9 @@ class Robot:
 
     def connect(self, one, other, connector_id):
         async def connect():
-            return await connectors.connect(await ports.find(self.ends(one, other)), connector_id=connector_id)
+            return await connectors.connect(
+                await ports.find(self.ends(one, other)), connector_id=connector_id
+            )
         ask(connect())
 
     def disconnect(self, connector_id):
@@ -112,7 +120,9 @@ class Robot:
     def differences(self):
         """[(path, check)] of what is not as the file says, and the failures."""
         found = ask(compare.compare(self.profile, "Active"), 5.0)
-        return {(each.path, each.check) for each in found.differences if each.check != compare.OTHER_ID}, found.failures
+        return {
+            (each.path, each.check) for each in found.differences if each.check != compare.OTHER_ID
+        }, found.failures
 
 
 class Keeping:
@@ -121,14 +131,31 @@ class Keeping:
     def __init__(self, file, *words):
         self.directory = os.path.dirname(file)
         self.log = os.path.join(self.directory, "events.json")
-        self.words = ["rtkeep", "--look", "0.3", "--burst", "1000/60", "--delay", "0.2-0.5", "--leave", "--events", self.log]
+        self.words = [
+            "rtkeep",
+            "--look",
+            "0.3",
+            "--burst",
+            "1000/60",
+            "--delay",
+            "0.2-0.5",
+            "--leave",
+            "--events",
+            self.log,
+        ]
         self.file = file
         self.start()
 
     def start(self):
         with open(os.path.join(self.directory, "said"), "ab") as said:
-            self.process = running.start(self.words + [self.file], self.directory, {"XDG_RUNTIME_DIR": self.directory},
-                                         stdin=subprocess.DEVNULL, stdout=said, stderr=said)
+            self.process = running.start(
+                self.words + [self.file],
+                self.directory,
+                {"XDG_RUNTIME_DIR": self.directory},
+                stdin=subprocess.DEVNULL,
+                stdout=said,
+                stderr=said,
+            )
 
     def kill(self):
         self.process.kill()
@@ -200,10 +227,16 @@ class Storm(unittest.TestCase):
             where, check = name("Set", number), "configuration"
             if (where, check) in self.hands:
                 return
-            done = running.run(["rtconf", where, "-s", "mode1", "set", "int_param0=%d" % self.random.randrange(1, 99)], self.directory)
+            done = running.run(
+                ["rtconf", where, "-s", "mode1", "set", "int_param0=%d" % self.random.randrange(1, 99)],
+                self.directory,
+            )
             self.assertEqual(done.status, 0, done)
         self.hands.add((where, check))
-        worlds.eventually(lambda: len(self.reported_by_hand()) > before, "%s by hand is reported; %s" % (where, self.keeping.said()))
+        worlds.eventually(
+            lambda: len(self.reported_by_hand()) > before,
+            "%s by hand is reported; %s" % (where, self.keeping.said()),
+        )
 
     def ctl_state(self, where, command):
         done = running.run([command, "--wait", "5", where], self.directory)
@@ -222,7 +255,9 @@ class Storm(unittest.TestCase):
         self.robot.kill(number)
         time.sleep(self.random.random())
         self.robot.worlds[number] = self.robot.start(number)
-        self.hands -= {(name(kind, number), check) for kind in ("Out", "Set") for check in ("state", "configuration")}
+        self.hands -= {
+            (name(kind, number), check) for kind in ("Out", "Set") for check in ("state", "configuration")
+        }
         for kind in ("In", "Out", "Set"):
             self.note("restart", name(kind, number))
 
@@ -263,8 +298,18 @@ class Storm(unittest.TestCase):
         while time.monotonic() < end:
             self.person()
             for _ in range(ACTIONS):
-                self.random.choice([self.kill, self.hang, self.go_on, self.disconnect, self.disconnect, self.error, self.error,
-                                    self.wait])()
+                self.random.choice(
+                    [
+                        self.kill,
+                        self.hang,
+                        self.go_on,
+                        self.disconnect,
+                        self.disconnect,
+                        self.error,
+                        self.error,
+                        self.wait,
+                    ]
+                )()
             self.go_on()
             self.calm()
             rounds += 1
@@ -273,27 +318,45 @@ class Storm(unittest.TestCase):
         self.assertEqual(self.keeping.end(), 0)
 
     def report(self, rounds):
-        """Print how long repairs took since they were possible; nothing was mended that was not broken. `held up`: some
-        process stood still meanwhile.
+        """Print how long repairs took since they were possible; nothing was mended that was not broken. `held
+        up`: some process stood still meanwhile.
         """
         events = self.keeping.events()
         taken = collections.defaultdict(list)
         for action in self.actions:
             wanted = "restored connection" if action.kind.startswith("disconnect") else "Active"
-            times = [event["time"] - action.begun for event in events
-                     if event["object"] == action.object and event["done"].startswith(wanted) and event["time"] > action.begun]
+            times = [
+                event["time"] - action.begun
+                for event in events
+                if event["object"] == action.object
+                and event["done"].startswith(wanted)
+                and event["time"] > action.begun
+            ]
             if times:
                 end = action.begun + min(times)
                 is_held_up = any(begin < end and action.begun < until for begin, until in self.stops)
                 taken[action.kind + is_held_up * ", held up"].append(min(times))
         everything = sorted(time for kind, times in taken.items() for time in times if "," not in kind)
         if everything:
-            print("figures: %d rounds, %d repairs: median %.2f s, 95 %% %.2f s, most %.2f s; %s" % (
-                rounds, len(everything), statistics.median(everything), everything[int(len(everything) * 0.95)], everything[-1],
-                ", ".join("%s %d: median %.2f, most %.2f" % (kind, len(times), statistics.median(times), max(times))
-                          for kind, times in sorted(taken.items()))))
+            print(
+                "figures: %d rounds, %d repairs: median %.2f s, 95 %% %.2f s, most %.2f s; %s"
+                % (
+                    rounds,
+                    len(everything),
+                    statistics.median(everything),
+                    everything[int(len(everything) * 0.95)],
+                    everything[-1],
+                    ", ".join(
+                        "%s %d: median %.2f, most %.2f"
+                        % (kind, len(times), statistics.median(times), max(times))
+                        for kind, times in sorted(taken.items())
+                    ),
+                )
+            )
         resets = collections.Counter(event["object"] for event in events if event["done"] == "reset")
-        errors_made = collections.Counter(action.object for action in self.actions if action.kind.startswith("error"))
+        errors_made = collections.Counter(
+            action.object for action in self.actions if action.kind.startswith("error")
+        )
         self.assertEqual(resets - errors_made, collections.Counter(), "reset without an Error")
 
     def test_killed_at_each_step(self):
@@ -310,7 +373,8 @@ class Storm(unittest.TestCase):
             self.keeping.kill()
 
     def test_name_server(self):
-        """A name server that is killed and comes back without its names changes nothing for those that live."""
+        """A name server that is killed and comes back without its names changes nothing for those that live.
+        """
         self.keep()
         self.calm()
         worlds.Server.process.kill()
@@ -318,16 +382,28 @@ class Storm(unittest.TestCase):
         self.addCleanup(self.serve_names_again)
         number = self.random.randrange(PROCESSES)
         self.robot.worlds[number].ctl("error", "Set%d" % number)
-        worlds.eventually(lambda: any(event["object"] == name("Set", number) and event["done"] == "reset"
-                                      for event in self.keeping.events()), "an Error without a name server: " + self.keeping.said())
+        worlds.eventually(
+            lambda: any(
+                event["object"] == name("Set", number) and event["done"] == "reset"
+                for event in self.keeping.events()
+            ),
+            "an Error without a name server: " + self.keeping.said(),
+        )
         self.serve_names_again()
         time.sleep(1)
-        gone = [event for event in self.keeping.events() if "gone" in event["seen"] or "exited" in event["seen"]]
+        gone = [
+            event for event in self.keeping.events() if "gone" in event["seen"] or "exited" in event["seen"]
+        ]
         self.assertEqual(gone, [], self.keeping.said())
         self.robot.kill(number)
         self.robot.worlds[number] = self.robot.start(number)
-        worlds.eventually(lambda: any(event["object"] == name("Set", number) and event["done"] == "Active"
-                                      for event in self.keeping.events()[-6:]), "it comes back: " + self.keeping.said())
+        worlds.eventually(
+            lambda: any(
+                event["object"] == name("Set", number) and event["done"] == "Active"
+                for event in self.keeping.events()[-6:]
+            ),
+            "it comes back: " + self.keeping.said(),
+        )
 
     @staticmethod
     def serve_names_again():
@@ -359,7 +435,9 @@ runpy.run_path(sys.argv[0], run_name="__main__")
 
 
 class Steps(unittest.TestCase):
-    """kill -9 of rtkeep at each of its calls: run again, it ends the same way, with nothing twice and nothing half."""
+    """kill -9 of rtkeep at each of its calls: run again, it ends the same way, with nothing twice and nothing
+    half.
+    """
 
     def test_killed_at_each_call(self):
         directory = tempfile.mkdtemp()
@@ -383,21 +461,38 @@ class Steps(unittest.TestCase):
         self.assertEqual(done.status, 0, done)
 
     def is_killed_at(self, number):
-        """Break all, run an rtkeep that is killed at a call, then another one; whether the first made so many calls."""
+        """Break all, run an rtkeep that is killed at a call, then another one; whether the first made so many
+        calls.
+        """
         self.well("rtdeact", *[name(kind, 0) for kind in ("In", "Out", "Set")])
         self.well("rtdis", "--ensure", *map(str, self.ends))
         self.well("rtconf", name("Set", 0), "-s", "mode1", "set", "int_param0=%d" % number)
         self.well("rtec", name("In", 0), "rate", "500")
-        command = [sys.executable, "-c", KILLED, str(number), os.path.join(worlds.COMMANDS, "rtkeep"), "--once", self.file]
-        first = subprocess.run(command, cwd=self.directory, env=running.environment(XDG_RUNTIME_DIR=self.directory),
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        command = [
+            sys.executable,
+            "-c",
+            KILLED,
+            str(number),
+            os.path.join(worlds.COMMANDS, "rtkeep"),
+            "--once",
+            self.file,
+        ]
+        first = subprocess.run(
+            command,
+            cwd=self.directory,
+            env=running.environment(XDG_RUNTIME_DIR=self.directory),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
         if first.returncode == 0:
             return False
         self.assertEqual(first.returncode, -signal.SIGKILL, first.stdout)
         self.well("rtkeep", "--once", self.file)
         self.well("rtcheck", self.file)
         for port, in (ask(ports.find([end])) for end in self.ends):
-            self.assertEqual([connector.id for connector in port.connectors], ["straight0"], "killed at call %d" % number)
+            self.assertEqual(
+                [connector.id for connector in port.connectors], ["straight0"], "killed at call %d" % number
+            )
         return True
 
 
@@ -411,13 +506,22 @@ class Nothing(unittest.TestCase):
         self.home = "/127.0.0.1:%d/test.host_cxt/" % self.port
         os.mkfifo(os.path.join(self.directory, "fifo"))  # mocks end with their input
         os.mkdir(os.path.join(self.directory, "names"))
-        lines = ["names: " + " ".join(map(shlex.quote, nameserver.command(self.port, os.path.join(self.directory, "names")))),
-                 "names.ready: 127.0.0.1:%d" % self.port]
+        lines = [
+            "names: "
+            + " ".join(
+                map(shlex.quote, nameserver.command(self.port, os.path.join(self.directory, "names")))
+            ),
+            "names.ready: 127.0.0.1:%d" % self.port,
+        ]
         for number in range(11):
             mock = "%s -m mock_components these %s:Part%d --nameserver 127.0.0.1:%d --control control%d" % (
                 sys.executable, "ConsoleOut" if number % 2 else "ConsoleIn", number, self.port, number)
-            lines += ["part%d: sh -c 'exec 0<>fifo; exec %s'" % (number, mock), "part%d.after: names" % number,
-                      "part%d.ready: %s" % (number, self.part(number)), "part%d.env: PYTHONPATH=%s" % (number, running.MODULES)]
+            lines += [
+                "part%d: sh -c 'exec 0<>fifo; exec %s'" % (number, mock),
+                "part%d.after: names" % number,
+                "part%d.ready: %s" % (number, self.part(number)),
+                "part%d.env: PYTHONPATH=%s" % (number, running.MODULES),
+            ]
         with open(os.path.join(self.directory, "robot.procs"), "w") as file:
             file.write("\n".join(lines) + "\n")
 
@@ -425,8 +529,13 @@ class Nothing(unittest.TestCase):
         return "%sPart%d.rtc" % (self.home, number)
 
     def keep(self, *words):
-        self.process = running.start(["rtkeep", "--processes", "robot.procs", *words], self.directory,
-                                     {"XDG_RUNTIME_DIR": self.directory}, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        self.process = running.start(
+            ["rtkeep", "--processes", "robot.procs", *words],
+            self.directory,
+            {"XDG_RUNTIME_DIR": self.directory},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+        )
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
 
@@ -446,7 +555,9 @@ class Nothing(unittest.TestCase):
         self.keep()
         worlds.eventually(lambda: self.status().count(b'"state": "ready"') == 12, "all processes are ready")
         for number in range(0, 10, 2):
-            self.well("rtcon", "-i", "id%d" % number, self.part(number) + ":out", self.part(number + 1) + ":in")
+            self.well(
+                "rtcon", "-i", "id%d" % number, self.part(number) + ":out", self.part(number + 1) + ":in"
+            )
         self.well("rtcryo", "--all", "-o", "robot.rtsys", "127.0.0.1:%d" % self.port)
         self.end()
         begun = time.monotonic()

@@ -1,6 +1,7 @@
 """Commands that run for long do not grow in memory, threads or open files.
 
-30 seconds, or 10 minutes with `tests/run --long`. If this fails, a monitor that runs for a week ends the robot it watches.
+30 seconds, or 10 minutes with `tests/run --long`. If this fails, a monitor that runs for a week ends the
+robot it watches.
 """
 import fcntl
 import io
@@ -26,8 +27,12 @@ except ImportError:
 
 SECONDS = 600 if running.THOROUGH else 30
 GROWTH = 1024           # kB that the memory may grow in the second half
-OVERLAP = 4             # connections that omniORB may open late, when calls overlap; a leak at each refresh opens more
-LINES = "ls -l HOME; cat -l A; conf -l C; act A; deact A; con D:out E:in; dis D:out E:in; print -n 1 A:number; cat HOME/none.rtc\n"
+# connections that omniORB may open late, when calls overlap; a leak at each refresh opens more
+OVERLAP = 4
+LINES = (
+    "ls -l HOME; cat -l A; conf -l C; act A; deact A; con D:out E:in; dis D:out E:in; print -n 1 "
+    "A:number; cat HOME/none.rtc\n"
+)
 
 
 class Watched:
@@ -39,9 +44,14 @@ class Watched:
             self.output, inside = terminal_pair()
         else:
             self.output = inside = open(os.path.join(around.top, name + ".out"), "w+b")
-        self.process = running.start(words, around.directory(name), {"RTCTREE_NAMESERVERS": server[1:]}, stdout=inside,
-                                     stdin=subprocess.PIPE if feed else inside if terminal else subprocess.DEVNULL,
-                                     stderr=subprocess.STDOUT)
+        self.process = running.start(
+            words,
+            around.directory(name),
+            {"RTCTREE_NAMESERVERS": server[1:]},
+            stdout=inside,
+            stdin=subprocess.PIPE if feed else inside if terminal else subprocess.DEVNULL,
+            stderr=subprocess.STDOUT,
+        )
         self.seen = []
         if terminal:
             inside.close()
@@ -110,14 +120,27 @@ class LongRuns(unittest.TestCase):
         home = server + "/test.host_cxt"
         source = home + "/Source0.rtc"
         feed = LINES.replace("HOME", home)
-        for letter, name in (("A", "Source0"), ("C", "ConfigSample0"), ("D", "ConsoleIn0"), ("E", "ConsoleOut0")):
-            feed = feed.replace(" %s:" % letter, " %s/%s.rtc:" % (home, name)).replace(" %s;" % letter, " %s/%s.rtc;" % (home, name))
-        wanted = [("rtprint", ["rtprint", source + ":number"]), ("rtprint-stats", ["rtprint", "--stats", source + ":block"]),
-                  ("rtlog", ["rtlog", "-f", "log", source + ":number", source + ":block"]),
-                  ("rtwatch", ["rtwatch", home + "/ConsoleIn0.rtc", source]),
-                  ("rtvlog", ["rtvlog", home + "/Motor0.rtc"])]
+        for letter, name in (
+            ("A", "Source0"),
+            ("C", "ConfigSample0"),
+            ("D", "ConsoleIn0"),
+            ("E", "ConsoleOut0"),
+        ):
+            feed = feed.replace(" %s:" % letter, " %s/%s.rtc:" % (home, name)).replace(
+                " %s;" % letter, " %s/%s.rtc;" % (home, name)
+            )
+        wanted = [
+            ("rtprint", ["rtprint", source + ":number"]),
+            ("rtprint-stats", ["rtprint", "--stats", source + ":block"]),
+            ("rtlog", ["rtlog", "-f", "log", source + ":number", source + ":block"]),
+            ("rtwatch", ["rtwatch", home + "/ConsoleIn0.rtc", source]),
+            ("rtvlog", ["rtvlog", home + "/Motor0.rtc"]),
+        ]
         watched = [Watched(name, words) for name, words in wanted]
-        watched += [Watched("rttop", ["rttop", home], terminal=True), Watched("rtsh", ["rtsh"], feed.encode())]
+        watched += [
+            Watched("rttop", ["rttop", home], terminal=True),
+            Watched("rtsh", ["rtsh"], feed.encode()),
+        ]
         end = time.monotonic() + SECONDS
         while time.monotonic() < end:
             time.sleep(SECONDS / 60)  # a period, not a wait for something

@@ -1,6 +1,7 @@
 """A mounted tree among peers that hang, die and lie: it answers, frees who waits, and does not grow.
 
-If this fails, a hung component stops every shell that looks at the robot, or a mount of a week fills its memory.
+If this fails, a hung component stops every shell that looks at the robot, or a mount of a week fills its
+memory.
 """
 import errno
 import os
@@ -33,16 +34,31 @@ READERS = 1000
 ROUNDS = 200 if running.THOROUGH else 12
 PROMPT = 0.1  # seconds within which an interrupted reader is free
 PATIENCE = 8  # seconds, the timeout of what hangs; what does not wait for it must be done in half that time
-THREADS = 1 if os.environ.get("RTSHELL_ORB") != "omniorb" else 40  # of a server that a thousand readers wait for
+# of a server that a thousand readers wait for
+THREADS = 1 if os.environ.get("RTSHELL_ORB") != "omniorb" else 40
 RESIDENT = 30 * 1024  # kB
 # kB, when all hostile peers have been read; omniORB takes what the builtin ORB refuses
 HOSTILE = (64 if os.environ.get("RTSHELL_ORB") != "omniorb" else 256) * 1024
 AT_ONCE = 2  # hostile peers that are read at a time
 # of what cannot be read
-UNHEARD = errno.EHOSTUNREACH, errno.EIO, errno.ENOENT, errno.ETIMEDOUT, errno.ECONNREFUSED, errno.ENXIO, errno.EPERM
+UNHEARD = (
+    errno.EHOSTUNREACH,
+    errno.EIO,
+    errno.ENOENT,
+    errno.ETIMEDOUT,
+    errno.ECONNREFUSED,
+    errno.ENXIO,
+    errno.EPERM,
+)
 LONGEST = 200  # seconds of all of them
 # Seconds for a file of those that answer all that is asked.
-TALK_LIMIT = {"many-connectors": 10.0, "many-members": 10.0, "many-organizations": 10.0, "many-contexts": 10.0, "many-ports": LONGEST}
+TALK_LIMIT = {
+    "many-connectors": 10.0,
+    "many-members": 10.0,
+    "many-organizations": 10.0,
+    "many-contexts": 10.0,
+    "many-ports": LONGEST,
+}
 GROWTH = 1024  # kB in the second half of the rounds
 
 
@@ -70,8 +86,12 @@ class Case(unittest.TestCase):
 
     def setUp(self):
         self.top = around.directory("m%d" % id(self))
-        self.process = running.start(["rtmount", "-f", self.top] + self.options, around.top, {"RTCTREE_NAMESERVERS": server[1:]},
-                                     stderr=subprocess.DEVNULL)
+        self.process = running.start(
+            ["rtmount", "-f", self.top] + self.options,
+            around.top,
+            {"RTCTREE_NAMESERVERS": server[1:]},
+            stderr=subprocess.DEVNULL,
+        )
         worlds.eventually(lambda: os.path.exists(os.path.join(self.top, "README")), "mounted")
         self.root = os.path.join(self.top, server[1:])
         self.addCleanup(self.end)
@@ -100,8 +120,12 @@ class Hung(Case):
         """They wait for hung files; everything else goes on, on few threads."""
         before, errors = threading.stack_size(1 << 18), []
         try:
-            files = [(context, "Mock%d.rtc" % i, name) for context in ("hung.host_cxt", "hung2.host_cxt") for i in range(3)
-                     for name in ("state", "version", "contexts/0/rate", "profile.json")]
+            files = [
+                (context, "Mock%d.rtc" % i, name)
+                for context in ("hung.host_cxt", "hung2.host_cxt")
+                for i in range(3)
+                for name in ("state", "version", "contexts/0/rate", "profile.json")
+            ]
 
             def wait(number):
                 try:
@@ -130,13 +154,18 @@ class Hung(Case):
         self.assertLess(self.resident(), RESIDENT + 4096)
 
     def waited(self, reader):
-        """Seconds for which the reader and the main thread of rtmount, which reads requests, have waited for a processor."""
+        """Seconds for which the reader and the main thread of rtmount, which reads requests, have waited for
+        a processor.
+        """
         return sum(tools.waited_for_processor(pid) for pid in (self.process.pid, reader.pid))
 
     def test_ctrl_c(self):
         for name in ("state", "ports"):
-            reader = subprocess.Popen(["grep", "-r", "x", os.path.join(self.root, "hung.host_cxt", "Mock0.rtc", name)],
-                                      stderr=subprocess.DEVNULL, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+            reader = subprocess.Popen(
+                ["grep", "-r", "x", os.path.join(self.root, "hung.host_cxt", "Mock0.rtc", name)],
+                stderr=subprocess.DEVNULL,
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+            )
             time.sleep(0.5)
             self.assertIsNone(reader.poll())
             waited, begun = self.waited(reader), time.monotonic()
@@ -188,7 +217,9 @@ class Long(Case):
 
 
 class Peers(Case):
-    """Every peer that harms who reads it, as a component and as a name server: whatever is read of it ends, in time."""
+    """Every peer that harms who reads it, as a component and as a name server: whatever is read of it ends,
+    in time.
+    """
 
     options = ["--timeout", str(running.TIMEOUT)]
 
@@ -205,10 +236,24 @@ class Peers(Case):
         self.assertEqual(self.process.wait(worlds.LIMIT), 5)
 
     def look(self, place):
-        """Read what people and scripts read of a component: the longest time that one file or directory took."""
+        """Read what people and scripts read of a component: the longest time that one file or directory took.
+        """
         slowest = 0.0
-        for name in ("", "state", "version", "ports", "ports/out/connections", "ports/out/connections/connector0", "contexts",
-                     "contexts/0/rate", "configuration/active", "members", "properties", "profile.json", "state"):
+        for name in (
+            "",
+            "state",
+            "version",
+            "ports",
+            "ports/out/connections",
+            "ports/out/connections/connector0",
+            "contexts",
+            "contexts/0/rate",
+            "configuration/active",
+            "members",
+            "properties",
+            "profile.json",
+            "state",
+        ):
             begun = time.monotonic()
             try:
                 self.read_any(os.path.join(place, name))
@@ -228,7 +273,10 @@ class Peers(Case):
                 file.read()
 
     def test_every_peer(self):
-        places = {mode + " as component": os.path.join(self.root, "peer.host_cxt", mode + ".rtc") for mode in self.ports}
+        places = {
+            mode + " as component": os.path.join(self.root, "peer.host_cxt", mode + ".rtc")
+            for mode in self.ports
+        }
         for mode, port in self.ports.items():
             places[mode + " as name server"] = os.path.join(self.top, "127.0.0.1:%d" % port, "Evil0.rtc")
         looked = {}
@@ -240,8 +288,15 @@ class Peers(Case):
         reader.join(LONGEST)
         self.assertEqual(sorted(set(places) - set(looked)), [])
         slowest = sorted(looked, key=looked.get)[-5:]
-        print("figures: %d hostile peers: %s; %d kB, %d threads" % (
-            len(places), ", ".join("%s %.1f s" % (case, looked[case]) for case in slowest), self.most_resident(), self.threads()))
+        print(
+            "figures: %d hostile peers: %s; %d kB, %d threads"
+            % (
+                len(places),
+                ", ".join("%s %.1f s" % (case, looked[case]) for case in slowest),
+                self.most_resident(),
+                self.threads(),
+            )
+        )
         waited = tools.waited_for_processor(self.process.pid)
         for case in looked:
             limit = TALK_LIMIT.get(case.split()[0], 3 * running.TIMEOUT + running.SLACK)
@@ -281,8 +336,11 @@ class Hostile(Case):
                 self.assertTrue(os.path.lexists(os.path.join(directory, name)), name)
 
     def test_links_lead_where_the_connection_does(self):
-        ports = os.path.join(self.root, "bad.host_cxt", "Hostile0.rtc", "ports")  # named in full: it is bound by another name
-        place, = [os.path.join(ports, name, "connections") for name in os.listdir(ports) if name.endswith(".plain")]
+        # named in full: it is bound by another name
+        ports = os.path.join(self.root, "bad.host_cxt", "Hostile0.rtc", "ports")
+        (place,) = [
+            os.path.join(ports, name, "connections") for name in os.listdir(ports) if name.endswith(".plain")
+        ]
         link, = [os.path.join(place, name) for name in os.listdir(place)]
         self.assertEqual(self.read(link, "type"), "DataInPort\n")
 
@@ -304,7 +362,7 @@ as() {
     id=$(id -u $1); shift  # who may read what only root may, such as an environment of Python
     setpriv --reuid $id --regid $id --clear-groups --inh-caps +dac_read_search --ambient-caps +dac_read_search "$@"
 }
-"""
+"""  # noqa: E501
 FUSE = "mknod -m 666 /dev/fuse c 10 229; "
 
 
@@ -320,13 +378,17 @@ class Users(unittest.TestCase):
             raise unittest.SkipTest("needs a mount namespace")
 
     def says(self, script, expected):
-        """Run a script of the users nobody, who owns m in the working directory, and daemon; $STATE is a component's."""
+        """Run a script of the users nobody, who owns m in the working directory, and daemon; $STATE is a
+        component's.
+        """
         top = around.directory("users%d" % id(self))
         os.chmod(around.top, 0o711)
         os.makedirs(os.path.join(top, "m"), exist_ok=True)
         nobody = pwd.getpwnam("nobody")
         os.chown(os.path.join(top, "m"), nobody.pw_uid, nobody.pw_gid)
-        environment = running.environment(RTCTREE_NAMESERVERS=server[1:], STATE="m%s/test.host_cxt/ConsoleOut0.rtc/state" % server)
+        environment = running.environment(
+            RTCTREE_NAMESERVERS=server[1:], STATE="m%s/test.host_cxt/ConsoleOut0.rtc/state" % server
+        )
         done = subprocess.run(["unshare", "--mount", "sh", "-c", DEV + script], cwd=top, env=environment,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=worlds.LIMIT)
         said = done.stdout.decode().replace(top, "TOP")
@@ -335,10 +397,13 @@ class Users(unittest.TestCase):
         self.assertEqual(said.splitlines(), expected)
 
     def test_one_who_is_not_root(self):
-        self.says(FUSE + """
+        self.says(
+            FUSE + """
             >/dev/conf; mount --bind /dev/conf /etc/fuse.conf
             as nobody rtmount m && as nobody cat $STATE; as nobody sh -c 'echo Active >$STATE; cat $STATE; echo Inactive >$STATE'
-            as daemon cat $STATE 2>&1 | sed 's/.*: //'; as nobody rtmount -u m; ls m""", ["Inactive", "Active", "Permission denied"])
+            as daemon cat $STATE 2>&1 | sed 's/.*: //'; as nobody rtmount -u m; ls m""",  # noqa: E501
+            ["Inactive", "Active", "Permission denied"],
+        )
 
     def test_others_only_read(self):
         """Where /etc/fuse.conf lets them."""
@@ -349,9 +414,12 @@ class Users(unittest.TestCase):
             """, ["Inactive", "refused", "Inactive"])
 
     def test_read_only(self):
-        self.says(FUSE + """as nobody rtmount --read-only m
-            as nobody sh -c 'echo Active >$STATE' 2>&1 | sed 's/.*: //'; as nobody cat $STATE; as nobody rtmount -u m""",
-                  ["Read-only file system", "Inactive"])
+        self.says(
+            FUSE
+            + """as nobody rtmount --read-only m
+            as nobody sh -c 'echo Active >$STATE' 2>&1 | sed 's/.*: //'; as nobody cat $STATE; as nobody rtmount -u m""",  # noqa: E501
+            ["Read-only file system", "Inactive"],
+        )
 
     def test_without_a_helper(self):
         self.says(FUSE + 'command=$(command -v rtmount); as nobody env PATH=/nowhere "$command" m; echo $?',
@@ -368,8 +436,14 @@ class Users(unittest.TestCase):
             "rtmount: /dev/fuse: not there: this kernel or container has no FUSE (modprobe fuse)"])
 
     def test_without_the_right_to_open_it(self):
-        self.says(FUSE + "chmod 600 /dev/fuse; as nobody rtmount m; echo $?", [
-            "rtmount: TOP/m: cannot mount: %s: failed to open /dev/fuse: Permission denied" % shutil.which("fusermount3"), "1"])
+        self.says(
+            FUSE + "chmod 600 /dev/fuse; as nobody rtmount m; echo $?",
+            [
+                "rtmount: TOP/m: cannot mount: %s: failed to open /dev/fuse: Permission denied"
+                % shutil.which("fusermount3"),
+                "1",
+            ],
+        )
 
 
 class Killed(Case):
@@ -377,8 +451,10 @@ class Killed(Case):
         mounts.take_away(around.top)
 
     def test_readers_are_freed(self):
-        reader = subprocess.Popen(["cat", os.path.join(self.root, "test.host_cxt/ConsoleIn0.rtc/ports/out/values")],
-                                  stderr=subprocess.PIPE)
+        reader = subprocess.Popen(
+            ["cat", os.path.join(self.root, "test.host_cxt/ConsoleIn0.rtc/ports/out/values")],
+            stderr=subprocess.PIPE,
+        )
         time.sleep(0.5)
         self.process.kill()
         self.process.wait()

@@ -1,6 +1,8 @@
-"""Two robots and a laptop, each in a network of its own, a cable that is pulled, and an address that leads nowhere.
+"""Two robots and a laptop, each in a network of its own, a cable that is pulled, and an address that leads
+nowhere.
 
-If one of these fails, the tool works on the desk and not at the robot. Needs `ip netns`, and the right to use it.
+If one of these fails, the tool works on the desk and not at the robot. Needs `ip netns`, and the right to use
+it.
 """
 import contextlib
 import os
@@ -51,7 +53,20 @@ def build():
     ip("-n", namespace("switch"), "link", "set", "bridge", "up")
     for name, address in HOSTS.items():
         ip("netns", "add", namespace(name))
-        ip("-n", namespace("switch"), "link", "add", name, "type", "veth", "peer", "name", "eth0", "netns", namespace(name))
+        ip(
+            "-n",
+            namespace("switch"),
+            "link",
+            "add",
+            name,
+            "type",
+            "veth",
+            "peer",
+            "name",
+            "eth0",
+            "netns",
+            namespace(name),
+        )
         ip("-n", namespace("switch"), "link", "set", name, "master", "bridge", "up")
         ip("-n", namespace(name), "link", "set", "lo", "up")
         ip("-n", namespace(name), "address", "add", address + "/24", "dev", "eth0")
@@ -89,8 +104,23 @@ def start(label, host, command):
 
 
 def world(label, host, words, *options):
-    process = start(label, host, [sys.executable, "-m", "mock_components", "--host", HOSTS[host], "--control",
-                                  tools.control(label), "--nameserver", "%s:%d" % (HOSTS[host], PORT)] + list(options) + words)
+    process = start(
+        label,
+        host,
+        [
+            sys.executable,
+            "-m",
+            "mock_components",
+            "--host",
+            HOSTS[host],
+            "--control",
+            tools.control(label),
+            "--nameserver",
+            "%s:%d" % (HOSTS[host], PORT),
+        ]
+        + list(options)
+        + words,
+    )
     running.processes.ready(process, label)
     return process
 
@@ -102,7 +132,7 @@ def kill(process):
 
 PROFILE = """<rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts" rts:id="RTSystem:Me:Named:0" rts:version="0.2">
   <rts:Components rts:id="RTC:Mock:test:ConsoleIn:1.0" rts:pathUri="{path}" rts:instanceName="ConsoleIn0" rts:isRequired="true"/>
-</rts:RtsProfile>"""
+</rts:RtsProfile>"""  # noqa: E501
 
 
 def tearDownModule():
@@ -123,7 +153,9 @@ def call_hosts(**names):
 def unbuild():
     shutil.rmtree(os.path.join("/etc/netns", namespace("laptop")), ignore_errors=True)
     for name in list(HOSTS) + ["switch"]:
-        subprocess.run(["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run(
+            ["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
 
 
 def laptop(*words, timeout=running.TIMEOUT):
@@ -132,7 +164,9 @@ def laptop(*words, timeout=running.TIMEOUT):
 
 def doctor(host, *words):
     """What rtdoctor -q says on a host."""
-    return running.run(["rtdoctor", "-q"] + list(words), around.top, inside(host), **surroundings(2)).out.decode()
+    return running.run(
+        ["rtdoctor", "-q"] + list(words), around.top, inside(host), **surroundings(2)
+    ).out.decode()
 
 
 def surroundings(timeout):
@@ -140,7 +174,9 @@ def surroundings(timeout):
 
 
 def cable(name, how):
-    """Pull the cable of a host at the switch ("down"), or plug it in again ("up"): the host itself does not notice."""
+    """Pull the cable of a host at the switch ("down"), or plug it in again ("up"): the host itself does not
+    notice.
+    """
     ip("-n", namespace("switch"), "link", "set", name, how)
 
 
@@ -159,7 +195,8 @@ def firewall(name, how):
     if not shutil.which("nft"):
         raise unittest.SkipTest("needs nft (nftables)")
     rules = WALL % (PORT, how)
-    subprocess.run(inside(name) + ["sh", "-c", "echo 0 >/proc/sys/net/ipv4/icmp_ratelimit"], check=True)  # it refuses each time
+    # it refuses each time
+    subprocess.run(inside(name) + ["sh", "-c", "echo 0 >/proc/sys/net/ipv4/icmp_ratelimit"], check=True)
     subprocess.run(inside(name) + ["nft", rules], check=True)
     try:
         yield
@@ -169,10 +206,16 @@ def firewall(name, how):
 
 @contextlib.contextmanager
 def hole(name, most):
-    """What a host sends is lost where it is larger than `size` octets, as where an MTU on the way is too small and ICMP is dropped."""
+    """What a host sends is lost where it is larger than `size` octets, as where an MTU on the way is too
+    small and ICMP is dropped.
+    """
     if not shutil.which("nft"):
         raise unittest.SkipTest("needs nft (nftables)")
-    rules = "table ip hole { chain outbound { type filter hook output priority 0; oif lo accept; meta length > %d drop; }; }" % most
+    rules = (
+        "table ip hole { chain outbound { type filter hook output priority 0; oif lo accept; meta length "
+        "> %d drop; }; }"
+        % most
+    )
     subprocess.run(inside(name) + ["nft", rules], check=True)
     try:
         yield
@@ -180,7 +223,10 @@ def hole(name, most):
         subprocess.run(inside(name) + ["nft", "delete table ip hole"], check=True)
 
 
-A, B = "/%s/test.host_cxt/ConsoleIn0.rtc" % HOSTS["robot1"], "/%s/test.host_cxt/ConsoleOut0.rtc" % HOSTS["robot2"]
+A, B = (
+    "/%s/test.host_cxt/ConsoleIn0.rtc" % HOSTS["robot1"],
+    "/%s/test.host_cxt/ConsoleOut0.rtc" % HOSTS["robot2"],
+)
 BOUND = running.TIMEOUT + running.SLACK
 
 
@@ -198,18 +244,41 @@ class Network(unittest.TestCase):
         self.assertEqual(laptop("rtact", "--wait", B, timeout=10).status, 0)
         around.ctl("robot1", "write", "ConsoleIn0:out", "42")
         self.assertEqual(around.ctl("robot2", "received", "ConsoleOut0:in", "1"), ["1 42"])
-        lasting = [running.start(words, around.top, surroundings(running.TIMEOUT), inside("laptop"), stdout=subprocess.DEVNULL,
-                                 stderr=subprocess.DEVNULL)
-                   for words in (["rtwatch", A, B], ["rtfind", "--wait", "60", "/", "-n", "none"], ["rtprint", A + ":out"])]
+        lasting = [
+            running.start(
+                words,
+                around.top,
+                surroundings(running.TIMEOUT),
+                inside("laptop"),
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
+            for words in (
+                ["rtwatch", A, B],
+                ["rtfind", "--wait", "60", "/", "-n", "none"],
+                ["rtprint", A + ":out"],
+            )
+        ]
         while not len(around.ctl("robot1", "connectors", "ConsoleIn0:out")) == 2:  # until rtprint is there
             time.sleep(0.02)
         cable("robot2", "down")
         # the component on robot1 waits for its peer, too: those that ask it, and robot2 before, wait twice
-        for words, status in ((["rtls", "-l", "-R", "/"], (4, 5)), (["rtls", "/" + HOSTS["robot2"]], (4,)), (["rtcat", B], (4,)),
-                              (["rtact", A, B], (4, 5)), (["rtcon", A + ":out", B + ":in"], (4,)), (["rtfind", "/"], (4, 5)),
-                              (["rtdel", "-z"], (4, 5)), (["rtdis", B], (4,))):
+        for words, status in (
+            (["rtls", "-l", "-R", "/"], (4, 5)),
+            (["rtls", "/" + HOSTS["robot2"]], (4,)),
+            (["rtcat", B], (4,)),
+            (["rtact", A, B], (4, 5)),
+            (["rtcon", A + ":out", B + ":in"], (4,)),
+            (["rtfind", "/"], (4, 5)),
+            (["rtdel", "-z"], (4, 5)),
+            (["rtdis", B], (4,)),
+        ):
             with self.subTest(" ".join(words)):
-                self.ends(laptop(*words), status, BOUND + running.TIMEOUT if A in words[1] or "-l" in words else BOUND)
+                self.ends(
+                    laptop(*words),
+                    status,
+                    BOUND + running.TIMEOUT if A in words[1] or "-l" in words else BOUND,
+                )
         self.assertIn(b"ConsoleIn0", laptop("rtls", "-R", "/").out)
         self.ends(laptop("rtdoctor", "-q"), (1,), 3 * running.TIMEOUT + running.SLACK)
         for process in lasting:  # while what they hold is out of reach
@@ -222,18 +291,31 @@ class Network(unittest.TestCase):
         while laptop("rtls", "-l", "-R", "/").status:  # the hosts have to find each other again
             self.assertLess(time.monotonic(), end)
         self.assertEqual(laptop("rtdis", A, timeout=10).status, 0)
-        self.assertEqual((around.ctl("robot1", "connectors", "ConsoleIn0:out"), around.ctl("robot2", "connectors", "ConsoleOut0:in")),
-                         ([], []))
+        self.assertEqual(
+            (
+                around.ctl("robot1", "connectors", "ConsoleIn0:out"),
+                around.ctl("robot2", "connectors", "ConsoleOut0:in"),
+            ),
+            ([], []),
+        )
         self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
 
     def test_an_address_that_leads_nowhere(self):
-        """It lives, but from here it cannot be reached: it is told so, and its name is not taken for that of a dead one."""
+        """It lives, but from here it cannot be reached: it is told so, and its name is not taken for that of
+        a dead one.
+        """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         world("lost", "robot1", ["these", "Mock:Lost0"], "--publish", NOWHERE, "--port", "2999")
         lost = "/%s/test.host_cxt/Lost0.rtc" % HOSTS["robot1"]
         ran = laptop("rtcat", lost)
         self.ends(ran, (4,))
-        for words in (["rtls", "-l", lost], ["rtdel", "-z"], ["rtdel", "-z", lost], ["rtact", lost], ["rtls", "-R", "/"]):
+        for words in (
+            ["rtls", "-l", lost],
+            ["rtdel", "-z"],
+            ["rtdel", "-z", lost],
+            ["rtact", lost],
+            ["rtls", "-R", "/"],
+        ):
             with self.subTest(" ".join(words)):
                 self.ends(laptop(*words), (0, 3, 4, 5))
         time.sleep(3.2)  # by now the kernel knows that nobody has the address, and refuses at once
@@ -262,27 +344,39 @@ class Network(unittest.TestCase):
         self.assertNotRegex(said, "restart|rtdel|rtdis")
 
     def test_a_firewall_that_refuses(self):
-        """Only the name server is let through: all components live, none is called dead, and no name is deleted, whatever we advise."""
+        """Only the name server is let through: all components live, none is called dead, and no name is
+        deleted, whatever we advise.
+        """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         doomed_process = world("doomed", "robot2", ["these", "Mock:Doomed0"])
-        doomed, home = "/%s/test.host_cxt/Doomed0.rtc" % HOSTS["robot2"], "/%s/test.host_cxt" % HOSTS["robot2"]
+        doomed, home = (
+            "/%s/test.host_cxt/Doomed0.rtc" % HOSTS["robot2"],
+            "/%s/test.host_cxt" % HOSTS["robot2"],
+        )
         for how in ("tcp reset", "icmp type port-unreachable"):
             with self.subTest(how), firewall("robot2", how):
                 said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"]).out.decode()
-                self.assertRegex(said, r"ConsoleOut0.rtc: cannot tell from here whether it lives: .* refuses the connection, as a firewall")
+                self.assertRegex(
+                    said,
+                    r"ConsoleOut0.rtc: cannot tell from here whether it lives: .* refuses the connection, as a firewall",  # noqa: E501
+                )
                 self.assertNotRegex(said, "dead|zombie|rtdel")
                 self.assertIn(b"?ConsoleOut0.rtc", laptop("rtls", "-l", home).out)
                 self.assertEqual(laptop("rtfind", "/" + HOSTS["robot2"], "-t", "z").out, b"")
                 for words in (["rtdel", "-z"], ["rtdel", "-z", B]):
                     ran = laptop(*words)
                     self.assertEqual(ran.status, 1, ran)
-                    self.assertIn(b"ConsoleOut0.rtc: left: its host refuses the connection, as a firewall would", ran.err)
+                    self.assertIn(
+                        b"ConsoleOut0.rtc: left: its host refuses the connection, as a firewall would",
+                        ran.err,
+                    )
                 self.assertIn(b"a firewall refuses", laptop("rtact", B).err)
         self.assertIn(b"ConsoleOut0.rtc", laptop("rtls", home).out)
         kill(doomed_process)
         with firewall("robot2", "tcp reset"):
             self.assertEqual(laptop("rtdel", "-z", doomed).status, 1)
-        self.assertIn(b"*Doomed0.rtc", laptop("rtls", home).out)  # the others of its host answer: now that is known
+        # the others of its host answer: now that is known
+        self.assertIn(b"*Doomed0.rtc", laptop("rtls", home).out)
         self.assertIn("dead (zombie): nothing listens at", laptop("rtdoctor", "-q", home).out.decode())
         self.assertEqual(laptop("rtdel", "-z", doomed).status, 0)  # which asks the others
         kill(world("doomed-again", "robot2", ["these", "Mock:Doomed0"]))
@@ -291,7 +385,9 @@ class Network(unittest.TestCase):
         self.assertNotIn(b"Doomed0.rtc", laptop("rtls", home).out)
 
     def test_packets_that_are_lost(self):
-        """What connects and then hears nothing, as larger packets are dropped on the way: the robot does not hang."""
+        """What connects and then hears nothing, as larger packets are dropped on the way: the robot does not
+        hang.
+        """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"], timeout=2).out.decode()
         self.assertNotIn("fail", said)
@@ -299,27 +395,55 @@ class Network(unittest.TestCase):
         try:
             said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"]).out.decode()
         finally:
-            subprocess.run(inside("robot2") + ["ip", "route", "del", "blackhole", HOSTS["laptop"]], check=True)
+            subprocess.run(
+                inside("robot2") + ["ip", "route", "del", "blackhole", HOSTS["laptop"]], check=True
+            )
         self.blames_the_network(said)
 
     def test_addresses_that_mislead(self):
-        """Seen from the laptop and from the robot: who publishes 127.0.0.1, or an address of another network, is named."""
+        """Seen from the laptop and from the robot: who publishes 127.0.0.1, or an address of another network,
+        is named.
+        """
         ip("-n", namespace("robot1"), "link", "add", "inner", "type", "veth", "peer", "name", "outer")
         ip("-n", namespace("robot1"), "address", "add", "192.168.78.2/24", "dev", "inner")
         ip("-n", namespace("robot1"), "link", "set", "inner", "up")
-        looped = world("looped", "robot1", ["these", "Mock:Looped0"], "--host", "", "--publish", "127.0.0.1", "--port", "2997")
-        world("inner", "robot1", ["these", "Mock:Inner0"], "--host", "", "--publish", "192.168.78.2", "--port", "2996")
+        looped = world(
+            "looped",
+            "robot1",
+            ["these", "Mock:Looped0"],
+            "--host",
+            "",
+            "--publish",
+            "127.0.0.1",
+            "--port",
+            "2997",
+        )
+        world(
+            "inner",
+            "robot1",
+            ["these", "Mock:Inner0"],
+            "--host",
+            "",
+            "--publish",
+            "192.168.78.2",
+            "--port",
+            "2996",
+        )
         home = "/" + HOSTS["robot1"]
-        for name, message in (("laptop", "Looped0.rtc: publishes 127.0.0.1:2997, which means this host, not its own"),
-                              ("robot1", "Looped0.rtc: publishes 127.0.0.1:2997: only this host can reach it"),
-                              ("laptop", "Inner0.rtc: cannot tell from here whether it lives: publishes 192.168.78.2:2996, of another "
-                                         "network than its name server, out of reach"),
+        for name, message in (("laptop", "Looped0.rtc: publishes 127.0.0.1:2997, which means this host, "
+                                         "not its own"),
+                              ("robot1", "Looped0.rtc: publishes 127.0.0.1:2997: only this host can "
+                                         "reach it"),
+                              ("laptop", "Inner0.rtc: cannot tell from here whether it lives: publishes "
+                                         "192.168.78.2:2996, of another network than its name server, out "
+                                         "of reach"),
                               ):
             with self.subTest(name + " " + message):
                 said = doctor(name, home)
                 self.assertIn(message, said)
                 self.assertNotIn("rtdel", said)
-        self.assertNotIn("Inner0.rtc: publishes", doctor("robot1", home))  # another interface of the same host
+        # another interface of the same host
+        self.assertNotIn("Inner0.rtc: publishes", doctor("robot1", home))
         looped.send_signal(signal.SIGSTOP)
         try:
             said = doctor("robot1", home)
@@ -333,46 +457,70 @@ class Network(unittest.TestCase):
         self.assertNotIn("dead", doctor("laptop", home))
 
     def test_large_packets_that_are_lost(self):
-        """Small questions are answered, a profile never comes: that is the network, and nobody is told to restart anything."""
+        """Small questions are answered, a profile never comes: that is the network, and nobody is told to
+        restart anything.
+        """
         with hole("robot2", 500):
             said = doctor("laptop", "/" + HOSTS["robot2"])
-        self.assertIn("ConsoleOut0.rtc: answers small questions, but not when asked for the profile of its port 1", said)
+        self.assertIn("ConsoleOut0.rtc: answers small questions, but not when asked for the "
+                      "profile of its port 1", said)
         self.assertIn("try: ping -M do -s 1472 %(robot2)s" % HOSTS, said)
         self.assertNotRegex(said, "restart|rtdel|rtdis")
 
     def test_names_of_hosts(self):
-        """A name in a reference that nobody knows, or that means this host here; one of a name server that means two hosts."""
+        """A name in a reference that nobody knows, or that means this host here; one of a name server that
+        means two hosts.
+        """
         call_hosts(arm=[HOSTS["robot1"], HOSTS["robot2"]], desk=[HOSTS["laptop"]])
         for number, (name, host) in enumerate((("Far0", "robot.invalid"), ("Desk0", "desk"))):
-            world(name, "robot1", ["these", "Mock:" + name, "--context", "named.host_cxt/%n.rtc"], "--publish", host, "--port",
-                  str(2990 + number))
+            world(
+                name,
+                "robot1",
+                ["these", "Mock:" + name, "--context", "named.host_cxt/%n.rtc"],
+                "--publish",
+                host,
+                "--port",
+                str(2990 + number),
+            )
         said = doctor("laptop", "/%(robot1)s/named.host_cxt" % HOSTS)
-        self.assertIn("Far0.rtc: cannot tell from here whether it lives: publishes robot.invalid:2990, a host name that is not known here",
+        self.assertIn("Far0.rtc: cannot tell from here whether it lives: publishes robot.invalid:2990, a "
+                      "host name that is not known here",
                       said)
         self.assertIn("/etc/hosts here, or have its process publish an address: corba.endpoints", said)
-        self.assertIn("Desk0.rtc: cannot tell from here whether it lives: desk:2991 (10.77.0.1, this host) may mean another host", said)
+        self.assertIn("Desk0.rtc: cannot tell from here whether it lives: desk:2991 (10.77.0.1, "
+                      "this host) may mean another host", said)
         self.assertNotIn("rtdel", said)
         said = laptop("rtdoctor", "/arm").out.decode()
         self.assertRegex(said, r"ok    /arm: answers \(.*\) at 10.77.0.2; arm also means 10.77.0.3")
-        self.assertIn("something does on port 2809 of that host", doctor("laptop", "/arm:2808", "/" + HOSTS["robot2"]))
+        self.assertIn(
+            "something does on port 2809 of that host", doctor("laptop", "/arm:2808", "/" + HOSTS["robot2"])
+        )
 
     def test_a_name_server_without_names(self):
         """It has been started again, empty, while components of its host live."""
-        start("names-empty", "robot1", running.processes.nameserver.command(2812, around.directory("names-empty"), HOSTS["robot1"]))
+        start(
+            "names-empty",
+            "robot1",
+            running.processes.nameserver.command(2812, around.directory("names-empty"), HOSTS["robot1"]),
+        )
         where = "/%(robot1)s:2812" % HOSTS
         end = time.monotonic() + running.LIMIT
         while laptop("rtls", where).status:
             self.assertLess(time.monotonic(), end)
         self.assertNotIn("has no names", doctor("laptop", where))
         world("master", "robot1", ["manager11"], "--port", "2810")
-        self.assertIn("%s: has no names, though a manager at port 2810 of its host has 2 components (ConsoleIn0 and ConsoleOut0)" % where,
+        self.assertIn("%s: has no names, though a manager at port 2810 of its host has 2 "
+                      "components (ConsoleIn0 and ConsoleOut0)" % where,
                       doctor("laptop", where))
         call_hosts(robot1=[HOSTS["robot1"]])
         profile = os.path.join(around.top, "named.rtsys")
         with open(profile, "w") as file:
             file.write(PROFILE.format(path=where[1:] + "/robot1.host_cxt/ConsoleIn0.rtc"))
-        self.assertIn("/robot1.host_cxt/ConsoleIn0.rtc: Required component missing, but it lives: the manager "
-                      "corbaloc::robot1:2810/manager has it", doctor("laptop", "--profile", profile, where))
+        self.assertIn(
+            "/robot1.host_cxt/ConsoleIn0.rtc: Required component missing, but it lives: the manager "
+            "corbaloc::robot1:2810/manager has it",
+            doctor("laptop", "--profile", profile, where),
+        )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """The n-th call fails, for every n, of every command that makes several: its report must be true.
 
-If one of these fails, an operator is told that a connection or a state is there which is not, or the other way round.
+If one of these fails, an operator is told that a connection or a state is there which is not, or the other
+way round.
 """
 import itertools
 import json
@@ -24,18 +25,28 @@ KINDS = ("TRANSIENT", "COMM_FAILURE", "UNKNOWN", "HANG", "LOST", "DIE")
 NAMES = "names"        # stands for the number of a world where the name server is meant
 LANES = 4
 SHORT = 90             # of 1,500 cases
-UNSURE = (b"not known", b"no answer", b"connection lost", b"connection refused", b"cannot be reached", b"does not activate",
-          b"not connected")
+UNSURE = (
+    b"not known",
+    b"no answer",
+    b"connection lost",
+    b"connection refused",
+    b"cannot be reached",
+    b"does not activate",
+    b"not connected",
+)
 
 
 class Lane:
-    """Two worlds, one component of interest in each, a manager, a name server that can fail, and the truth about them."""
+    """Two worlds, one component of interest in each, a manager, a name server that can fail, and the truth
+    about them.
+    """
 
     def __init__(self, number):
         self.place = "lane%d.host_cxt" % number
         self.old = ""
         self.names = proxy.Proxy()
-        self.direct = around.name_server("lane%d" % number, self.names.port)  # where it can be reached for certain
+        # where it can be reached for certain
+        self.direct = around.name_server("lane%d" % number, self.names.port)
         self.names.target = int(self.direct.rpartition(":")[2])
         self.server = "/127.0.0.1:%d" % self.names.port
         self.home = self.server + "/" + self.place
@@ -64,7 +75,9 @@ class Lane:
             around.ctl(self.worlds[number], "forget", port)
 
     def command(self, *words, timeout=10):
-        return running.run(list(words), around.top, RTCTREE_NAMESERVERS=self.server[1:], RTSHELL_TIMEOUT=str(timeout))
+        return running.run(
+            list(words), around.top, RTCTREE_NAMESERVERS=self.server[1:], RTSHELL_TIMEOUT=str(timeout)
+        )
 
     # the truth, None where there is nobody to tell it
 
@@ -89,7 +102,8 @@ class Lane:
 
 
 class Scenario:
-    """A command: `before` is run to prepare, `truth(lane)` gives {path or what: whether it is as the command wants it}.
+    """A command: `before` is run to prepare, `truth(lane)` gives {path or what: whether it is as the command
+    wants it}.
 
     `ends` are the numbers of the worlds that are others afterwards.
     """
@@ -135,7 +149,11 @@ def deleted(lane):
 
 NUMBERS = itertools.count()
 OLD = ("", "/z.rtc", "/sub.host_cxt", "/sub.host_cxt/x.rtc", "/sub.host_cxt/y.rtc")
-WORLDS = [["these", "ConsoleIn"], ["these", "ConsoleOut", "ConfigSample"], ["manager", "Motor", "--flavour", "cpp2"]]
+WORLDS = [
+    ["these", "ConsoleIn"],
+    ["these", "ConsoleOut", "ConfigSample"],
+    ["manager", "Motor", "--flavour", "cpp2"],
+]
 ARM = [["rtmgr", "-d", "Arm", "m"], ["rtcomp", "-a", "motor:in", "m:Arm"]]
 CON = ["rtcon", "a:out", "b:in"]
 SCENARIOS = [
@@ -149,22 +167,59 @@ SCENARIOS = [
     Scenario("rtteardown", ["rtteardown", "--json", "file"], connection(False), [["rtresurrect", "file"]]),
     Scenario("rtstart", ["rtstart", "--json", "--wait=0.5", "file"], states(True)),
     Scenario("rtstop", ["rtstop", "--json", "--wait=0.5", "file"], states(False), [["rtact", "a", "b"]]),
-    Scenario("rtmgr -c", ["rtmgr", "-c", "Sensor?instance_name=New0", "m"],
-             lambda lane: {"New0": made(lane, "New0", True)}, [["rtmgr", "-d", "New0", "m"]]),
-    Scenario("rtmgr -d", ["rtmgr", "-d", "New0", "m"], lambda lane: {"New0": made(lane, "New0", False)},
-             [["rtmgr", "-c", "Sensor?instance_name=New0", "m"]]),
-    Scenario("rtconf set", ["rtconf", "p", "set", "int_param0=77", "str_param0=x"], lambda lane: {"values": configured(lane)},
-             [["rtconf", "p", "act", "mode1"], ["rtconf", "p", "set", "int_param0=1", "str_param0=y"]]),
-    Scenario("rtconf load", ["rtconf", "p", "load", "changed"],
-             lambda lane: {"values": configured(lane, "mode0") and configured(lane)}, [["rtconf", "p", "load", "dumped"]]),
-    Scenario("rtcomp new", ["rtcomp", "-a", "motor:in", "m:Arm"], lambda lane: composed(lane, {"Motor0"}), ARM[:1], ends=(2,)),
-    Scenario("rtcomp add", ["rtcomp", "-a", "b:in", "m:Arm"], lambda lane: composed(lane, {"Motor0", "ConsoleOut0"}), ARM,
-             ends=(1, 2)),
-    Scenario("rtcomp remove", ["rtcomp", "-r", "b", "m:Arm"], lambda lane: composed(lane, {"Motor0"}),
-             ARM + [["rtcomp", "-a", "b:in", "m:Arm"]], ends=(1, 2)),
+    Scenario(
+        "rtmgr -c",
+        ["rtmgr", "-c", "Sensor?instance_name=New0", "m"],
+        lambda lane: {"New0": made(lane, "New0", True)},
+        [["rtmgr", "-d", "New0", "m"]],
+    ),
+    Scenario(
+        "rtmgr -d",
+        ["rtmgr", "-d", "New0", "m"],
+        lambda lane: {"New0": made(lane, "New0", False)},
+        [["rtmgr", "-c", "Sensor?instance_name=New0", "m"]],
+    ),
+    Scenario(
+        "rtconf set",
+        ["rtconf", "p", "set", "int_param0=77", "str_param0=x"],
+        lambda lane: {"values": configured(lane)},
+        [["rtconf", "p", "act", "mode1"], ["rtconf", "p", "set", "int_param0=1", "str_param0=y"]],
+    ),
+    Scenario(
+        "rtconf load",
+        ["rtconf", "p", "load", "changed"],
+        lambda lane: {"values": configured(lane, "mode0") and configured(lane)},
+        [["rtconf", "p", "load", "dumped"]],
+    ),
+    Scenario(
+        "rtcomp new",
+        ["rtcomp", "-a", "motor:in", "m:Arm"],
+        lambda lane: composed(lane, {"Motor0"}),
+        ARM[:1],
+        ends=(2,),
+    ),
+    Scenario(
+        "rtcomp add",
+        ["rtcomp", "-a", "b:in", "m:Arm"],
+        lambda lane: composed(lane, {"Motor0", "ConsoleOut0"}),
+        ARM,
+        ends=(1, 2),
+    ),
+    Scenario(
+        "rtcomp remove",
+        ["rtcomp", "-r", "b", "m:Arm"],
+        lambda lane: composed(lane, {"Motor0"}),
+        ARM + [["rtcomp", "-a", "b:in", "m:Arm"]],
+        ends=(1, 2),
+    ),
     Scenario("rtexit", ["rtexit", "a", "b"], exited, ends=(0, 1)),
     Scenario("rtdel --recursive", ["rtdel", "-v", "--recursive", "old"], deleted, [bind_old]),
-    Scenario("rtec rate", ["rtec", "a", "rate", "250"], lambda lane: {"rate": rate(lane)}, [["rtec", "a", "rate", "1000"]]),
+    Scenario(
+        "rtec rate",
+        ["rtec", "a", "rate", "250"],
+        lambda lane: {"rate": rate(lane)},
+        [["rtec", "a", "rate", "1000"]],
+    ),
 ]
 
 
@@ -198,8 +253,14 @@ def composed(lane, wanted):
     if not found:
         gone = lane.ctl(2, "slave", "1", "components")
         return {"members": None if gone is None else False}
-    members = {path.rpartition("/")[2].partition(".")[0] for each in found[0]["compositions"] for path in each["members"]}
-    return {"members": members == wanted and {each["name"].split(".")[0] for each in found[0]["ports"]} == wanted}
+    members = {
+        path.rpartition("/")[2].partition(".")[0]
+        for each in found[0]["compositions"]
+        for path in each["members"]
+    }
+    return {
+        "members": members == wanted and {each["name"].split(".")[0] for each in found[0]["ports"]} == wanted
+    }
 
 
 def rate(lane):
@@ -214,7 +275,9 @@ def setUpModule():
     around.world(server, "linked")
     around.world(server, "config")
     text, _ = around.files(server)
-    dumped = around.dumped(server + "/test.host_cxt/ConfigSample0.rtc", {"int_param0": "77", "str_param0": "x"})
+    dumped = around.dumped(server + "/test.host_cxt/ConfigSample0.rtc", {"int_param0": (
+        "77"
+    ), "str_param0": "x"})
     lanes = queue.Queue()
     for lane in running.together(Lane, range(LANES)):
         lanes.put(lane)
@@ -231,7 +294,13 @@ class Case:
         self.scenario, self.world, self.operation, self.nth, self.kind = scenario, world, operation, nth, kind
 
     def __str__(self):
-        return "%s: call %d of %s to world %s: %s" % (self.scenario.name, self.nth, self.operation, self.world, self.kind)
+        return "%s: call %d of %s to world %s: %s" % (
+            self.scenario.name,
+            self.nth,
+            self.operation,
+            self.world,
+            self.kind,
+        )
 
     def tried(self):
         """Itself; `failed` is why it could not be tried, or None."""
@@ -279,7 +348,9 @@ class Case:
             assert ran.status == 0, ran
             found = [(NAMES, "any", lane.names.calls)]
             for number, name in enumerate(lane.worlds):
-                found += [(number, line.split()[1], int(line.split()[0])) for line in around.ctl(name, "calls")]
+                found += [
+                    (number, line.split()[1], int(line.split()[0])) for line in around.ctl(name, "calls")
+                ]
             truth = self.scenario.truth(lane)
             assert all(truth.values()), (self.scenario.name, truth)
         finally:
@@ -289,7 +360,12 @@ class Case:
 
     def problems(self):
         ran = self.ran
-        if b"Traceback" in ran.err or b"internal error" in ran.err or ran.status in (2, 70) or ran.status > 128:
+        if (
+            b"Traceback" in ran.err
+            or b"internal error" in ran.err
+            or ran.status in (2, 70)
+            or ran.status > 128
+        ):
             yield "a bug"
         for what, true in self.truth.items():
             told = self.told(what)
@@ -298,7 +374,12 @@ class Case:
                     yield "half connected"
             elif true is not None and told not in (true, None):
                 yield "%s: told %s, is %s" % (what, told, true)
-        if ran.status == 0 and not ran.err and self.truth and not all(each in (True, None) for each in self.truth.values()):
+        if (
+            ran.status == 0
+            and not ran.err
+            and self.truth
+            and not all(each in (True, None) for each in self.truth.values())
+        ):
             yield "done, it says"
 
     def told(self, what):
@@ -328,15 +409,28 @@ class Case:
 
 
 def meant(lane, words):
-    names = {"a": lane.a, "b": lane.b, "a:out": lane.a + ":out", "b:in": lane.b + ":in", "file": lane.file,
-             "m": lane.home + "/manager.mgr", "m:Arm": lane.home + "/manager.mgr:Arm", "motor:in": lane.home + "/Motor0.rtc:in",
-             "p": lane.home + "/ConfigSample0.rtc", "old": lane.server + lane.old, "dumped": dumped[0], "changed": dumped[1]}
+    names = {
+        "a": lane.a,
+        "b": lane.b,
+        "a:out": lane.a + ":out",
+        "b:in": lane.b + ":in",
+        "file": lane.file,
+        "m": lane.home + "/manager.mgr",
+        "m:Arm": lane.home + "/manager.mgr:Arm",
+        "motor:in": lane.home + "/Motor0.rtc:in",
+        "p": lane.home + "/ConfigSample0.rtc",
+        "old": lane.server + lane.old,
+        "dumped": dumped[0],
+        "changed": dumped[1],
+    }
     return [names.get(word, word) for word in words]
 
 
 def cases():
     found = []
-    for scenario, counts in zip(SCENARIOS, running.together(lambda scenario: Case(scenario, 0, "", 0, "").counts(), SCENARIOS, LANES)):
+    for scenario, counts in zip(
+        SCENARIOS, running.together(lambda scenario: Case(scenario, 0, "", 0, "").counts(), SCENARIOS, LANES)
+    ):
         for world, operation, count in counts:
             for nth in range(1, count + 1):
                 kinds = proxy.KINDS if world == NAMES else KINDS
@@ -350,8 +444,18 @@ class Nth(unittest.TestCase):
         tried = running.together(Case.tried, running.sample(everything, SHORT), LANES)
         done = [case for case in tried if not case.failed]
         longest = max(done, key=lambda case: case.ran.seconds)
-        print("figures: %d of %d faults in the middle of %d commands; %d of them were survived with status 0, longest run %.2f s (%s)"
-              % (len(done), len(everything), len(SCENARIOS), sum(case.ran.status == 0 for case in done), longest.ran.seconds, longest))
+        print(
+            "figures: %d of %d faults in the middle of %d commands; %d of them were survived with "
+            "status 0, longest run %.2f s (%s)"
+            % (
+                len(done),
+                len(everything),
+                len(SCENARIOS),
+                sum(case.ran.status == 0 for case in done),
+                longest.ran.seconds,
+                longest,
+            )
+        )
         for case in tried:
             with self.subTest(str(case)):
                 self.assertIsNone(case.failed)

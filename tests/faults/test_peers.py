@@ -1,5 +1,7 @@
-"""Every command against every kind of broken peer, as name server and as component: one calm line, in time, and no more
-memory than it needs. If one of these fails, a broken robot takes the tool that is to look after it along."""
+"""Every command against every kind of broken peer, as name server and as component: one calm line, in time,
+and no more memory than it needs. If one of these fails, a broken robot takes the tool that is to look after
+it along.
+"""
 import os
 import re
 import unittest
@@ -26,20 +28,23 @@ HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") == "omniorb" 
 ENDLESS = {"many", "endless", "endless-nothing", "endless-long"}
 MOST_SAID = 2 << 20     # octets on stdout and stderr
 KEPT = 1 << 20          # octets of each
-LENGTHY = {"megabytes": 64, "many": 2, "endless-long": 20}  # times MOST_SAID: 20,000 names are 20,000 lines of JSON
+# times MOST_SAID: 20,000 names are 20,000 lines of JSON
+LENGTHY = {"megabytes": 64, "many": 2, "endless-long": 20}
 SHORT = 150             # of 4,500 cases; these take 30 s of processor
 LISTS = ["many-contexts", "many-organizations", "many-members"]
-TALKATIVE = {"many-ports", "many-ends", "many-connectors", *LISTS}  # these answer as many questions as are asked, or at great length
+# these answer as many questions as are asked, or at great length
+TALKATIVE = {"many-ports", "many-ends", "many-connectors", *LISTS}
 TALK_LIMIT = 10.0       # seconds for them
 LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
 
-# The doctor promises three times the timeout; what asks one after the other may wait as often, such as rtcheck --extra, which
-# asks the components of the file, then all bad peers at once, for their ports and then for their profiles.
+# The doctor promises three times the timeout; what asks one after the other may wait as often, such as
+# rtcheck --extra, which asks the components of the file, then all bad peers at once, for their ports and then
+# for their profiles.
 PATIENCE = {"rtdoctor": 3, "rtsh": 2}
 
 BAD = {4}               # the peer is dead, silent or garbled
-# What the status may be besides: the answer of those that look is that the peer is bad, what asks only the name server does not
-# notice a bad component, and so on.
+# What the status may be besides: the answer of those that look is that the peer is bad, what asks only the
+# name server does not notice a bad component, and so on.
 ALSO = {role: invocations.statuses(role) for role in ("server", "component")}
 DELETING = invocations.stated("invocation")["rtdel"]
 
@@ -71,9 +76,13 @@ class Case:
     def run(self):
         meant = self.meant()
         self.peer = meant["SERVER" if self.role == "server" else "A"]
-        self.ran = running.run([self.command] + invocations.words(self.line, meant), around.directory("run%d" % self.number),
-                               most=KEPT, RTCTREE_NAMESERVERS=self.peer[1:].partition("/")[0],
-                               RTSHELL_TIMEOUT=str(running.TIMEOUT))
+        self.ran = running.run(
+            [self.command] + invocations.words(self.line, meant),
+            around.directory("run%d" % self.number),
+            most=KEPT,
+            RTCTREE_NAMESERVERS=self.peer[1:].partition("/")[0],
+            RTSHELL_TIMEOUT=str(running.TIMEOUT),
+        )
         self.found = list(self.problems())
         self.ran.out, self.ran.err = self.ran.out[-2000:], self.ran.err[-2000:]
         return self
@@ -88,7 +97,9 @@ class Case:
 
     def usual_limit(self):
         """`limit` for peers that do not answer as many questions as are asked."""
-        asked = sum(float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line))
+        asked = sum(
+            float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure)[ =]([\d.]+)", self.line)
+        )
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
         return asked + running.TIMEOUT * patience + running.SLACK + start_up
 
@@ -120,7 +131,9 @@ class Case:
         return BAD | ALSO[self.role].get(self.command, set())
 
     def most_lines(self):
-        """One line, or one of each command of rtsh, of the component and of its connection, of each way to ask a name server."""
+        """One line, or one of each command of rtsh, of the component and of its connection, of each way to
+        ask a name server.
+        """
         return 2 if self.command in ("rtsh", "rtteardown") or "--extra" in self.line else 1
 
 
@@ -141,9 +154,20 @@ def tearDownModule():
 
 
 def cases():
-    found = [(command, line) for command, lines in sorted(invocations.stated("invocation").items()) for line in lines]
-    return [Case(number, command, line, mode, role) for number, (command, line, mode, role) in enumerate(
-        (command, line, mode, role) for role in ("server", "component") for command, line in found for mode in MODES)]
+    found = [
+        (command, line)
+        for command, lines in sorted(invocations.stated("invocation").items())
+        for line in lines
+    ]
+    return [
+        Case(number, command, line, mode, role)
+        for number, (command, line, mode, role) in enumerate(
+            (command, line, mode, role)
+            for role in ("server", "component")
+            for command, line in found
+            for mode in MODES
+        )
+    ]
 
 
 def control(_):
@@ -155,13 +179,26 @@ class Peers(unittest.TestCase):
     def test_every_command_against_every_peer(self):
         global start_up
         chosen = running.sample(cases(), SHORT)
-        jobs = [each for number, case in enumerate(chosen) for each in ([case, None] if number % 10 == 0 else [case])]
+        jobs = [
+            each
+            for number, case in enumerate(chosen)
+            for each in ([case, None] if number % 10 == 0 else [case])
+        ]
         done = running.together(lambda case: case.run() if case else control(case), jobs)
         start_up = max(each for each in done if isinstance(each, float))
         ran = [each.ran for each in done if isinstance(each, Case)]
-        print("figures: %d runs against %d kinds of peers; longest %.2f s with a timeout of %g s (start-up %.2f s), most memory "
-              "%d kB" % (len(ran), len(MODES), max(each.seconds for each in ran), running.TIMEOUT, start_up,
-                         max(each.resident for each in ran)))
+        print(
+            "figures: %d runs against %d kinds of peers; longest %.2f s with a timeout of %g s (start-up "
+            "%.2f s), most memory %d kB"
+            % (
+                len(ran),
+                len(MODES),
+                max(each.seconds for each in ran),
+                running.TIMEOUT,
+                start_up,
+                max(each.resident for each in ran),
+            )
+        )
         for case in done:
             if isinstance(case, Case):
                 with self.subTest(str(case)):

@@ -1,6 +1,7 @@
 """Ctrl-C, SIGTERM and SIGHUP at random moments of every command: it ends at once and leaves nothing behind.
 
-If one of these fails, an operator who gives up on a command leaves observers, half connections or half a file on the robot.
+If one of these fails, an operator who gives up on a command leaves observers, half connections or half a file
+on the robot.
 """
 import fcntl
 import os
@@ -52,9 +53,17 @@ class Lane:
         self.place = "lane%d.host_cxt" % number
         self.begin()
         home = server + "/%s/" % self.place
-        self.meant = {"SERVER": server + "/" + self.place, "A": home + "ConsoleIn0.rtc", "B": home + "ConsoleOut0.rtc", "OUT": "out",
-                      "MGR": home + "manager.mgr", "LOG": log}
-        self.meant["FILE"] = around.profile(text, "lane%d.yaml" % number, server, self.meant["A"], self.meant["B"])
+        self.meant = {
+            "SERVER": server + "/" + self.place,
+            "A": home + "ConsoleIn0.rtc",
+            "B": home + "ConsoleOut0.rtc",
+            "OUT": ("out"),
+            "MGR": home + "manager.mgr",
+            "LOG": log,
+        }
+        self.meant["FILE"] = around.profile(
+            text, "lane%d.yaml" % number, server, self.meant["A"], self.meant["B"]
+        )
 
     def begin(self):
         self.world = around.world(server, "observed", "--context", self.place + "/%n.rtc")
@@ -120,8 +129,14 @@ class Case:
     def try_in(self, lane):
         words = [self.command] + invocations.words(self.line, lane.meant)
         with tempfile.TemporaryDirectory(dir=around.top) as where, tempfile.TemporaryFile() as output:
-            process = running.start(words, where, {"RTCTREE_NAMESERVERS": server[1:]}, stdin=subprocess.DEVNULL,
-                                    stdout=output, stderr=output)
+            process = running.start(
+                words,
+                where,
+                {"RTCTREE_NAMESERVERS": server[1:]},
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=output,
+            )
             time.sleep(self.moment)
             before = tools.waited_for_processor(process.pid)
             begun = time.monotonic()
@@ -136,7 +151,8 @@ class Case:
             self.files = list(wrong_files(where, self.command))
         begun = time.monotonic()
         self.left = list(lane.left_behind()) if self.command not in FATAL else []
-        self.answer = (time.monotonic() - begun) / len(COMPONENTS + PORTS)   # how long a mock takes to say something while all this goes on
+        # how long a mock takes to say something while all this goes on
+        self.answer = (time.monotonic() - begun) / len(COMPONENTS + PORTS)
         lane.renew() if self.command in FATAL else lane.tidy()
 
     def problems(self):
@@ -178,10 +194,15 @@ def cases():
 
 
 def striking():
-    """Cases of rtinject, which would go on moving the component: a signal in each of the first 400 ms, in the short form in some."""
+    """Cases of rtinject, which would go on moving the component: a signal in each of the first 400 ms, in the
+    short form in some.
+    """
     line = "--anyway -n -1 -r 100 -c 1 B:in"
     step = 1 if running.THOROUGH else 16
-    found = [Case(1000 + moment, "rtinject", line, 1.0, SIGNALS[moment // step % 3]) for moment in range(0, 400, step)]
+    found = [
+        Case(1000 + moment, "rtinject", line, 1.0, SIGNALS[moment // step % 3])
+        for moment in range(0, 400, step)
+    ]
     for case, moment in zip(found, range(0, 400, step)):
         case.moment = moment / 1000
     return found
@@ -195,9 +216,14 @@ class Screen:
         fcntl.ioctl(self.master, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         self.before = termios.tcgetattr(self.slave)
         self.process = subprocess.Popen(
-            [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:], cwd=around.top, preexec_fn=self.take,
-            env=running.environment(RTCTREE_NAMESERVERS=server[1:], HOME=around.top), stdin=self.slave, stdout=self.slave,
-            stderr=self.slave)
+            [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:],
+            cwd=around.top,
+            preexec_fn=self.take,
+            env=running.environment(RTCTREE_NAMESERVERS=server[1:], HOME=around.top),
+            stdin=self.slave,
+            stdout=self.slave,
+            stderr=self.slave,
+        )
         self.said = b""
         self.listener = threading.Thread(target=self.listen, daemon=True)
         self.listener.start()
@@ -235,8 +261,12 @@ class Signals(unittest.TestCase):
                     self.assertEqual(termios.tcgetattr(screen.slave), screen.before, screen.said)
                     os.close(screen.slave)
                     screen.listener.join(running.LIMIT)  # all that was said has been heard
-                    self.assertEqual(screen.said.count(b"\x1b[?1049h"), screen.said.count(b"\x1b[?1049l"), screen.said)
-                    self.assertEqual(screen.said.count(b"\x1b[?25l") > 0, b"\x1b[?25h" in screen.said, screen.said)
+                    self.assertEqual(
+                        screen.said.count(b"\x1b[?1049h"), screen.said.count(b"\x1b[?1049l"), screen.said
+                    )
+                    self.assertEqual(
+                        screen.said.count(b"\x1b[?25l") > 0, b"\x1b[?25h" in screen.said, screen.said
+                    )
                     self.assertNotRegex(screen.said, rb"rtshell_lite/\w+\.py")
                 os.close(screen.master)
 
@@ -252,12 +282,19 @@ class Signals(unittest.TestCase):
     def test_every_command_goes_at_once_and_leaves_nothing(self):
         done = running.together(Case.run, cases(), LANES)
         caught = [case.seconds for case in done if case.status == 128 + case.which]
-        self.assertGreater(len(caught), len(done) / 8, "most commands had ended before the signal: this proves little")
-        print("figures: %d commands got a signal, %d of them before they had ended; these were gone within %.2f s at most, "
-              "%.3f s in the mean" % (len(done), len(caught), max(caught), sum(caught) / len(caught)))
+        self.assertGreater(len(caught), len(done) / 8, "most commands had ended before the signal: this "
+                                                       "proves little")
+        print(
+            "figures: %d commands got a signal, %d of them before they had ended; these were gone within "
+            "%.2f s at most, %.3f s in the mean" % (len(done), len(caught), max(caught), sum(caught) / len(caught))  # noqa: E501
+        )
         for case in done:
             with self.subTest(str(case)):
-                self.assertEqual(list(case.problems()), [], "status %d: %s" % (case.status, case.said.decode("utf-8", "replace")))
+                self.assertEqual(
+                    list(case.problems()),
+                    [],
+                    "status %d: %s" % (case.status, case.said.decode("utf-8", "replace")),
+                )
 
 
 if __name__ == "__main__":

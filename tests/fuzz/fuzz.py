@@ -1,11 +1,12 @@
-"""Spoilt input of every kind: it is read, or refused with a declared error, soon and in little memory; and what is read comes
-back the same after it was written.
+"""Spoilt input of every kind: it is read, or refused with a declared error, soon and in little memory; and
+what is read comes back the same after it was written.
 
     python3 tests/fuzz/fuzz.py [--seconds N | --cases N] [--seed N] [TARGET ...]
 
-A case is a file of bytes, made from the seed and its number. One that fails is written to tests/data/fuzz/TARGET/, where
-tests/fuzz/test_fuzz.py tries it ever after (rename it to what it shows). fuzz_replies.py has the targets `replies` and `builtin`,
-whole commands with either ORB; fuzz_giop.py those of single messages, the others are in fuzz_targets.py.
+A case is a file of bytes, made from the seed and its number. One that fails is written to
+tests/data/fuzz/TARGET/, where tests/fuzz/test_fuzz.py tries it ever after (rename it to what it shows).
+fuzz_replies.py has the targets `replies` and `builtin`, whole commands with either ORB; fuzz_giop.py those of
+single messages, the others are in fuzz_targets.py.
 """
 import argparse
 import contextlib
@@ -37,16 +38,44 @@ class Refused(Exception):
     """The input was refused with a declared error."""
 
 
-# ---- spoiling -------------------------------------------------------------------------------------------------
+# ---- spoiling -------------------------------------------------------------------------------------------------  # noqa: E501
 
-NUMBERS = [b"0", b"-1", b"1", b"255", b"65536", b"2147483648", b"-2147483649", b"4294967295", b"18446744073709551616", b"1e999",
-           b"9" * 500]
-BYTES = [b"\0", b"\xff", b"\x80", b"\x7f", b"\n", b"\x1b", b"\xc2\x85", b"\xe2\x80\xae", b"\xed\xa0\x80", b"\0\0\0\0",
-         b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\xff\xff\xff\x7f", b"\0\0\0\1", b"\1\0\0\0"]
+NUMBERS = [
+    b"0",
+    b"-1",
+    b"1",
+    b"255",
+    b"65536",
+    b"2147483648",
+    b"-2147483649",
+    b"4294967295",
+    b"18446744073709551616",
+    b"1e999",
+    b"9" * 500,
+]
+BYTES = [
+    b"\0",
+    b"\xff",
+    b"\x80",
+    b"\x7f",
+    b"\n",
+    b"\x1b",
+    b"\xc2\x85",
+    b"\xe2\x80\xae",
+    b"\xed\xa0\x80",
+    b"\0\0\0\0",
+    b"\xff\xff\xff\xff",
+    b"\x7f\xff\xff\xff",
+    b"\xff\xff\xff\x7f",
+    b"\0\0\0\1",
+    b"\1\0\0\0",
+]
 
 
 def spoilt(rng, data, words, others):
-    """`data` with a few changes; `words` are meaningful pieces of such data, `others` are similar documents to copy from."""
+    """`data` with a few changes; `words` are meaningful pieces of such data, `others` are similar documents
+    to copy from.
+    """
     for _ in range(rng.choice((1, 1, 2, 3, 6))):
         data = _changed(rng, data, words, others)[:LARGEST]
     return data
@@ -80,7 +109,7 @@ def _changed(rng, data, words, others):
     return data[:at] + bytes([rng.randrange(256)]) + data[at + 1:]
 
 
-# ---- targets --------------------------------------------------------------------------------------------------
+# ---- targets --------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Target:
     """What is fuzzed. `prepare` is called once before `make` and `check`; `done` once in the end."""
@@ -111,7 +140,7 @@ def same(one, other, what):
         raise Crash("%s: %.300r is not %.300r" % (what, one, other))
 
 
-# ---- running --------------------------------------------------------------------------------------------------
+# ---- running --------------------------------------------------------------------------------------------------  # noqa: E501
 
 @contextlib.contextmanager
 def limits():
@@ -152,7 +181,9 @@ def case(target, seed, number):
 
 
 def fuzz(target, seed, seconds=None, cases=None, report=print):
-    """Try cases up to a time or number: (number of cases, number of those read, [(number, data, what is wrong)])."""
+    """Try cases up to a time or number: (number of cases, number of those read, [(number, data, what is
+    wrong)]).
+    """
     end = time.monotonic() + seconds if seconds else None
     number, read, wrong, slowest = 0, 0, [], 0.0
     target.prepare()
@@ -179,13 +210,20 @@ def targets():
     import fuzz_giop
     import fuzz_replies
     import fuzz_targets
-    return {cls.name: cls for cls in fuzz_targets.TARGETS + fuzz_giop.TARGETS + [fuzz_replies.Replies, fuzz_replies.Builtin]}
+    return {
+        cls.name: cls
+        for cls in fuzz_targets.TARGETS + fuzz_giop.TARGETS + [fuzz_replies.Replies, fuzz_replies.Builtin]
+    }
 
 
 def saved(name):
     """The paths of cases that once failed."""
     directory = os.path.join(DATA, "fuzz", name)
-    return [os.path.join(directory, file) for file in sorted(os.listdir(directory))] if os.path.isdir(directory) else []
+    return (
+        [os.path.join(directory, file) for file in sorted(os.listdir(directory))]
+        if os.path.isdir(directory)
+        else []
+    )
 
 
 def _keep(name, seed, number, data):
@@ -198,7 +236,9 @@ def _keep(name, seed, number, data):
 
 
 def options(known):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("target", nargs="*", help="of %s (default: all)" % ", ".join(known))
     parser.add_argument("--seconds", type=float, default=10, help="for each target (10)")
     parser.add_argument("--cases", type=int, help="so many for each target")

@@ -1,5 +1,5 @@
-"""Targets of fuzz.py that need no robot: what callers send to our servants, replies that our own ORB reads, and what rtcall
-prints of them.
+"""Targets of fuzz.py that need no robot: what callers send to our servants, replies that our own ORB reads,
+and what rtcall prints of them.
 """
 import os
 import select
@@ -16,7 +16,9 @@ from rtshell_lite.data.idl import parser
 from rtshell_lite.giop import allowance, descriptors, marshal, messages, operations, requests
 from rtshell_lite.net import loop
 
-WORDS = fuzz_replies.WORDS + [bytes([1, minor, flags, kind]) for minor in (0, 1, 2) for flags in (0, 1, 3) for kind in range(8)]
+WORDS = fuzz_replies.WORDS + [
+    bytes([1, minor, flags, kind]) for minor in (0, 1, 2) for flags in (0, 1, 3) for kind in range(8)
+]
 KEYS = {b"p" * 24: giop_client.Port, b"o" * 24: giop_client.Observer}
 
 
@@ -33,13 +35,26 @@ class Requests(Target):
             self.server.objects[key] = servant, server.idl.id_of(servant.interface)
         self.seeds = []
         for minor, order in ((0, "<"), (1, ">"), (2, "<"), (2, ">")):
-            for key, operation, body in ((b"p" * 24, "put", giop_client.block(b"12345678" * 5, order)),
-                                         (b"o" * 24, "update_status", struct.pack(order + "I", 1) + giop_client.text("ACTIVE:0", order)),
-                                         (b"o" * 24, "_is_a", giop_client.text("IDL:OpenRTM/Logger:1.0", order)),
-                                         (b"x", "_non_existent", b"")):
-                message = giop_client.request(key, operation, body, minor=minor, order=order, contexts=b"code sets")
-                self.seeds += [message, message * 2] + ([b"".join(giop_client.fragments(message, 40, 56))] if minor else [])
-        self.seeds += [giop_client.request(b"p" * 24, "", kind=requests.LOCATE), messages.whole(requests.CANCEL, b"\1\0\0\0")]
+            for key, operation, body in (
+                (b"p" * 24, "put", giop_client.block(b"12345678" * 5, order)),
+                (
+                    b"o" * 24,
+                    "update_status",
+                    struct.pack(order + "I", 1) + giop_client.text("ACTIVE:0", order),
+                ),
+                (b"o" * 24, "_is_a", giop_client.text("IDL:OpenRTM/Logger:1.0", order)),
+                (b"x", "_non_existent", b""),
+            ):
+                message = giop_client.request(
+                    key, operation, body, minor=minor, order=order, contexts=b"code sets"
+                )
+                self.seeds += [message, message * 2] + (
+                    [b"".join(giop_client.fragments(message, 40, 56))] if minor else []
+                )
+        self.seeds += [
+            giop_client.request(b"p" * 24, "", kind=requests.LOCATE),
+            messages.whole(requests.CANCEL, b"\1\0\0\0"),
+        ]
         self.good = giop_client.request(b"p" * 24, "_non_existent")
 
     def done(self):
@@ -50,7 +65,9 @@ class Requests(Target):
     def make(self, rng):
         message = spoilt(rng, rng.choice(self.seeds), self.words, self.seeds)
         if rng.random() < 0.7 and len(message) >= 12:  # a wrong length shows little
-            message = message[:8] + struct.pack("<I" if message[6] & 1 else ">I", len(message) - 12) + message[12:]
+            message = (
+                message[:8] + struct.pack("<I" if message[6] & 1 else ">I", len(message) - 12) + message[12:]
+            )
         return message + rng.choice([b"", self.good])
 
     def check(self, data):
@@ -91,7 +108,12 @@ class Requests(Target):
         """What we send is GIOP."""
         while found:
             size = messages.HEADER + messages.size(found)
-            if len(found) < size or found[7] not in (messages.REPLY, requests.LOCATED, messages.CLOSE, messages.ERROR):
+            if len(found) < size or found[7] not in (
+                messages.REPLY,
+                requests.LOCATED,
+                messages.CLOSE,
+                messages.ERROR,
+            ):
                 raise Crash("not an answer: %r" % found)
             found = found[size:]
 
@@ -104,9 +126,16 @@ class Answers(Target):
 
     def prepare(self):
         self.recorded = [(name, message) for _, name, _, message in fuzz_replies.load()]
-        self.operations = {name: operations.operation(next(
-            (interface for interface, (_, own) in operations.idl.INTERFACES.items() if name in own), ""), name)
-            for name, _ in self.recorded}
+        self.operations = {
+            name: operations.operation(
+                next(
+                    (interface for interface, (_, own) in operations.idl.INTERFACES.items() if name in own),
+                    "",
+                ),
+                name,
+            )
+            for name, _ in self.recorded
+        }
         self.seeds = [message for _, message in self.recorded]
 
     def make(self, rng):
@@ -130,12 +159,18 @@ class Results(Target):
     """What operations of a user's IDL return: values that can be printed, or a declared error."""
 
     name = "results"
-    words = WORDS + [struct.pack("<I", kind) for kind in range(1, 30)] + [b"IDL:Mock/Step:1.0\0", b"\0\0\0\0\1\0\0\0"]
+    words = (
+        WORDS
+        + [struct.pack("<I", kind) for kind in range(1, 30)]
+        + [b"IDL:Mock/Step:1.0\0", b"\0\0\0\0\1\0\0\0"]
+    )
 
     def prepare(self):
         file = parser.read_file(os.path.join(ROOT, "mock_components", "robot.idl"))
         named = file.interfaces["IDL:Mock/Robot:1.0"].all_operations()
-        self.operations = [(name, each, each.schema()) for name, each in sorted(named.items()) if each.schema().returned]
+        self.operations = [
+            (name, each, each.schema()) for name, each in sorted(named.items()) if each.schema().returned
+        ]
         self.seeds = []
         for number, (name, each, schema) in enumerate(self.operations):
             out = bytearray(messages.HEADER + 12)
@@ -161,7 +196,10 @@ class Results(Target):
         except calls._GARBLED as e:
             raise Refused(str(e))
         try:
-            shown = [text.json_line(call_values.as_dict(operation, value)), call_values.as_text(operation, value)]
+            shown = [
+                text.json_line(call_values.as_dict(operation, value)),
+                call_values.as_text(operation, value),
+            ]
         except errors.BadValue as e:  # nested too deep
             raise Refused(str(e))
         for line in shown:

@@ -1,10 +1,13 @@
-"""Corrupted answers of a robot: recorded GIOP replies with changes, served by a socket to commands in a child process.
+"""Corrupted answers of a robot: recorded GIOP replies with changes, served by a socket to commands in a child
+process.
 
     python3 tests/fuzz/fuzz_replies.py     records tests/data/replies.json anew, from omniNames and mock components
 
-A case is JSON: the words of a command, and which replies are changed to what: [[operation, how many of its replies come
-before, the message in hex], ...]. All objects live behind one port, whatever the references said when they were recorded.
-"""
+A case is JSON: the words of a command, and which replies are changed to what: [[operation, how many of its
+replies come before, the message in hex], ...]. All objects live behind one port, whatever the references said
+when they were recorded.
+"""  # noqa: E501
+
 import json
 import os
 import re
@@ -24,26 +27,54 @@ from mock_components import giop  # which fuzz makes findable
 RECORDED = os.path.join(fuzz.DATA, "replies.json")
 WORLDS = [["linked"], ["config"], ["manager"]]
 DIRECTORY = "test.host_cxt"
-COMMANDS = [["rtls", "-lR"], ["rtls", "-l", DIRECTORY], ["rtls", DIRECTORY], ["rtcat", "-ll", DIRECTORY + "/ConsoleIn0.rtc"],
-            ["rtcat", DIRECTORY + "/manager.mgr"], ["rtcat", "--json", DIRECTORY + "/ConsoleOut0.rtc:in"], ["rtfind", ".", "-t", "c"],
-            ["rtconf", "-l", DIRECTORY + "/ConfigSample0.rtc", "list"], ["rtec", DIRECTORY + "/ConsoleIn0.rtc"],
-            ["rtdis", "--dry-run", DIRECTORY + "/ConsoleIn0.rtc"], ["rtact", DIRECTORY + "/ConsoleIn0.rtc"],
-            ["rtcryo", "."], ["rtdoctor", "."], ["rtdoc", DIRECTORY + "/ConfigSample0.rtc"],
-            ["rtcall", "--limit", "1", DIRECTORY + "/ConsoleIn0.rtc", "get_component_profile"],
-            ["rtcall", "--limit", "1", "--json", DIRECTORY + "/ConsoleIn0.rtc", "get_ports"],
-            ["rtmgr", "--loaded", DIRECTORY + "/manager.mgr"], ["rtdel", "--dry-run", "-z", DIRECTORY]]
+COMMANDS = [
+    ["rtls", "-lR"],
+    ["rtls", "-l", DIRECTORY],
+    ["rtls", DIRECTORY],
+    ["rtcat", "-ll", DIRECTORY + "/ConsoleIn0.rtc"],
+    ["rtcat", DIRECTORY + "/manager.mgr"],
+    ["rtcat", "--json", DIRECTORY + "/ConsoleOut0.rtc:in"],
+    ["rtfind", ".", "-t", "c"],
+    ["rtconf", "-l", DIRECTORY + "/ConfigSample0.rtc", "list"],
+    ["rtec", DIRECTORY + "/ConsoleIn0.rtc"],
+    ["rtdis", "--dry-run", DIRECTORY + "/ConsoleIn0.rtc"],
+    ["rtact", DIRECTORY + "/ConsoleIn0.rtc"],
+    ["rtcryo", "."],
+    ["rtdoctor", "."],
+    ["rtdoc", DIRECTORY + "/ConfigSample0.rtc"],
+    ["rtcall", "--limit", "1", DIRECTORY + "/ConsoleIn0.rtc", "get_component_profile"],
+    ["rtcall", "--limit", "1", "--json", DIRECTORY + "/ConsoleIn0.rtc", "get_ports"],
+    ["rtmgr", "--loaded", DIRECTORY + "/manager.mgr"],
+    ["rtdel", "--dry-run", "-z", DIRECTORY],
+]
 TIMEOUT = 0.3  # seconds that a command waits for an answer
-LIMIT = 4.0  # seconds for a whole command: several questions may be asked one after the other, and machines are shared
+# seconds for a whole command: several questions may be asked one after the other, and machines are shared
+LIMIT = 4.0
 MEMORY = 64 << 20  # bytes that a child may grow to on top of what it began with
-# omniORBpy (4.3) reads a reference whose repository id is not UTF-8 into a null pointer. Nothing of ours can be put before
-# that: replies are read in C++. What faulthandler tells of it is the call in a stub.
+# omniORBpy (4.3) reads a reference whose repository id is not UTF-8 into a null pointer. Nothing of ours can
+# be put before that: replies are read in C++. What faulthandler tells of it is the call in a stub.
 OMNIORBS = "ended by omniORBpy"
 IN_STUB = re.compile(r"Current thread .*\n  File \".*(_idl|/CORBA)\.py\", line")
-WORDS = [b"\0\0\0\0", b"\1\0\0\0", b"\xff\xff\xff\xff", b"\xff\xff\xff\x7f", b"\0\0\0\x80", b"\0\0\0\x10", b"\1\0\0\1", b"\x1b[2J",
-         b"\xc2\x9b", b"\xe2\x80\xae", b"\n", b"\0", b"GIOP", b"IDL:", b"\6\0\0\0RTC:x\0"]
+WORDS = [
+    b"\0\0\0\0",
+    b"\1\0\0\0",
+    b"\xff\xff\xff\xff",
+    b"\xff\xff\xff\x7f",
+    b"\0\0\0\x80",
+    b"\0\0\0\x10",
+    b"\1\0\0\1",
+    b"\x1b[2J",
+    b"\xc2\x9b",
+    b"\xe2\x80\xae",
+    b"\n",
+    b"\0",
+    b"GIOP",
+    b"IDL:",
+    b"\6\0\0\0RTC:x\0",
+]
 
 
-# ---- serving --------------------------------------------------------------------------------------------------
+# ---- serving --------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Robot:
     """A port behind which all recorded objects live; `changed` is {(operation, number): message}."""
@@ -83,7 +114,9 @@ class Robot:
         message = self.changed.get((request.operation, number)) or found(self.recorded, request)
         if message is None:
             return giop.bad_operation(request)
-        message = message[:12] + struct.pack("<I", request.id) + message[16:] if message[:4] == b"GIOP" else message
+        message = (
+            message[:12] + struct.pack("<I", request.id) + message[16:] if message[:4] == b"GIOP" else message
+        )
         return relay.HOST.sub(lambda _: b"127.0.0.1\0" + struct.pack("<H", self.port), message)
 
     def close(self):
@@ -114,10 +147,13 @@ def found(recorded, request):
 def load():
     """What was recorded: [[object key, operation, arguments, reply], ...]."""
     with open(RECORDED) as file:
-        return [[key, operation, arguments, bytes.fromhex(message)] for key, operation, arguments, message in json.load(file)]
+        return [
+            [key, operation, arguments, bytes.fromhex(message)]
+            for key, operation, arguments, message in json.load(file)
+        ]
 
 
-# ---- the target -----------------------------------------------------------------------------------------------
+# ---- the target -----------------------------------------------------------------------------------------------  # noqa: E501
 
 class Replies(fuzz.Target):
     name = "replies"
@@ -147,11 +183,18 @@ class Replies(fuzz.Target):
             messages = [message for _, name, _, message in self.recorded if name == operation]
             if messages:
                 may_be_silent = operation != "get_loadable_modules"  # which has half a minute
-                changes.append([operation, rng.randint(0, last), self._spoilt(rng, rng.choice(messages), may_be_silent).hex()])
+                changes.append(
+                    [
+                        operation,
+                        rng.randint(0, last),
+                        self._spoilt(rng, rng.choice(messages), may_be_silent).hex(),
+                    ]
+                )
         return json.dumps({"words": words, "changes": changes}).encode()
 
     def _spoilt(self, rng, message, may_be_silent):
-        """Mostly the body is changed and the length is right: a wrong one costs a timeout and shows little."""
+        """Mostly the body is changed and the length is right: a wrong one costs a timeout and shows little.
+        """
         while True:
             body = fuzz.spoilt(rng, message[16:], WORDS, [rng.choice(self.recorded)[3]])
             if rng.random() < 0.5:  # a number at its place, or any other four octets
@@ -161,7 +204,8 @@ class Replies(fuzz.Target):
             if may_be_silent and rng.random() < 0.05:
                 head = fuzz.spoilt(rng, message[:12], WORDS, [message])
             changed = head + message[12:16] + body
-            if len(relay.HOST.findall(changed)) == len(relay.HOST.findall(message)):  # nobody else's host is asked
+            # nobody else's host is asked
+            if len(relay.HOST.findall(changed)) == len(relay.HOST.findall(message)):
                 return changed
 
     def check(self, data):
@@ -188,15 +232,20 @@ class Replies(fuzz.Target):
             raise fuzz.Refused(said)
 
     def _run(self, words, robot):
-        """The exit status of a command, its output, how many seconds it took but for those in which it waited for a
-        processor, by how much its process has grown meanwhile.
+        """The exit status of a command, its output, how many seconds it took but for those in which it waited
+        for a processor, by how much its process has grown meanwhile.
         """
         if not self.child:
-            self.child = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--child"], stdin=subprocess.PIPE,
-                                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=dict(
-                                              os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb))
+            self.child = subprocess.Popen(
+                [sys.executable, os.path.abspath(__file__), "--child"],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                env=dict(os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb),
+            )
         begun = time.monotonic() - tools.waited_for_processor(self.child.pid)
-        timer = threading.Timer(5 * LIMIT, self.child.send_signal, [signal.SIGABRT])  # faulthandler tells where it hangs
+        # faulthandler tells where it hangs
+        timer = threading.Timer(5 * LIMIT, self.child.send_signal, [signal.SIGABRT])
         timer.start()
         try:
             self.child.stdin.write(json.dumps({"words": words, "port": robot.port}).encode() + b"\n")
@@ -211,7 +260,16 @@ class Replies(fuzz.Target):
             said = self.child.stderr.read().decode("utf-8", "replace")
             status = self.child.wait()
             self._end()
-            return OMNIORBS if status == -signal.SIGSEGV and IN_STUB.search(said) else "of the process: %d" % status, said, 0, 0
+            return (
+                (
+                    OMNIORBS
+                    if status == -signal.SIGSEGV and IN_STUB.search(said)
+                    else "of the process: %d" % status
+                ),
+                said,
+                0,
+                0,
+            )
         answer = json.loads(answer.decode())
         seconds = time.monotonic() - tools.waited_for_processor(self.child.pid) - begun
         return answer["status"], answer["said"], seconds, answer["grown"]
@@ -231,7 +289,7 @@ class Builtin(Replies):
     name, orb = "builtin", "builtin"
 
 
-# ---- the child ------------------------------------------------------------------------------------------------
+# ---- the child ------------------------------------------------------------------------------------------------  # noqa: E501
 
 def serve():
     """Run the commands on stdin, a line of JSON each, and print their results."""
@@ -247,9 +305,13 @@ def serve():
         name, *words = asked["words"]
         if name not in modules:
             modules[name] = installation.load(files[name], "fuzzed_" + name)
-        os.environ.update(RTCTREE_NAMESERVERS="127.0.0.1:%d" % asked["port"], RTCSH_CWD="/127.0.0.1:%d" % asked["port"])
+        os.environ.update(
+            RTCTREE_NAMESERVERS="127.0.0.1:%d" % asked["port"], RTCSH_CWD="/127.0.0.1:%d" % asked["port"]
+        )
         sys.argv = [name] + words
-        sys.stdout = sys.stderr = io.TextIOWrapper(io.BytesIO(), "utf-8", "backslashreplace", line_buffering=True)
+        sys.stdout = sys.stderr = io.TextIOWrapper(
+            io.BytesIO(), "utf-8", "backslashreplace", line_buffering=True
+        )
         status = cli.command(modules[name].arguments, modules[name].run, modules[name].__doc__, words)
         said, sys.stdout, sys.stderr = sys.stdout.buffer.getvalue().decode("utf-8"), out, sys.__stderr__
         out.write(json.dumps({"status": status, "said": said, "grown": _memory() - before}) + "\n")
@@ -262,7 +324,7 @@ def _memory():
         return int(file.read().split()[1]) * 4096
 
 
-# ---- recording ------------------------------------------------------------------------------------------------
+# ---- recording ------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Recorder(relay.Relay):
     """Records requests and replies."""

@@ -1,4 +1,6 @@
-"""Targets of fuzz.py in its own process: paths, profiles, log files, IDL files, constructor expressions, CDR values."""
+"""Targets of fuzz.py in its own process: paths, profiles, log files, IDL files, constructor expressions, CDR
+values.
+"""
 import glob
 import json
 import os
@@ -26,17 +28,49 @@ def content(name):
 
 
 def files(*parts):
-    return sorted(name for name in glob.glob(os.path.join(glob.escape(parts[0]), *parts[1:])) if os.path.isfile(name))
+    return sorted(
+        name for name in glob.glob(os.path.join(glob.escape(parts[0]), *parts[1:])) if os.path.isfile(name)
+    )
 
 
-# ---- paths ----------------------------------------------------------------------------------------------------
+# ---- paths ----------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Paths(Target):
     name = "paths"
-    words = [b"/", b":", b".", b"\\", b"\\e", b"\\x1b", b"\\xff", b"\\u202e", b"\\U0010ffff", b"\\U00110000", b"..", b"//", b"#",
-             b"[::1]", b":2809", b"http://", b"corbaloc:", b"\xff", b".rtc", b" ", b"-rf", b"%s", b"{}"]
-    seeds = [b"/localhost/robot.host_cxt/ConsoleIn0.rtc:out", b"../a.b.c/./d:p/", b"/[::1]:2809/x", b"/https://h:1/p#NameService/x.rtc",
-             b"diop:h:1/a", b"/h:65535/\\/\\:\\.\\\\/\\xff.\\u65e5", b"/"]
+    words = [
+        b"/",
+        b":",
+        b".",
+        b"\\",
+        b"\\e",
+        b"\\x1b",
+        b"\\xff",
+        b"\\u202e",
+        b"\\U0010ffff",
+        b"\\U00110000",
+        b"..",
+        b"//",
+        b"#",
+        b"[::1]",
+        b":2809",
+        b"http://",
+        b"corbaloc:",
+        b"\xff",
+        b".rtc",
+        b" ",
+        b"-rf",
+        b"%s",
+        b"{}",
+    ]
+    seeds = [
+        b"/localhost/robot.host_cxt/ConsoleIn0.rtc:out",
+        b"../a.b.c/./d:p/",
+        b"/[::1]:2809/x",
+        b"/https://h:1/p#NameService/x.rtc",
+        b"diop:h:1/a",
+        b"/h:65535/\\/\\:\\.\\\\/\\xff.\\u65e5",
+        b"/",
+    ]
 
     def check(self, data):
         typed = data.decode("utf-8", "surrogateescape")
@@ -50,7 +84,7 @@ class Paths(Target):
         same(path.parse(spelt, "/"), found._replace(directory=False), "typed again")
 
 
-# ---- profiles -------------------------------------------------------------------------------------------------
+# ---- profiles -------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Profiles(Target):
     def prepare(self):
@@ -58,9 +92,18 @@ class Profiles(Target):
         while above != os.path.dirname(above) and not real:
             above = os.path.dirname(above)
             real = files(above, "shared", "data", "profiles", "*")
-        known = [content(name) for kind in ("valid", "invalid") for name in files(DATA, kind, "*.*") if not name.endswith(".error")]
-        made = [rtsprofile.dump(random_profiles.Maker(seed).profile(), self.name).encode("utf-8", "surrogateescape")
-                for seed in range(20)]
+        known = [
+            content(name)
+            for kind in ("valid", "invalid")
+            for name in files(DATA, kind, "*.*")
+            if not name.endswith(".error")
+        ]
+        made = [
+            rtsprofile.dump(random_profiles.Maker(seed).profile(), self.name).encode(
+                "utf-8", "surrogateescape"
+            )
+            for seed in range(20)
+        ]
         self.seeds = [seed for seed in known + made + [content(name) for name in real]
                       if len(seed) < 40000 and rtsprofile.form_of(seed) == self.name]
 
@@ -75,37 +118,121 @@ class Profiles(Target):
 
 class Xml(Profiles):
     name = rtsprofile.XML
-    words = [b"<", b">", b"&", b'"', b"/>", b"<a>", b"</a>", b"xmlns=", b"rts:", b"]]>", b"<![CDATA[", b"<!--", b"<?", b"&#0;",
-             b"&lt;", b"<!DOCTYPE a [", b'encoding="utf-16"', b' xmlns:rts="urn:a"', b"_x001B_", b"<rts:Components ", b"xsi:type="]
+    words = [
+        b"<",
+        b">",
+        b"&",
+        b'"',
+        b"/>",
+        b"<a>",
+        b"</a>",
+        b"xmlns=",
+        b"rts:",
+        b"]]>",
+        b"<![CDATA[",
+        b"<!--",
+        b"<?",
+        b"&#0;",
+        b"&lt;",
+        b"<!DOCTYPE a [",
+        b'encoding="utf-16"',
+        b' xmlns:rts="urn:a"',
+        b"_x001B_",
+        b"<rts:Components ",
+        b"xsi:type=",
+    ]
 
 
 class Yaml(Profiles):
     name = rtsprofile.YAML
-    words = [b":", b": ", b"- ", b"? ", b"#", b" #", b"|\n", b">\n", b"|2-\n", b"&a ", b"*a", b"!!int ", b"!!binary ", b"{", b"}", b"[",
-             b"]", b",", b"---\n", b"...\n", b"%", b"@", b"\\", b"\\u", b"~", b"null", b"1e999", b"\t", b"\n", b"\n  ", b"'", b'"',
-             b"<<: ", b".nan", b"2010-01-02", b"\xef\xbb\xbf", b"1:59:59", b"\n  &b\n  !!str", b"0x" + b"f" * 298]
+    words = [
+        b":",
+        b": ",
+        b"- ",
+        b"? ",
+        b"#",
+        b" #",
+        b"|\n",
+        b">\n",
+        b"|2-\n",
+        b"&a ",
+        b"*a",
+        b"!!int ",
+        b"!!binary ",
+        b"{",
+        b"}",
+        b"[",
+        b"]",
+        b",",
+        b"---\n",
+        b"...\n",
+        b"%",
+        b"@",
+        b"\\",
+        b"\\u",
+        b"~",
+        b"null",
+        b"1e999",
+        b"\t",
+        b"\n",
+        b"\n  ",
+        b"'",
+        b'"',
+        b"<<: ",
+        b".nan",
+        b"2010-01-02",
+        b"\xef\xbb\xbf",
+        b"1:59:59",
+        b"\n  &b\n  !!str",
+        b"0x" + b"f" * 298,
+    ]
 
 
-# ---- log files ------------------------------------------------------------------------------------------------
+# ---- log files ------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Logs(Target):
     name = "logs"
-    words = [bytes([number]) for number in range(256)] + [mcap.MAGIC, mcap.BIG, mcap.LITTLE, b'"', b"[", b"]", b"{", b"null", b"cdr",
-                                                          b"json", b"ros2msg", b"omgidl", b"cos\nsystem\n", b"R.", b"\x8c\x05"]
+    words = [bytes([number]) for number in range(256)] + [
+        mcap.MAGIC,
+        mcap.BIG,
+        mcap.LITTLE,
+        b'"',
+        b"[",
+        b"]",
+        b"{",
+        b"null",
+        b"cdr",
+        b"json",
+        b"ros2msg",
+        b"omgidl",
+        b"cos\nsystem\n",
+        b"R.",
+        b"\x8c\x05",
+    ]
 
     def prepare(self):
         self._directory = tempfile.TemporaryDirectory()
         self.file = os.path.join(self._directory.name, "log")
         self.seeds = [simpkl_files.log(simpkl_files.values(3), protocol) for protocol in (0, 2, 4)]
-        self.seeds += [simpkl_files.python2_log(simpkl_files.values(3)), self._own(4, True), self._own(30, False)]
+        self.seeds += [
+            simpkl_files.python2_log(simpkl_files.values(3)),
+            self._own(4, True),
+            self._own(30, False),
+        ]
 
     def done(self):
         self._directory.cleanup()
 
     def _own(self, count, closed):
-        long, texts = (datatypes.Type(_everything()["IDL:RTC/" + name + ":1.0"]) for name in ("TimedLong", "TimedStringSeq"))
-        channels = [records.Channel("a", long.id, long.to_bytes(), ("/x:a",)), records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y")),
-                    records.Channel("c", texts.id, texts.to_bytes(), ())]
+        long, texts = (
+            datatypes.Type(_everything()["IDL:RTC/" + name + ":1.0"])
+            for name in ("TimedLong", "TimedStringSeq")
+        )
+        channels = [
+            records.Channel("a", long.id, long.to_bytes(), ("/x:a",)),
+            records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y")),
+            records.Channel("c", texts.id, texts.to_bytes(), ()),
+        ]
         out = writer.Writer(self.file, channels, 10 ** 18)
         data = [long.encode(values.Expression("1", None, long).value(1.5)), b"own", texts.encode(
             values.Expression('["a", "\\u65e5"]', None, texts).value(1.5))]
@@ -118,12 +245,16 @@ class Logs(Target):
         return content(self.file)
 
     def make(self, rng):
-        """Half of the cases of MCAP have good lengths and checksums, so that what follows them is fuzzed, too."""
+        """Half of the cases of MCAP have good lengths and checksums, so that what follows them is fuzzed,
+        too.
+        """
         data = rng.choice(self.seeds)
         if not data.startswith(mcap.MAGIC) or rng.random() < 0.5:
             return spoilt(rng, data, self.words, self.seeds)
         octets = data[len(mcap.MAGIC):]
-        return mcap.MAGIC + self._rebuilt(rng, octets[:-len(mcap.MAGIC)] if octets.endswith(mcap.MAGIC) else octets, data)
+        return mcap.MAGIC + self._rebuilt(
+            rng, octets[: -len(mcap.MAGIC)] if octets.endswith(mcap.MAGIC) else octets, data
+        )
 
     def _rebuilt(self, rng, octets, data):
         """Records, of which one or two are spoilt; those within a chunk, too."""
@@ -137,10 +268,18 @@ class Logs(Target):
                 bodies.insert(at, rng.choice(bodies))
             elif kind == mcap.CHUNK and chance < 0.7:
                 inner = spoilt(rng, body[40:], self.words, [data])
-                bodies[at] = (kind, mcap.CHUNK_HEAD.pack(0, 1 << 62, len(inner), zlib.crc32(inner)) + mcap.string("") +
-                              len(inner).to_bytes(8, "little") + inner)
+                bodies[at] = (
+                    kind,
+                    mcap.CHUNK_HEAD.pack(0, 1 << 62, len(inner), zlib.crc32(inner))
+                    + mcap.string("")
+                    + len(inner).to_bytes(8, "little")
+                    + inner,
+                )
             else:
-                bodies[at] = (rng.choice((kind, kind, kind, rng.randrange(1, 16))), spoilt(rng, body, self.words, [data]))
+                bodies[at] = (
+                    rng.choice((kind, kind, kind, rng.randrange(1, 16))),
+                    spoilt(rng, body, self.words, [data]),
+                )
             bodies = bodies or [(1, b"")]
         return b"".join(mcap.record(kind, body) for kind, body in bodies) + mcap.MAGIC
 
@@ -172,10 +311,14 @@ class Logs(Target):
         out.close()
         with logfile.load(self.file) as again:
             same(again.channels, log.channels, "channels")
-            same([entry._replace(number=0) for entry in again.entries()], [entry._replace(number=0) for entry in entries], "entries")
+            same(
+                [entry._replace(number=0) for entry in again.entries()],
+                [entry._replace(number=0) for entry in entries],
+                "entries",
+            )
 
 
-# ---- IDL files ------------------------------------------------------------------------------------------------
+# ---- IDL files ------------------------------------------------------------------------------------------------  # noqa: E501
 
 class Idl(Target):
     name = "idl"
@@ -183,8 +326,16 @@ class Idl(Target):
     def prepare(self):
         self._directory = tempfile.TemporaryDirectory()
         self.file = os.path.join(self._directory.name, "case.idl")
-        self.seeds = [content(name)[:6000] for name in files(DATA, "idl", "*", "*.idl") + files(IDL, "*", "*.idl")]
-        self.words = sorted(set(re.findall(rb"\w+|[^\w\s]+", b" ".join(self.seeds)))) + [b"#include ", b"#define A ", b"::", b"<<", b'L"']
+        self.seeds = [
+            content(name)[:6000] for name in files(DATA, "idl", "*", "*.idl") + files(IDL, "*", "*.idl")
+        ]
+        self.words = sorted(set(re.findall(rb"\w+|[^\w\s]+", b" ".join(self.seeds)))) + [
+            b"#include ",
+            b"#define A ",
+            b"::",
+            b"<<",
+            b'L"',
+        ]
 
     def done(self):
         self._directory.cleanup()
@@ -231,7 +382,7 @@ class Idl(Target):
         raise Crash("a template names the type %s" % name)
 
 
-# ---- values ---------------------------------------------------------------------------------------------------
+# ---- values ---------------------------------------------------------------------------------------------------  # noqa: E501
 
 class _Some(datatypes.Types):
     """Only these types, so that no stubs are needed."""
@@ -251,7 +402,9 @@ _types = {}
 def _everything():
     """Descriptors by their ids: of our own IDL files, and of the tests'."""
     if not _types:
-        own = files(IDL, "data", "*.idl") + [os.path.join(DATA, "idl", "valid", name + ".idl") for name in ("unions", "recursive")]
+        own = files(IDL, "data", "*.idl") + [
+            os.path.join(DATA, "idl", "valid", name + ".idl") for name in ("unions", "recursive")
+        ]
         for name in own:
             _types.update(parser.parse_file(name))
         for type_id in list(_types):
@@ -263,7 +416,9 @@ def _everything():
 
 
 def _through_every_form(one, value, types, speakable=True):
-    """Check that a value comes back from bytes, from JSON and, if its types have valid names, from rtinject's form."""
+    """Check that a value comes back from bytes, from JSON and, if its types have valid names, from rtinject's
+    form.
+    """
     expected = random_values.plain(value)
     for little in (True, False):
         same(random_values.plain(one.decode(one.encode(value, little), little)), expected, "bytes")
@@ -281,12 +436,55 @@ class Values(Target):
     """A case is the name of a type, or nothing, a line end, and a value as a user writes it."""
 
     name = "values"
-    words = [b"(", b")", b"[", b"]", b"{", b"}", b",", b"=", b":", b"{time}", b"{{", b"}}", b"'", b'"', b"b'", b"\\x", b"\\ud800", b"NaN",
-             b"-inf", b"None", b"True", b"0x", b"1e400", b"RTC.Time(1, 2)", b"RTC.TimedLong", b'"_d": ', b"data=", b"lambda:0",
-             b"__import__('os')", b"\xe6\x97\xa5", b"::", b"..", b"-", b"_", b"GRIPPER_STATE_OPEN"]
-    written = [b"RTC.TimedLong({time}, 42)", b"RTC.TimedPose2D(data=RTC.Pose2D(RTC.Point2D(1, 2), heading=-inf))", b'{"data": [1, 2.5]}',
-               b"RTC.TimedOctetSeq({time}, b'\\x00\\xff')", b"RTC.GripperState({time}, GRIPPER_STATE_OPEN)", b"[1, -2, 3.5e3]",
-               b"RTC::TimedString(RTC.Time(sec=1, nsec=2), u'\\u65e5')", b'{"tm": {"sec": 1, "nsec": 2}, "data": "text"}', b"42", b"'x'"]
+    words = [
+        b"(",
+        b")",
+        b"[",
+        b"]",
+        b"{",
+        b"}",
+        b",",
+        b"=",
+        b":",
+        b"{time}",
+        b"{{",
+        b"}}",
+        b"'",
+        b'"',
+        b"b'",
+        b"\\x",
+        b"\\ud800",
+        b"NaN",
+        b"-inf",
+        b"None",
+        b"True",
+        b"0x",
+        b"1e400",
+        b"RTC.Time(1, 2)",
+        b"RTC.TimedLong",
+        b'"_d": ',
+        b"data=",
+        b"lambda:0",
+        b"__import__('os')",
+        b"\xe6\x97\xa5",
+        b"::",
+        b"..",
+        b"-",
+        b"_",
+        b"GRIPPER_STATE_OPEN",
+    ]
+    written = [
+        b"RTC.TimedLong({time}, 42)",
+        b"RTC.TimedPose2D(data=RTC.Pose2D(RTC.Point2D(1, 2), heading=-inf))",
+        b'{"data": [1, 2.5]}',
+        b"RTC.TimedOctetSeq({time}, b'\\x00\\xff')",
+        b"RTC.GripperState({time}, GRIPPER_STATE_OPEN)",
+        b"[1, -2, 3.5e3]",
+        b"RTC::TimedString(RTC.Time(sec=1, nsec=2), u'\\u65e5')",
+        b'{"tm": {"sec": 1, "nsec": 2}, "data": "text"}',
+        b"42",
+        b"'x'",
+    ]
 
     def prepare(self):
         self.types = _Some(_everything())
@@ -317,11 +515,55 @@ class Cdr(Target):
     """A case is a type in the form of log files, on a line, and after it the bytes of a value."""
 
     name = "cdr"
-    words = [b"\0", b"\1", b"\0\0\0\1", b"\1\0\0\0", b"\xfe\xff", b"\xff\xfe", b"\xd8\0", b"\x80", b"\2", b"\4"]
-    type_words = [b'"long"', b'"octet"', b'"any"', b'["see","IDL:S:1.0"]', b'["string",5]', b'["sequence","char",0]', b'"wchar"',
-                  b"[", b"]", b",", b'"', b"-1", b"null", b"{}", b'"fixed"', b"1e9", b'["array","double",3]']
-    simple = ["short", "long", "unsigned short", "unsigned long", "float", "double", "boolean", "char", "octet", "long long",
-              "unsigned long long", "wchar", ["string", 0], ["string", 9], ["wstring", 0], ["wstring", 3]]
+    words = [
+        b"\0",
+        b"\1",
+        b"\0\0\0\1",
+        b"\1\0\0\0",
+        b"\xfe\xff",
+        b"\xff\xfe",
+        b"\xd8\0",
+        b"\x80",
+        b"\2",
+        b"\4",
+    ]
+    type_words = [
+        b'"long"',
+        b'"octet"',
+        b'"any"',
+        b'["see","IDL:S:1.0"]',
+        b'["string",5]',
+        b'["sequence","char",0]',
+        b'"wchar"',
+        b"[",
+        b"]",
+        b",",
+        b'"',
+        b"-1",
+        b"null",
+        b"{}",
+        b'"fixed"',
+        b"1e9",
+        b'["array","double",3]',
+    ]
+    simple = [
+        "short",
+        "long",
+        "unsigned short",
+        "unsigned long",
+        "float",
+        "double",
+        "boolean",
+        "char",
+        "octet",
+        "long long",
+        "unsigned long long",
+        "wchar",
+        ["string", 0],
+        ["string", 9],
+        ["wstring", 0],
+        ["wstring", 3],
+    ]
 
     def prepare(self):
         self.types = [datatypes.Type(each).to_bytes() for _, each in sorted(_everything().items())]
@@ -334,7 +576,7 @@ class Cdr(Target):
         try:
             one = datatypes.from_bytes(as_json)
             data = one.encode(random_values.value(rng, one.descriptor), rng.random() < 0.5)
-        except (errors.Error, AssertionError, IndexError, KeyError):  # types that have no values; `check` looks at them
+        except (errors.Error, AssertionError, IndexError, KeyError):  # types that have no values; `check` looks at them  # noqa: E501
             data = bytes(20)
         if rng.random() < 0.15:
             as_json = spoilt(rng, as_json, self.type_words, self.types).replace(b"\n", b"")
@@ -365,8 +607,17 @@ class Cdr(Target):
             return ["struct", type_id, name, found]
         switch = rng.choice(["long", "short", "char", "unsigned long long"])
         labels = ["abcd"[i] if switch == "char" else i for i in range(len(members))]
-        return ["union", type_id, name, switch, rng.randint(-1, len(members) - 1),
-                [[label, member, self._random_type(rng, depth - 1, around)] for label, member in zip(labels, members)]]
+        return [
+            "union",
+            type_id,
+            name,
+            switch,
+            rng.randint(-1, len(members) - 1),
+            [
+                [label, member, self._random_type(rng, depth - 1, around)]
+                for label, member in zip(labels, members)
+            ],
+        ]
 
     def check(self, data):
         as_json, _, data = data.partition(b"\n")
@@ -386,12 +637,14 @@ class Cdr(Target):
             except errors.BadData as e:
                 refused = e
                 continue
-            except errors.BadValue as e:  # sloppy senders fill strings up with NULs, which is shown and not sent on
+            except errors.BadValue as e:  # sloppy senders fill strings up with NULs, which is shown and not sent on  # noqa: E501
                 if not str(e).endswith("holds no NUL"):
                     raise
                 refused = e
                 continue
-            speakable = all(re.match(r"IDL:([A-Za-z]\w*/)*[A-Za-z]\w*:[\d.]+\Z", type_id, re.ASCII) for type_id in known)
+            speakable = all(
+                re.match(r"IDL:([A-Za-z]\w*/)*[A-Za-z]\w*:[\d.]+\Z", type_id, re.ASCII) for type_id in known
+            )
             _through_every_form(one, value, _Some(known), speakable)
         if refused:
             raise Refused(str(refused))

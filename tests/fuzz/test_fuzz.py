@@ -1,4 +1,6 @@
-"""A few corrupted inputs of every kind (see fuzz.py), and all that have ever failed, tests/data/fuzz/TARGET/*."""
+"""A few corrupted inputs of every kind (see fuzz.py), and all that have ever failed,
+tests/data/fuzz/TARGET/*.
+"""
 import importlib.util
 import unittest
 
@@ -6,8 +8,20 @@ import fuzz
 
 PART = 3  # a short run takes one in PART of its tests
 ONCE = True  # one Python of the matrix is enough
-CASES = {"paths": 3000, "xml": 400, "yaml": 400, "logs": 400, "idl": 250, "values": 1500, "cdr": 500, "requests": 1000, "answers": 500,
-         "results": 1000, "replies": 60, "builtin": 60}
+CASES = {
+    "paths": 3000,
+    "xml": 400,
+    "yaml": 400,
+    "logs": 400,
+    "idl": 250,
+    "values": 1500,
+    "cdr": 500,
+    "requests": 1000,
+    "answers": 500,
+    "results": 1000,
+    "replies": 60,
+    "builtin": 60,
+}
 
 
 class Fuzz(unittest.TestCase):

@@ -42,12 +42,18 @@ class Composites:
         self.composite = self.world.component("composite0")
         self.organization, = self.composite.get_owned_organizations()
         self.context = self.world.context("composite0")
-        members = [self.world.component(name) for name in MEMBERS]  # which the context of 2.x knows from its next cycle on
-        eventually(lambda: all(self.context.get_component_state(one) != RTC.CREATED_STATE for one in members), "members")
+        # which the context of 2.x knows from its next cycle on
+        members = [self.world.component(name) for name in MEMBERS]
+        eventually(
+            lambda: all(self.context.get_component_state(one) != RTC.CREATED_STATE for one in members),
+            "members",
+        )
 
     def reached(self, state, *names):
         components = [self.world.component(name) for name in names]
-        eventually(lambda: all(self.context.get_component_state(one) == state for one in components), str(state))
+        eventually(
+            lambda: all(self.context.get_component_state(one) == state for one in components), str(state)
+        )
 
     def export(self, text):
         configuration = self.composite.get_configuration()
@@ -61,7 +67,9 @@ class Composites:
         profile = self.context.get_profile()
         self.assertEqual([one.get_sdo_id() for one in profile.participants], MEMBERS)
         self.assertTrue(profile.owner._is_equivalent(self.composite))
-        self.assertEqual([item.name for item in profile.properties if item.name.startswith("sync")], self.sync)
+        self.assertEqual(
+            [item.name for item in profile.properties if item.name.startswith("sync")], self.sync
+        )
         member = self.world.component("Motor0")
         self.assertFalse(self.world.context("Motor0").is_running())
         self.assertEqual(member.get_context_handle(self.context), 1000)
@@ -75,10 +83,14 @@ class Composites:
         profile = self.composite.get_component_profile()
         self.assertEqual((profile.type_name, profile.category, profile.vendor, profile.version),
                          ("PeriodicECSharedComposite", "composite.PeriodicECShared", "jp.go.aist", "1.0"))
-        self.assertEqual([value(profile.properties, "conf.default." + name) for name in ("members", "exported_ports")],
-                         ["Sensor0, Controller0, Motor0", "Sensor0.in, Motor0.out"])
-        self.assertEqual([value(profile.properties, name) for name in ("max_instance", "port", "exported_ports")],
-                         ["0", "", ""])
+        self.assertEqual(
+            [value(profile.properties, "conf.default." + name) for name in ("members", "exported_ports")],
+            ["Sensor0, Controller0, Motor0", "Sensor0.in, Motor0.out"],
+        )
+        self.assertEqual(
+            [value(profile.properties, name) for name in ("max_instance", "port", "exported_ports")],
+            ["0", "", ""],
+        )
 
     def test_owner(self):
         """C++ tells it once."""
@@ -149,10 +161,14 @@ class Cpp11(Composites, unittest.TestCase):
             self.assertEqual(str(self.context.deactivate_component(self.world.component(name))), "RTC_OK")
 
     def test_blocking(self):
-        """Deactivated as a whole it waits for its members in the thread that is to move them; exit() hangs, too."""
+        """Deactivated as a whole it waits for its members in the thread that is to move them; exit() hangs,
+        too.
+        """
         self.context.activate_component(self.composite)
         self.reached(RTC.ACTIVE_STATE, "composite0", *MEMBERS)
-        threading.Thread(target=raised, args=(self.context.deactivate_component, self.composite), daemon=True).start()
+        threading.Thread(
+            target=raised, args=(self.context.deactivate_component, self.composite), daemon=True
+        ).start()
         eventually(lambda: self.world.count("deactivate_component") == 1, "asked for")
         omniORB.setClientCallTimeout(self.composite, 300)
         self.assertEqual(raised(self.composite.exit), "TIMEOUT")
@@ -188,7 +204,9 @@ class Worlds(unittest.TestCase):
     def test_dead_member(self):
         """It is listed, its port too; the profile fails because of it, and so does its removal: it stays."""
         _, composite, organization, _ = self.bereaved("rtorb")
-        self.assertEqual([outcome(one.get_sdo_id) for one in organization.get_members()], ["ConsoleIn0", "TRANSIENT"])
+        self.assertEqual(
+            [outcome(one.get_sdo_id) for one in organization.get_members()], ["ConsoleIn0", "TRANSIENT"]
+        )
         self.assertEqual(len(composite.get_ports()), 2)
         self.assertIn(raised(composite.get_component_profile), ("TRANSIENT", "COMM_FAILURE"))
         self.assertIn(raised(organization.remove_member, "Peer0"), ("TRANSIENT", "COMM_FAILURE"))
@@ -198,7 +216,8 @@ class Worlds(unittest.TestCase):
         self.assertTrue(organization.remove_member("ConsoleIn0"))
 
     def test_dead_member_of_cpp(self):
-        """Its removal ends the process at the next activation, or now, if the composite has ever been active."""
+        """Its removal ends the process at the next activation, or now, if the composite has ever been active.
+        """
         world, composite, organization, context = self.bereaved("cpp2")
         self.assertIn(raised(organization.remove_member, "Peer0"), ("TRANSIENT", "COMM_FAILURE"))
         self.assertEqual(len(organization.get_members()), 2)
@@ -231,15 +250,20 @@ class Worlds(unittest.TestCase):
         world = self.world("manager", "Motor")
         elsewhere = self.world("these", "Sensor")
         master = world.resolve("manager.mgr")._narrow(RTM.Manager)
-        composite = master.create_component("PeriodicECSharedComposite?&instance_name=G&conf.default.members=Motor0,Sensor0&"
-                                            "conf.default.exported_ports=out,Sensor0.in")
+        composite = master.create_component(
+            "PeriodicECSharedComposite?&instance_name=G&conf.default.members=Motor0,Sensor0&"
+            "conf.default.exported_ports=out,Sensor0.in"
+        )
         organization, = composite.get_owned_organizations()
         self.assertEqual([one.get_sdo_id() for one in organization.get_members()], ["Motor0"])
         organization.add_members([elsewhere.component("Sensor0")])
         self.assertEqual(port_names(composite), ["Motor0.out", "Sensor0.in"])
         context = composite.get_owned_contexts()[0]
         self.assertEqual(str(context.activate_component(composite)), "RTC_OK")
-        eventually(lambda: context.get_component_state(elsewhere.component("Sensor0")) == RTC.ACTIVE_STATE, "active far away")
+        eventually(
+            lambda: context.get_component_state(elsewhere.component("Sensor0")) == RTC.ACTIVE_STATE,
+            "active far away",
+        )
 
 
 if __name__ == "__main__":

@@ -45,13 +45,19 @@ class Ports(flavours.Flavoured):
     def test_properties_that_connect_adds(self):
         """Names of the properties that come back, in order."""
         asked = ["dataflow_type", "interface_type", "subscription_type", "data_type", "serializer.cdr.endian"]
-        for ports, flow in (([self.out, self.inp], "push"), ([self.inp, self.out], "push"), ([self.out, self.inp], "pull")):
+        for ports, flow in (
+            ([self.out, self.inp], "push"),
+            ([self.inp, self.out], "push"),
+            ([self.out, self.inp], "pull"),
+        ):
             code, profile = ports[0].connect(connector(ports, dataflow_type=flow))
             self.assertEqual(str(code), "RTC_OK")
             self.assertEqual([name.replace("dataport.", "") for name in worlds.names(profile)],
                              asked + self.added[ports[0] is self.inp, flow])
             self.assertEqual(value(profile.properties, "dataport.serializer.cdr.endian"), "little,big")
-            self.assertEqual([p.connector_id for p in self.inp.get_connector_profiles()], [profile.connector_id])
+            self.assertEqual(
+                [p.connector_id for p in self.inp.get_connector_profiles()], [profile.connector_id]
+            )
             self.assertEqual(uuid.UUID(profile.connector_id).version, self.uuid)
             self.assertEqual(str(ports[0].disconnect(profile.connector_id)), "RTC_OK")
             self.assertEqual(self.inp.get_connector_profiles() + self.out.get_connector_profiles(), [])
@@ -62,42 +68,60 @@ class Ports(flavours.Flavoured):
         outs = [self.out, self.world.port("SequenceOutComponent0", "Long")]
         ins = [self.inp, other]
         for what, ports, changes, expected in (
-                ("unknown interface", (), {"interface_type": "bogus"}, "BAD_PARAMETER"),
-                ("upper-case interface", (), {"interface_type": "CORBA_CDR"}, "BAD_PARAMETER"),
-                ("two interfaces", (), {"interface_type": "corba_cdr,data_service"}, "BAD_PARAMETER"),
-                ("no interface", (), {"interface_type": None}, "BAD_PARAMETER"),
-                ("unknown data flow", (), {"dataflow_type": "bogus"}, "BAD_PARAMETER"),
-                ("no data flow", (), {"dataflow_type": None}, "BAD_PARAMETER"),
-                ("capital", (), {"dataflow_type": "Push"}, "RTC_OK"),
-                ("capital subscription", (), {"subscription_type": "New"}, "RTC_OK"),
-                ("no subscription", (), {"subscription_type": None}, "RTC_OK"),
-                ("periodic", (), {"subscription_type": "periodic"}, self.periodic),
-                ("periodic with rate", (), {"subscription_type": "periodic", "publisher__push_rate": "10"}, "RTC_OK"),
-                ("unknown endian", (), {"serializer__cdr__endian": "middle"}, self.endian),
-                ("big endian", (), {"serializer__cdr__endian": "big"}, "RTC_OK"),
-                ("wrong type", (), {"data_type": "IDL:RTC/TimedFloat:1.0"}, "RTC_OK"),
-                ("no type", (), {"data_type": None}, "RTC_OK"),
-                ("two InPorts, push", ins, {}, "RTC_OK"),
-                ("two InPorts, pull", ins, {"dataflow_type": "pull"}, "BAD_PARAMETER"),
-                ("two OutPorts, push", outs, {}, "BAD_PARAMETER"),
-                ("two OutPorts, pull", outs, {"dataflow_type": "pull"}, "RTC_OK"),
-                ("OutPort alone", [self.out], {}, "BAD_PARAMETER"), ("InPort alone", [self.inp], {}, "RTC_OK"),
-                ("OutPort alone, pull", [self.out], {"dataflow_type": "pull"}, "RTC_OK"),
-                ("nil", [self.out, None], {}, "BAD_PARAMETER"),
-                ("direct, far", [self.out, self.far.port("Far0", "in")], {"interface_type": "direct"}, self.direct),
-                ("unknown subscription", (), {"subscription_type": "bogus"}, "RTC_ERROR"),
-                ("unknown marshaling", (), {"marshaling_type": "bogus"}, self.marshaling)):
+            ("unknown interface", (), {"interface_type": "bogus"}, "BAD_PARAMETER"),
+            ("upper-case interface", (), {"interface_type": "CORBA_CDR"}, "BAD_PARAMETER"),
+            ("two interfaces", (), {"interface_type": "corba_cdr,data_service"}, "BAD_PARAMETER"),
+            ("no interface", (), {"interface_type": None}, "BAD_PARAMETER"),
+            ("unknown data flow", (), {"dataflow_type": "bogus"}, "BAD_PARAMETER"),
+            ("no data flow", (), {"dataflow_type": None}, "BAD_PARAMETER"),
+            ("capital", (), {"dataflow_type": "Push"}, "RTC_OK"),
+            ("capital subscription", (), {"subscription_type": "New"}, "RTC_OK"),
+            ("no subscription", (), {"subscription_type": None}, "RTC_OK"),
+            ("periodic", (), {"subscription_type": "periodic"}, self.periodic),
+            (
+                "periodic with rate",
+                (),
+                {"subscription_type": ("periodic"), "publisher__push_rate": "10"},
+                "RTC_OK",
+            ),
+            ("unknown endian", (), {"serializer__cdr__endian": "middle"}, self.endian),
+            ("big endian", (), {"serializer__cdr__endian": "big"}, "RTC_OK"),
+            ("wrong type", (), {"data_type": "IDL:RTC/TimedFloat:1.0"}, "RTC_OK"),
+            ("no type", (), {"data_type": None}, "RTC_OK"),
+            ("two InPorts, push", ins, {}, "RTC_OK"),
+            ("two InPorts, pull", ins, {"dataflow_type": "pull"}, "BAD_PARAMETER"),
+            ("two OutPorts, push", outs, {}, "BAD_PARAMETER"),
+            ("two OutPorts, pull", outs, {"dataflow_type": "pull"}, "RTC_OK"),
+            ("OutPort alone", [self.out], {}, "BAD_PARAMETER"),
+            ("InPort alone", [self.inp], {}, "RTC_OK"),
+            ("OutPort alone, pull", [self.out], {"dataflow_type": "pull"}, "RTC_OK"),
+            ("nil", [self.out, None], {}, "BAD_PARAMETER"),
+            (
+                "direct, far",
+                [self.out, self.far.port("Far0", "in")],
+                {"interface_type": ("direct")},
+                self.direct,
+            ),
+            ("unknown subscription", (), {"subscription_type": "bogus"}, "RTC_ERROR"),
+            ("unknown marshaling", (), {"marshaling_type": "bogus"}, self.marshaling),
+        ):
             with self.subTest(what):
                 self.assertEqual(self.connect(*ports, **changes), expected)
-        self.assertEqual(str(self.out.connect(RTC.ConnectorProfile("n", "", [], nvlist()))[0]), "BAD_PARAMETER")
-        self.assertEqual(str(self.out.connect(RTC.ConnectorProfile("n", "", [self.out, self.inp], []))[0]), "BAD_PARAMETER")
+        self.assertEqual(
+            str(self.out.connect(RTC.ConnectorProfile("n", "", [], nvlist()))[0]), "BAD_PARAMETER"
+        )
+        self.assertEqual(
+            str(self.out.connect(RTC.ConnectorProfile("n", "", [self.out, self.inp], []))[0]), "BAD_PARAMETER"
+        )
 
     def test_doubles(self):
         ports = [self.out, self.inp]
         self.assertEqual(str(self.out.connect(connector(ports, "first"))[0]), "RTC_OK")
         self.assertEqual(str(self.out.connect(connector(ports, "first"))[0]), "PRECONDITION_NOT_MET")
         self.assertEqual(str(self.out.connect(connector(ports, "second"))[0]), self.double)
-        self.assertEqual(str(self.out.connect(connector(ports, "third", allow_dup_connection="YES"))[0]), "RTC_OK")
+        self.assertEqual(
+            str(self.out.connect(connector(ports, "third", allow_dup_connection="YES"))[0]), "RTC_OK"
+        )
         self.assertIn("third", [p.connector_id for p in self.inp.get_connector_profiles()])
         self.assertEqual(self.out.get_connector_profile("nosuch").connector_id, "")
         self.assertEqual(str(self.out.disconnect("nosuch")), "BAD_PARAMETER")
@@ -114,7 +138,9 @@ class Ports(flavours.Flavoured):
     # data
 
     def test_push_to_the_in_port(self):
-        """A connector of one InPort gives us an object whose put() takes bare CDR; it goes with the connection."""
+        """A connector of one InPort gives us an object whose put() takes bare CDR; it goes with the
+        connection.
+        """
         code, profile = self.inp.connect(connector([self.inp]))
         self.assertEqual(str(code), "RTC_OK")
         sink = worlds.Server.orb.string_to_object(value(profile.properties, "dataport.corba_cdr.inport_ior"))
@@ -130,10 +156,15 @@ class Ports(flavours.Flavoured):
 
     def test_pull_from_the_out_port(self):
         """What get() answers before, with and after data."""
-        for policy, before, after in ((None, self.empty, self.readback), ("do_nothing", self.empty, self.empty)):
+        for policy, before, after in (
+            (None, self.empty, self.readback),
+            ("do_nothing", self.empty, self.empty),
+        ):
             changes = {"dataflow_type": "pull", "buffer__read__empty_policy": policy}
             code, profile = self.out.connect(connector([self.out], **changes))
-            source = worlds.Server.orb.string_to_object(value(profile.properties, "dataport.corba_cdr.outport_ior"))
+            source = worlds.Server.orb.string_to_object(
+                value(profile.properties, "dataport.corba_cdr.outport_ior")
+            )
             source = source._narrow(OpenRTM.OutPortCdr)
             self.assertEqual(outcome(source.get), before)
             self.world.ctl("write", "ConsoleIn0:out", "7")
@@ -152,7 +183,9 @@ class Ports(flavours.Flavoured):
         self.deactivate("ConsoleOut0")
 
     def test_when_an_in_port_is_read(self):
-        """In a cycle of the component's, while it is active and connected; what is not read waits for the next connection."""
+        """In a cycle of the component's, while it is active and connected; what is not read waits for the
+        next connection.
+        """
         self.activate("ConsoleOut0")
         self.put(7)
         self.assertEqual(self.received(1), "7")
@@ -165,7 +198,9 @@ class Ports(flavours.Flavoured):
         self.deactivate("ConsoleOut0")
 
     def test_the_buffer_of_an_in_port(self):
-        """There is one; the length and the policy stay after the connector that asked for them, whose length empties it."""
+        """There is one; the length and the policy stay after the connector that asked for them, whose length
+        empties it.
+        """
         self.put(*range(10))
         self.assertEqual(self.waiting(), "8")
         self.put()
@@ -173,14 +208,21 @@ class Ports(flavours.Flavoured):
         self.assertEqual(self.put(1, 2, 3, buffer__length="2", buffer__write__full_policy="do_nothing"),
                          [OpenRTM.PORT_OK, OpenRTM.PORT_OK, OpenRTM.BUFFER_FULL])
         self.assertEqual(self.put(4), [OpenRTM.BUFFER_FULL])
-        self.assertEqual(self.put(4, buffer__write__full_policy="block", buffer__write__timeout="0.1"), [OpenRTM.BUFFER_TIMEOUT])
-        self.assertEqual(self.put(4, inport__buffer__length="8", buffer__write__full_policy="overwrite"), [OpenRTM.PORT_OK])
+        self.assertEqual(
+            self.put(4, buffer__write__full_policy="block", buffer__write__timeout="0.1"),
+            [OpenRTM.BUFFER_TIMEOUT],
+        )
+        self.assertEqual(
+            self.put(4, inport__buffer__length="8", buffer__write__full_policy="overwrite"), [OpenRTM.PORT_OK]
+        )
         self.assertEqual(self.waiting(), "1")
         self.put(buffer__length="8")
         self.assertEqual((self.waiting(), self.world.ctl("buffer", "ConsoleOut0:in")), ("0", "8 overwrite\n"))
 
     def put(self, *numbers, **changes):
-        """Connect to the InPort, put numbers, wait until an active component has read them, disconnect; the statuses."""
+        """Connect to the InPort, put numbers, wait until an active component has read them, disconnect; the
+        statuses.
+        """
         code, profile = self.inp.connect(connector([self.inp], **changes))
         self.assertEqual(str(code), "RTC_OK")
         ior = value(profile.properties, "dataport.corba_cdr.inport_ior")
@@ -195,7 +237,9 @@ class Ports(flavours.Flavoured):
         return self.world.ctl("waiting", "ConsoleOut0:in").strip()
 
     def received(self, count):
-        """The data of the last value that the component has read, of `count` more than at the last `activate`."""
+        """The data of the last value that the component has read, of `count` more than at the last
+        `activate`.
+        """
         return self.world.ctl("received", "ConsoleOut0:in", str(self.before + count)).split()[1]
 
     def state(self):
@@ -242,13 +286,16 @@ class Ports(flavours.Flavoured):
         self.assertEqual(raised(out.disconnect, profile.connector_id), "TIMEOUT" if haunted else None)
 
     def test_data_flows(self):
-        """From a counting component to a reading one, by push of each kind and by pull, in both byte orders."""
+        """From a counting component to a reading one, by push of each kind and by pull, in both byte orders.
+        """
         component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")
         reader, reading = self.world.component("ConsoleOut0"), self.world.context("ConsoleOut0")
         for comp, cxt in ((component, context), (reader, reading)):
             cxt.activate_component(comp)
             eventually(lambda: cxt.get_component_state(comp) == RTC.ACTIVE_STATE, "active")
-        for changes in ({}, {"subscription_type": "new"}, {"serializer__cdr__endian": "big"}, {"dataflow_type": "pull"},
+        for changes in ({}, {"subscription_type": (
+            "new"
+        )}, {"serializer__cdr__endian": "big"}, {"dataflow_type": "pull"},
                         {"subscription_type": "periodic", "publisher__push_rate": "50"}):
             before = int(self.world.ctl("received", "ConsoleOut0:in").split()[0])
             code, profile = self.out.connect(connector([self.out, self.inp], **changes))
@@ -262,12 +309,16 @@ class Ports(flavours.Flavoured):
 
     def test_services(self):
         """The keys under which a provider publishes its object; calls reach it when it exists."""
-        component, context = self.world.component("MyServiceProvider0"), self.world.context("MyServiceProvider0")
+        component, context = self.world.component("MyServiceProvider0"), self.world.context(
+            "MyServiceProvider0"
+        )
         provider = self.world.port("MyServiceProvider0", "MyService")
         consumer = self.world.port("MyServiceConsumer0", "MyService")
         instance, type_name = self.service
         entry, = provider.get_port_profile().interfaces
-        self.assertEqual((entry.instance_name, entry.type_name, entry.polarity), self.service + (RTC.PROVIDED,))
+        self.assertEqual(
+            (entry.instance_name, entry.type_name, entry.polarity), self.service + (RTC.PROVIDED,)
+        )
         self.assertEqual(consumer.get_port_profile().interfaces[0].polarity, RTC.REQUIRED)
         code, profile = provider.connect(RTC.ConnectorProfile("s", "", [provider, consumer], []))
         self.assertEqual(str(code), "RTC_OK")
@@ -283,7 +334,9 @@ class Ports(flavours.Flavoured):
         context.deactivate_component(component)
         self.assertEqual(str(consumer.connect(RTC.ConnectorProfile("s", "", [consumer], []))[0]), "RTC_OK")
         consumer.disconnect_all()
-        self.assertEqual(str(consumer.connect(RTC.ConnectorProfile("s", "", [consumer], strict))[0]), "RTC_ERROR")
+        self.assertEqual(
+            str(consumer.connect(RTC.ConnectorProfile("s", "", [consumer], strict))[0]), "RTC_ERROR"
+        )
 
     # peers that die
 

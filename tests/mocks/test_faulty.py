@@ -132,8 +132,11 @@ class ModesTest(WithDeadline):
             with self.subTest(mode=mode):
                 step, failure, seconds = answers[mode]
                 self.assertEqual((step, failure), expected)
-                waits = 1 if failure == SILENCE else 0     # in timeouts: a slow machine adds less than one more
-                self.assertTrue(waits * TIMEOUT - 0.05 <= seconds < (waits + 1) * TIMEOUT, "{:.2f} s".format(seconds))
+                # in timeouts: a slow machine adds less than one more
+                waits = 1 if failure == SILENCE else 0
+                self.assertTrue(
+                    waits * TIMEOUT - 0.05 <= seconds < (waits + 1) * TIMEOUT, "{:.2f} s".format(seconds)
+                )
         grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory
         self.assertLess(grown, 64 * 1024, "kB more resident: an announced size was allocated")
 
@@ -183,7 +186,9 @@ class NamesTest(WithDeadline):
 
     def test_giop_1_0(self):
         with faulty.Peer("loop") as peer:
-            context = CORBA.ORB_init([]).string_to_object("corbaloc::127.0.0.1:{}/NameService".format(peer.port))
+            context = CORBA.ORB_init([]).string_to_object(
+                "corbaloc::127.0.0.1:{}/NameService".format(peer.port)
+            )
             self.assertEqual(len(context._narrow(CosNaming.NamingContext).list(10)[0]), 2)
 
 

@@ -1,4 +1,5 @@
-"""Mock managers: whether they answer as the managers of each implementation do, slaves and their death included.
+"""Mock managers: whether they answer as the managers of each implementation do, slaves and their death
+included.
 
 If this fails, the transcripts of rtmgr prove nothing.
 """
@@ -42,7 +43,10 @@ def made(manager, line):
 
 def values(profiles, name):
     """That property of each profile; None where it lacks."""
-    return [next((item.value.value() for item in profile.properties if item.name == name), None) for profile in profiles]
+    return [
+        next((item.value.value() for item in profile.properties if item.name == name), None)
+        for profile in profiles
+    ]
 
 
 class Flavoured:
@@ -139,7 +143,13 @@ class Flavoured:
     def test_identifiers(self):
         """The long form has five fields or six; fields may be empty, but not wrong."""
         self.assertEqual(made(self.master, self.long_form), "Controller0")
-        for line in (self.other_form, self.long_form.replace(":::", "::nocategory:"), self.long_form + "?a=b?c=d", "", "Nope"):
+        for line in (
+            self.other_form,
+            self.long_form.replace(":::", "::nocategory:"),
+            self.long_form + "?a=b?c=d",
+            "",
+            "Nope",
+        ):
             self.assertIsNone(made(self.master, line), line)
 
     def test_arguments(self):
@@ -152,7 +162,9 @@ class Flavoured:
         self.assertEqual([value(properties, key) for key in ("conf.default.motor_id", "naming.names", "x.y")],
                          ["7", "elsewhere.cxt/arm.rtc", "z"])
         context = component.get_owned_contexts()[0]
-        self.assertEqual((context.get_rate(), context.get_component_state(component)), (5, RTC.INACTIVE_STATE))
+        self.assertEqual(
+            (context.get_rate(), context.get_component_state(component)), (5, RTC.INACTIVE_STATE)
+        )
 
     def test_names(self):
         """Numbered by type; Python keeps a name that it was given, and others do not refuse a taken one."""
@@ -196,7 +208,9 @@ class Flavoured:
         self.assertTrue(component._non_existent())
         self.assertTrue(any(one._non_existent() for one in self.master.get_components()))
         self.assertEqual(str(self.maker.delete_component("Err0")), self.unknown)
-        eventually(lambda: not any(one._non_existent() for one in self.master.get_components()), "off the list")
+        eventually(
+            lambda: not any(one._non_existent() for one in self.master.get_components()), "off the list"
+        )
         eventually(lambda: raised(self.world.resolve, "Err0.rtc") == "NotFound", "unbound")
 
     def test_no_effect(self):
@@ -208,7 +222,11 @@ class Flavoured:
     def test_by_name(self):
         for pattern in ("ConsoleIn0", "*/ConsoleIn0", "example/ConsoleIn0"):
             self.assertEqual(ids(self.maker.get_components_by_name(pattern)), ["ConsoleIn0"])
-        for manager, pattern in ((self.maker, "other/ConsoleIn0"), (self.maker, "*"), (self.master, "ConsoleIn0")):
+        for manager, pattern in (
+            (self.maker, "other/ConsoleIn0"),
+            (self.maker, "*"),
+            (self.master, "ConsoleIn0"),
+        ):
             self.assertEqual(manager.get_components_by_name(pattern), [])
 
 
@@ -219,10 +237,14 @@ class Slaves(Flavoured):
         """It is bound nowhere, listens under its key, and what it has shows at the master."""
         self.assertFalse(self.maker.is_master())
         self.assertEqual(ids(self.maker.get_components()), ids(self.master.get_components()))
-        self.assertEqual([p.instance_name for p in self.master.get_component_profiles()], ids(self.master.get_components()))
+        self.assertEqual(
+            [p.instance_name for p in self.master.get_component_profiles()], ids(self.master.get_components())
+        )
         self.assertTrue(self.maker.get_master_managers()[0]._is_equivalent(self.master))
         self.assertEqual(self.maker.get_slave_managers(), [])
-        self.assertEqual(values(self.master.get_factory_profiles(), "implementation_id").count("Motor"), self.copies)
+        self.assertEqual(
+            values(self.master.get_factory_profiles(), "implementation_id").count("Motor"), self.copies
+        )
         port = self.world.ctl("slave", "1", "port").strip()
         by_key = worlds.Server.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/manager" % port)
         self.assertTrue(by_key._is_equivalent(self.maker))
@@ -232,11 +254,17 @@ class Slaves(Flavoured):
         """Of a slave that is there, behind ? as behind &; C++ starts one that is not."""
         self.assertEqual(made(self.master, "Slow?manager_name=manager&instance_name=s1"), "s1")
         self.assertIsNotNone(made(self.master, "Slow&manager_name=manager"))
-        self.assertEqual(made(self.master, "Motor?manager_name=fresh&instance_name=m2"), "m2" if self.starts else None)
+        self.assertEqual(
+            made(self.master, "Motor?manager_name=fresh&instance_name=m2"), "m2" if self.starts else None
+        )
         if self.starts:
-            slave, = [slave for slave in self.master.get_slave_managers() if not slave._is_equivalent(self.maker)]
-            self.assertEqual((value(slave.get_profile().properties, "instance_name"), ids(slave.get_components())),
-                             ("fresh", ["m2"]))
+            (slave,) = [
+                slave for slave in self.master.get_slave_managers() if not slave._is_equivalent(self.maker)
+            ]
+            self.assertEqual(
+                (value(slave.get_profile().properties, "instance_name"), ids(slave.get_components())),
+                ("fresh", ["m2"]),
+            )
             port = "127.0.0.1:" + self.world.ctl("slave", "2", "port").strip()
             self.assertIsNone(made(self.master, "Motor?manager_address=" + port))
             self.assertEqual(str(slave.shutdown()), "RTC_OK")
@@ -296,7 +324,9 @@ class Worlds(unittest.TestCase):
     def test_dead_slave(self):
         """It stays listed until the master asks it something."""
         world, master = self.world("deadslave")
-        self.assertEqual([outcome(slave.is_master) for slave in master.get_slave_managers()], ["False", "TRANSIENT"])
+        self.assertEqual(
+            [outcome(slave.is_master) for slave in master.get_slave_managers()], ["False", "TRANSIENT"]
+        )
         self.assertEqual(ids(master.get_components()), ["ConsoleIn0"])
         self.assertEqual(len(master.get_slave_managers()), 1)
         self.assertEqual(raised(world.resolve("ConsoleOut0.rtc")._non_existent), "TRANSIENT")
@@ -305,7 +335,9 @@ class Worlds(unittest.TestCase):
         """It is listed for ever, and its profile told, though it is gone."""
         _, master = self.world("deadchild")
         self.assertEqual([one._non_existent() for one in master.get_components()], [False, True])
-        self.assertEqual([p.instance_name for p in master.get_component_profiles()], ["ConsoleIn0", "ConsoleOut0"])
+        self.assertEqual(
+            [p.instance_name for p in master.get_component_profiles()], ["ConsoleIn0", "ConsoleOut0"]
+        )
 
     def test_shutdown_of_a_slave(self):
         """It tells its master at once, and ends a little later, names unbound."""
@@ -325,7 +357,9 @@ class Worlds(unittest.TestCase):
         self.assertEqual(str(master.shutdown()), "RTC_OK")
         world.process.wait(worlds.LIMIT)
         self.assertEqual(raised(world.resolve, "manager.mgr"), "NotFound")
-        self.assertEqual((ids(slave.get_components()), slave.get_master_managers()), (["ConsoleIn0", "ConsoleOut0"], []))
+        self.assertEqual(
+            (ids(slave.get_components()), slave.get_master_managers()), (["ConsoleIn0", "ConsoleOut0"], [])
+        )
 
     def test_twins(self):
         """Two components of one name take C++ 1.x with them, when both have ended."""

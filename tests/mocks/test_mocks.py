@@ -1,7 +1,7 @@
 """Mock components: whether they answer, call by call, what real ones of each implementation answer.
 
-If this fails, the transcripts prove nothing. The tables are those measured on OpenRTM-aist C++ 1.1, 1.2, 2.1 and
-Python 2.1.
+If this fails, the transcripts prove nothing. The tables are those measured on OpenRTM-aist C++ 1.1, 1.2, 2.1
+and Python 2.1.
 """
 import unittest
 
@@ -36,12 +36,17 @@ class Components(flavours.Flavoured):
         component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")
         inactive, active, error = RTC.INACTIVE_STATE, RTC.ACTIVE_STATE, RTC.ERROR_STATE
         for state, operation, expected, after in (
-                (inactive, "deactivate", "PRECONDITION_NOT_MET", inactive),
-                (inactive, "reset", "PRECONDITION_NOT_MET", inactive), (inactive, "activate", "RTC_OK", active),
-                (active, "activate", "PRECONDITION_NOT_MET", active), (active, "reset", "PRECONDITION_NOT_MET", active),
-                (active, "deactivate", "RTC_OK", inactive), (inactive, "fail", None, error),
-                (error, "activate", "PRECONDITION_NOT_MET", error), (error, "deactivate", "PRECONDITION_NOT_MET", error),
-                (error, "reset", "RTC_OK", inactive)):
+            (inactive, "deactivate", "PRECONDITION_NOT_MET", inactive),
+            (inactive, "reset", "PRECONDITION_NOT_MET", inactive),
+            (inactive, "activate", "RTC_OK", active),
+            (active, "activate", "PRECONDITION_NOT_MET", active),
+            (active, "reset", "PRECONDITION_NOT_MET", active),
+            (active, "deactivate", "RTC_OK", inactive),
+            (inactive, "fail", None, error),
+            (error, "activate", "PRECONDITION_NOT_MET", error),
+            (error, "deactivate", "PRECONDITION_NOT_MET", error),
+            (error, "reset", "RTC_OK", inactive),
+        ):
             with self.subTest(state=str(state), operation=operation):
                 self.assertEqual(context.get_component_state(component), state)
                 if operation == "fail":
@@ -50,7 +55,9 @@ class Components(flavours.Flavoured):
                     self.assertEqual(str(getattr(context, operation + "_component")(component)), expected)
                     if self.waits:
                         self.assertEqual(context.get_component_state(component), after)
-                eventually(lambda: context.get_component_state(component) == after, "%s %s" % (operation, after))
+                eventually(
+                    lambda: context.get_component_state(component) == after, "%s %s" % (operation, after)
+                )
 
     def test_strangers_in_a_context(self):
         """Components that are not in the context, and nil."""
@@ -73,7 +80,10 @@ class Components(flavours.Flavoured):
             self.assertEqual(str(context.activate_component(component)), "RTC_OK")
         eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active after start")
         self.assertEqual(str(context.deactivate_component(component)), "RTC_OK")
-        self.assertEqual([str(context.set_rate(rate)) for rate in (0, -1, 50)], ["BAD_PARAMETER", "BAD_PARAMETER", "RTC_OK"])
+        self.assertEqual(
+            [str(context.set_rate(rate)) for rate in (0, -1, 50)],
+            ["BAD_PARAMETER", "BAD_PARAMETER", "RTC_OK"],
+        )
         self.assertEqual(context.get_rate(), 50)
         context.set_rate(100)
 
@@ -88,15 +98,19 @@ class Components(flavours.Flavoured):
         self.assertEqual((profile.kind, profile.rate, profile.participants), (RTC.PERIODIC, 100.0, []))
         self.assertTrue(profile.owner._is_equivalent(component))
         self.assertEqual(worlds.names(profile), self.context_properties)
-        self.assertEqual(context._is_a(OpenRTM.ExtTrigExecutionContextService._NP_RepositoryId), self.ext_trig)
+        self.assertEqual(
+            context._is_a(OpenRTM.ExtTrigExecutionContextService._NP_RepositoryId), self.ext_trig
+        )
         self.assertEqual(str(component.finalize()), "PRECONDITION_NOT_MET")
 
     # profiles
 
     def test_component_profile(self):
         profile = self.world.component("ConsoleOut0").get_component_profile()
-        self.assertEqual((profile.instance_name, profile.type_name, profile.vendor, profile.version, profile.category),
-                         ("ConsoleOut0", "ConsoleOut") + self.author + ("example",))
+        self.assertEqual(
+            (profile.instance_name, profile.type_name, profile.vendor, profile.version, profile.category),
+            ("ConsoleOut0", "ConsoleOut") + self.author + ("example",),
+        )
         self.assertIsNone(profile.parent)
         self.assertEqual([port.name for port in profile.port_profiles], ["ConsoleOut0.in"])
         properties = {item.name: item.value.value() for item in profile.properties}
@@ -111,8 +125,14 @@ class Components(flavours.Flavoured):
         """All properties of both data ports, in order."""
         for port, expected in ((self.out, self.out_properties), (self.inp, self.in_properties)):
             profile = port.get_port_profile()
-            found = ["%s=%s" % (item.name, item.value.value()) if item.value.typecode().kind() == CORBA.tk_string
-                     else item.name for item in profile.properties]
+            found = [
+                (
+                    "%s=%s" % (item.name, item.value.value())
+                    if item.value.typecode().kind() == CORBA.tk_string
+                    else item.name
+                )
+                for item in profile.properties
+            ]
             self.assertEqual(found, expected)
             self.assertTrue(profile.port_ref._is_equivalent(port))
 
@@ -120,14 +140,24 @@ class Components(flavours.Flavoured):
         component = self.world.component("ConsoleIn0")
         self.assertEqual(component.get_sdo_id(), "ConsoleIn0")
         self.assertEqual(component.get_sdo_type(), "Console input component")
-        self.assertEqual((component.get_organizations(), component.get_owned_organizations(), component.get_status_list(),
-                          component.get_service_profiles()), ([], [], [], []))
+        self.assertEqual(
+            (
+                component.get_organizations(),
+                component.get_owned_organizations(),
+                component.get_status_list(),
+                component.get_service_profiles(),
+            ),
+            ([], [], [], []),
+        )
         self.assertEqual(raised(component.get_status, "x"), "InvalidParameter")
         self.assertEqual(raised(component.get_monitoring), "InterfaceNotImplemented")
         self.assertEqual(raised(component.get_service_profile, "x"), self.no_service_profile)
         self.assertEqual(raised(component.get_sdo_service, "x"), self.no_sdo_service)
-        for type_id, expected in (("IDL:omg.org/RTC/DataFlowComponent:1.0", True), ("IDL:omg.org/RTC/RTObject:1.0", True),
-                                  ("IDL:omg.org/RTC/FsmParticipant:1.0", False)):
+        for type_id, expected in (
+            ("IDL:omg.org/RTC/DataFlowComponent:1.0", True),
+            ("IDL:omg.org/RTC/RTObject:1.0", True),
+            ("IDL:omg.org/RTC/FsmParticipant:1.0", False),
+        ):
             self.assertEqual(component._is_a(type_id), expected, type_id)
 
     # configuration
@@ -140,10 +170,12 @@ class Components(flavours.Flavoured):
                          ["default", "mode0", "mode1", "__widget__", "__constraints__"])
         self.assertEqual(config.get_active_configuration_set().id, "mode1")
         for function, argument, expected in (
-                (config.get_configuration_set, "nosuch", "InternalError"), (config.get_configuration_set, "", self.empty_id),
-                (config.activate_configuration_set, "nosuch", self.bad_activate),
-                (config.activate_configuration_set, "__widget__", self.bad_activate),
-                (config.activate_configuration_set, "", "InvalidParameter")):
+            (config.get_configuration_set, "nosuch", "InternalError"),
+            (config.get_configuration_set, "", self.empty_id),
+            (config.activate_configuration_set, "nosuch", self.bad_activate),
+            (config.activate_configuration_set, "__widget__", self.bad_activate),
+            (config.activate_configuration_set, "", "InvalidParameter"),
+        ):
             self.assertEqual(raised(function, argument), expected, argument)
         self.assertEqual(raised(config.get_configuration_parameter_value, "x"), self.parameter)
         for function, expected in ((config.get_configuration_set, self.no_set),
@@ -151,11 +183,19 @@ class Components(flavours.Flavoured):
             with self.assertRaises(CORBA.UserException) as caught:
                 function("nosuch")
             self.assertEqual(caught.exception.description, expected)
-        self.assertEqual((config.get_configuration_parameters(), config.get_configuration_parameter_values()), ([], []))
+        self.assertEqual(
+            (config.get_configuration_parameters(), config.get_configuration_parameter_values()), ([], [])
+        )
         self.assertEqual(config.get_active_configuration_set().id, "mode1", "asking changed something")
 
-        new = SDOPackage.ConfigurationSet("mode0", "", [SDOPackage.NameValue("int_param0", omniany.to_any("1")),
-                                                        SDOPackage.NameValue("int_param1", omniany.to_any(5))])
+        new = SDOPackage.ConfigurationSet(
+            "mode0",
+            "",
+            [
+                SDOPackage.NameValue("int_param0", omniany.to_any("1")),
+                SDOPackage.NameValue("int_param1", omniany.to_any(5)),
+            ],
+        )
         self.assertTrue(config.set_configuration_set_values(new))
         self.assertEqual(raised(config.get_active_configuration_set), "NotAvailable")
         mode0 = config.get_configuration_set("mode0").configuration_data
@@ -167,7 +207,9 @@ class Components(flavours.Flavoured):
         added = SDOPackage.ConfigurationSet("added", "", [])
         self.assertEqual([config.add_configuration_set(added) for _ in range(2)], [True, False])
         config.activate_configuration_set("added")
-        self.assertEqual([config.remove_configuration_set(s) for s in ("default", "added", "nosuch", "mode0")], [False] * 4)
+        self.assertEqual(
+            [config.remove_configuration_set(s) for s in ("default", "added", "nosuch", "mode0")], [False] * 4
+        )
         config.activate_configuration_set("default")
         self.assertTrue(config.remove_configuration_set("added"))
 

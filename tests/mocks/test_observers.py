@@ -62,7 +62,10 @@ def tearDownModule():
 
 
 def service(servant, service_id="me", **properties):
-    pairs = [SDOPackage.NameValue(name.replace("__", "."), omniORB.any.to_any(text)) for name, text in properties.items()]
+    pairs = [
+        SDOPackage.NameValue(name.replace("__", "."), omniORB.any.to_any(text))
+        for name, text in properties.items()
+    ]
     return SDOPackage.ServiceProfile(service_id, servant.type_id, pairs, servant._this())
 
 
@@ -88,8 +91,15 @@ class Observers(Case):
         context.activate_component(component)
         self.world.ctl("error", "ConsoleIn0")
         context.reset_component(component)
-        self.assertEqual(observer.next(4), [("CONFIGURATION", "UPDATE_CONFIG_SET: default"), ("RTC_STATUS", "ACTIVE:0"),
-                                            ("RTC_STATUS", "ERROR:0"), ("RTC_STATUS", "INACTIVE:0")])
+        self.assertEqual(
+            observer.next(4),
+            [
+                ("CONFIGURATION", "UPDATE_CONFIG_SET: default"),
+                ("RTC_STATUS", "ACTIVE:0"),
+                ("RTC_STATUS", "ERROR:0"),
+                ("RTC_STATUS", "INACTIVE:0"),
+            ],
+        )
         component.exit()
         self.assertEqual(observer.next(1), [("RTC_STATUS", "FINALIZE:0")])
 
@@ -101,7 +111,10 @@ class Observers(Case):
         context.set_rate(5)
         other = self.world.context("Mock0")
         other.add_component(component)
-        eventually(lambda: other.get_component_state(component) != RTC.CREATED_STATE, "in the context, from its next cycle on")
+        eventually(
+            lambda: other.get_component_state(component) != RTC.CREATED_STATE,
+            "in the context, from its next cycle on",
+        )
         other.remove_component(component)
         self.assertEqual(observer.next(5), [("EC_STATUS", hint) for hint in (
             "ATTACHED:1000", "DETACHED:1000", "RATE_CHANGED:0", "SHUTDOWN:0", "STARTUP:0")])
@@ -116,8 +129,15 @@ class Observers(Case):
         self.world.ctl("write", "ConsoleIn0:out", "2")
         out.disconnect(profile.connector_id)
         received = ("PORT_PROFILE", "RECEIVE:InPort:ConsoleOut0.in")
-        self.assertEqual(observer.next(4), [("PORT_PROFILE", "CONNECT:ConsoleOut0.in"),
-                                            ("PORT_PROFILE", "DISCONNECT:ConsoleOut0.in"), received, received])
+        self.assertEqual(
+            observer.next(4),
+            [
+                ("PORT_PROFILE", "CONNECT:ConsoleOut0.in"),
+                ("PORT_PROFILE", "DISCONNECT:ConsoleOut0.in"),
+                received,
+                received,
+            ],
+        )
 
     def test_configuration(self):
         """With a blank after the colon."""
@@ -125,14 +145,22 @@ class Observers(Case):
         configuration, component = self.configuration, self.world.component("Motor0")
         self.world.context("Motor0").activate_component(component)
         self.assertEqual(observer.next(2)[1], ("RTC_STATUS", "ACTIVE:0"))
-        eventually(lambda: self.world.context("Motor0").get_component_state(component) == RTC.ACTIVE_STATE, "active")
+        eventually(
+            lambda: self.world.context("Motor0").get_component_state(component) == RTC.ACTIVE_STATE, "active"
+        )
         one = SDOPackage.NameValue("motor_id", omniORB.any.to_any("3"))
         configuration.set_configuration_set_values(SDOPackage.ConfigurationSet("default", "", [one]))
         configuration.activate_configuration_set("default")
         configuration.add_configuration_set(SDOPackage.ConfigurationSet("more", "", [one]))
         configuration.remove_configuration_set("more")
-        hints = ["SET_CONFIG_SET: default", "ACTIVATE_CONFIG_SET: default", "UPDATE_CONFIG_PARAM: default.motor_id",
-                 "UPDATE_CONFIG_SET: default", "ADD_CONFIG_SET: more", "REMOVE_CONFIG_SET: more"]
+        hints = [
+            "SET_CONFIG_SET: default",
+            "ACTIVATE_CONFIG_SET: default",
+            "UPDATE_CONFIG_PARAM: default.motor_id",
+            "UPDATE_CONFIG_SET: default",
+            "ADD_CONFIG_SET: more",
+            "REMOVE_CONFIG_SET: more",
+        ]
         found = []
         while len(found) < len(hints):
             kind, hint = observer.next(1)[0]
@@ -148,16 +176,28 @@ class Observers(Case):
         again.said = observer.said
         self.assertTrue(self.configuration.add_service_profile(service(again)))
         self.assertEqual([self.configuration.remove_service_profile("me") for _ in range(2)], [True, False])
-        observer = self.observe("ConsoleOut0", FsmObserver(), rtc_heartbeat__enable="YES", rtc_heartbeat__interval="0.05",
-                                ec_heartbeat__enable="YES", ec_heartbeat__interval="0.05")
+        observer = self.observe(
+            "ConsoleOut0",
+            FsmObserver(),
+            rtc_heartbeat__enable="YES",
+            rtc_heartbeat__interval="0.05",
+            ec_heartbeat__enable="YES",
+            ec_heartbeat__interval="0.05",
+        )
         self.assertEqual(set(observer.next(6)), {("RTC_HEARTBEAT", ""), ("EC_HEARTBEAT", "HEARTBEAT:0")})
 
     def test_refused(self):
         """What is not among sdo.service.consumer.available_services, and an empty id."""
-        for name, servant in (("ConsoleIn0", FsmObserver()), ("ConsoleOut0", Observer()), ("Mock0", Observer()),
-                              ("ConsoleIn0", Logger())):
+        for name, servant in (
+            ("ConsoleIn0", FsmObserver()),
+            ("ConsoleOut0", Observer()),
+            ("Mock0", Observer()),
+            ("ConsoleIn0", Logger()),
+        ):
             component = self.world.component(name)
-            known = value(component.get_component_profile().properties, "sdo.service.consumer.available_services")
+            known = value(
+                component.get_component_profile().properties, "sdo.service.consumer.available_services"
+            )
             self.assertNotIn(servant.type_id, known)
             self.assertFalse(component.get_configuration().add_service_profile(service(servant)))
         configuration = self.world.component("ConsoleIn0").get_configuration()
@@ -169,7 +209,9 @@ class Observers(Case):
         self.addCleanup(gone.close)
         ghost = gone.component("Gone0")
         configuration = self.world.component("ConsoleIn0").get_configuration()
-        profile = SDOPackage.ServiceProfile("lost", Observer.type_id, [], ghost._narrow(RTC.RTObject).get_ports()[0])
+        profile = SDOPackage.ServiceProfile(
+            "lost", Observer.type_id, [], ghost._narrow(RTC.RTObject).get_ports()[0]
+        )
         self.assertTrue(configuration.add_service_profile(profile))
         gone.close()
         context = self.world.context("ConsoleIn0")
@@ -177,7 +219,10 @@ class Observers(Case):
         def forgotten():
             context.stop()
             context.start()
-            return not configuration.remove_service_profile("lost") or configuration.add_service_profile(profile) is None
+            return (
+                not configuration.remove_service_profile("lost")
+                or configuration.add_service_profile(profile) is None
+            )
 
         eventually(forgotten, "forgotten")
 
@@ -210,11 +255,14 @@ class StateMachines(Case):
         structure.event_profiles = [RTC.FsmEventProfile("toggle", "TimedShort")]
         self.assertEqual(str(machine.set_fsm_structure(structure)), "RTC_OK")
         self.assertEqual([one.name for one in machine.get_fsm_structure()[1].event_profiles], ["toggle"])
-        self.assertEqual(value(component.get_component_profile().properties, "sdo.service.provider.available_services"),
-                         SERVICE)
+        self.assertEqual(
+            value(component.get_component_profile().properties, "sdo.service.provider.available_services"),
+            SERVICE,
+        )
 
     def test_fragile(self):
-        """The one of C++ that ends when it is asked for its service by id, but not when its profile is read."""
+        """The one of C++ that ends when it is asked for its service by id, but not when its profile is read.
+        """
         self.start("fsm", "dies", "--flavour", "cpp2")
         component = self.world.component("Microwave0")
         self.assertEqual(component.get_service_profiles()[0].id, SERVICE)
@@ -241,7 +289,9 @@ class StateMachines(Case):
 
 class Senders(Case):
     def test_rate_and_size(self):
-        """As many a second and as large as asked for, with the byte order that each implementation really sends."""
+        """As many a second and as large as asked for, with the byte order that each implementation really
+        sends.
+        """
         for flavour, order in (("py2", "big"), ("cpp2", "little")):
             self.start("senders", "200", "5000", "--flavour", flavour)
             receiver = Receiver()
@@ -253,7 +303,9 @@ class Senders(Case):
             self.assertEqual((len(blocks[0]), int.from_bytes(blocks[0][8:12], order)), (12 + 5000, 5000))
             numbers = sorted(int.from_bytes(data[12:20], "little") for data in blocks)
             self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 101)))
-            times = sorted(int.from_bytes(data[:4], order) + int.from_bytes(data[4:8], order) / 1e9 for data in blocks)
+            times = sorted(
+                int.from_bytes(data[:4], order) + int.from_bytes(data[4:8], order) / 1e9 for data in blocks
+            )
             self.assertTrue(0.25 < times[-1] - times[0] < 3, times[-1] - times[0])
 
 

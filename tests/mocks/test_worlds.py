@@ -1,4 +1,6 @@
-"""Worlds of mock components: what they are for (time, faults, counting, odd names), and how they start and end."""
+"""Worlds of mock components: what they are for (time, faults, counting, odd names), and how they start and
+end.
+"""
 import os
 import signal
 import subprocess
@@ -55,17 +57,23 @@ class Worlds(unittest.TestCase):
             component, context = world.component("Slow0"), world.context("Slow0")
             self.assertEqual([str(context.activate_component(component)) for _ in range(2)], ["RTC_OK"] * 2)
             self.assertEqual(context.get_component_state(component), RTC.INACTIVE_STATE)
-            eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active in the end")
+            eventually(
+                lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active in the end"
+            )
 
     def test_rtorb(self):
         """RtORB's bare names, one connection a port, no ids of others."""
         world = self.world("two", "--flavour", "rtorb")
         out, inp = world.port("ConsoleIn0", "out"), world.port("ConsoleOut0", "in")
         profile = out.get_port_profile()
-        self.assertEqual((profile.name, value(profile.properties, "dataport.data_type")), ("out", "TimedLong"))
+        self.assertEqual(
+            (profile.name, value(profile.properties, "dataport.data_type")), ("out", "TimedLong")
+        )
         self.assertEqual(outcome(out.connect, connector([out, inp], "mine")), "PRECONDITION_NOT_MET")
         self.assertEqual(outcome(out.connect, connector([out, inp], dataflow_type="pull")), "BAD_PARAMETER")
-        self.assertEqual([outcome(out.connect, connector([out, inp])) for _ in range(2)], ["RTC_OK", "RTC_ERROR"])
+        self.assertEqual(
+            [outcome(out.connect, connector([out, inp])) for _ in range(2)], ["RTC_OK", "RTC_ERROR"]
+        )
         self.assertEqual(len(inp.get_connector_profiles()), 1)
 
     def test_java(self):
@@ -104,7 +112,8 @@ class Worlds(unittest.TestCase):
         eventually(lambda: context.get_component_state(component) == RTC.ERROR_STATE, "error")
 
     def test_active_before_error(self):
-        """A component that fails to become active is Active for a period of its context; RtORB knows at once."""
+        """A component that fails to become active is Active for a period of its context; RtORB knows at once.
+        """
         for flavour in ("cpp11", "cpp12", "cpp2", "py2", "java"):
             world = self.world("error", "--flavour", flavour, "--rate", "5")
             component, context = world.component("ErrStart0"), world.context("ErrStart0")
@@ -182,9 +191,13 @@ class Worlds(unittest.TestCase):
         """A component of 2.x answers under a key, but its contexts do not know that reference."""
         given = str(processes.nameserver.free_port())
         world = self.world("two", "--port", given)
-        port = value(world.component("ConsoleIn0").get_component_profile().properties, "corba.endpoints").split(":")[1]
+        port = value(
+            world.component("ConsoleIn0").get_component_profile().properties, "corba.endpoints"
+        ).split(":")[1]
         self.assertEqual(port, given)
-        by_key = worlds.Server.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/example.ConsoleIn0" % port)
+        by_key = worlds.Server.orb.string_to_object(
+            "corbaloc:iiop:1.2@127.0.0.1:%s/example.ConsoleIn0" % port
+        )
         by_key = by_key._unchecked_narrow(OpenRTM.DataFlowComponent)
         context, = by_key.get_owned_contexts()
         self.assertEqual(str(context.activate_component(by_key)), "BAD_PARAMETER")
@@ -232,8 +245,13 @@ class Worlds(unittest.TestCase):
     def test_end_of_input(self):
         """A world ends with whoever has started it."""
         words = ["two", "--nameserver", "127.0.0.1:%d" % worlds.Server.port]
-        done = subprocess.run([sys.executable, "-m", "mock_components"] + words, input=b"", env=worlds.ENVIRONMENT,
-                              stdout=subprocess.PIPE, timeout=worlds.LIMIT)
+        done = subprocess.run(
+            [sys.executable, "-m", "mock_components"] + words,
+            input=b"",
+            env=worlds.ENVIRONMENT,
+            stdout=subprocess.PIPE,
+            timeout=worlds.LIMIT,
+        )
         self.assertEqual(done.stdout, b"ready 2\n")
         self.assertEqual(done.returncode, 0)
 
@@ -247,7 +265,9 @@ class Worlds(unittest.TestCase):
     def test_formats(self):
         """--context takes several formats; missing contexts are made."""
         world = self.world("two", "--context", "test.host_cxt/deep.area_cxt/%n.rtc, test.host_cxt/%t.rtc")
-        self.assertTrue(world.resolve("deep.area_cxt", "ConsoleIn0.rtc")._is_equivalent(world.resolve("ConsoleIn.rtc")))
+        self.assertTrue(
+            world.resolve("deep.area_cxt", "ConsoleIn0.rtc")._is_equivalent(world.resolve("ConsoleIn.rtc"))
+        )
 
 
 if __name__ == "__main__":

@@ -31,9 +31,20 @@ class Failed(Exception):
 class Browser:
     def __init__(self):
         self.home = tempfile.mkdtemp()
-        words = [program(), "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
-                 "--disable-extensions", "--disable-component-update", "--disable-background-networking", "--disable-sync",
-                 "--user-data-dir=" + self.home, "about:blank"]
+        words = [
+            program(),
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--remote-debugging-pipe",
+            "--no-first-run",
+            "--disable-extensions",
+            "--disable-component-update",
+            "--disable-background-networking",
+            "--disable-sync",
+            "--user-data-dir=" + self.home,
+            "about:blank",
+        ]
         own_in, its_out = os.pipe()
         its_in, own_out = os.pipe()
         far = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (its_in, its_out)]
@@ -43,9 +54,16 @@ class Browser:
             os.dup2(far[0], 3)
             os.dup2(far[1], 4)
 
-        self.process = subprocess.Popen(words, pass_fds=(3, 4), preexec_fn=place, stdin=subprocess.DEVNULL,
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-                                        env=dict(os.environ, HOME=self.home))
+        self.process = subprocess.Popen(
+            words,
+            pass_fds=(3, 4),
+            preexec_fn=place,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+            env=dict(os.environ, HOME=self.home),
+        )
         for end in [its_in, its_out] + far:
             os.close(end)
         self.reading, self.writing = own_in, own_out
@@ -110,8 +128,16 @@ class Browser:
         page = Page(self, session)
         for domain in "Page", "Runtime", "Log", "Network":
             page.call(domain + ".enable")
-        page.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 500)
-        page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+        page.call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width,
+            height=height,
+            deviceScaleFactor=1,
+            mobile=width < 500,
+        )
+        page.call("Emulation.setEmulatedMedia", features=[{"name": (
+            "prefers-color-scheme"
+        ), "value": "dark" if dark else "light"}])
         page.call("Page.navigate", url=address)
         page.event("Page.loadEventFired")
         return page
@@ -137,7 +163,9 @@ class Page:
         return self.named(method)[0]
 
     def run(self, expression):
-        """The value of an expression in the page, after its promise if it is one. Raises Failed with what it throws."""
+        """The value of an expression in the page, after its promise if it is one. Raises Failed with what it
+        throws.
+        """
         found = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in found:
             raise Failed(json.dumps(found["exceptionDetails"]))

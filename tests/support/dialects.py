@@ -1,4 +1,6 @@
-"""A robot that speaks another GIOP than ours: relays that say the same in another version, byte order, or in fragments."""
+"""A robot that speaks another GIOP than ours: relays that say the same in another version, byte order, or in
+fragments.
+"""
 import re
 
 import giop_client
@@ -8,12 +10,13 @@ from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.giop import marshal, messages, operations
 
 ROOT = "IDL:omg.org/CosNaming/NamingContext:1.0"
-PROFILE = re.compile(rb"(\x01\x01)[\0-\x02](\0\x0a\0\0\x00127\.0\.0\.1\0)")  # how an IIOP profile begins: its version
+# how an IIOP profile begins: its version
+PROFILE = re.compile(rb"(\x01\x01)[\0-\x02](\0\x0a\0\0\x00127\.0\.0\.1\0)")
 
 
 class Dialect(relay.Relay):
-    """`minor`: the GIOP 1.x that all speak; `order`: "<" or ">" of all answers; `piece`: octets of a fragment, or None for no
-    fragments. `strict`: later versions are answered with MessageError.
+    """`minor`: the GIOP 1.x that all speak; `order`: "<" or ">" of all answers; `piece`: octets of a
+    fragment, or None for no fragments. `strict`: later versions are answered with MessageError.
     """
 
     def __init__(self, minor, order="<", piece=None, strict=False):
@@ -25,7 +28,11 @@ class Dialect(relay.Relay):
 
     def refused(self, message):
         """MessageError to what is later than our version."""
-        return messages.whole(messages.ERROR, b"", self.minor) if self.strict and message[5] > self.minor else None
+        return (
+            messages.whole(messages.ERROR, b"", self.minor)
+            if self.strict and message[5] > self.minor
+            else None
+        )
 
     def asked(self, message):
         return _in_version(2, message)
@@ -59,12 +66,16 @@ class Dialect(relay.Relay):
             type_id, _ = self.reader.reader(marshal.TEXT)(reply, at)
             return marshal.TEXT, idl.descriptor(type_id)
         interface = self.types.get(request.key, ROOT) or ROOT
-        _, returned, _ = operations._COMMON.get(request.operation) or idl.operation(interface, request.operation)
+        _, returned, _ = operations._COMMON.get(request.operation) or idl.operation(
+            interface, request.operation
+        )
         return [idl.descriptor(word) for word in returned or ()]
 
 
 def _in_version(minor, message):
-    """A message with all references in it for GIOP 1.`minor`; those for 1.0 keep their components, which older ORBs send, too."""
+    """A message with all references in it for GIOP 1.`minor`; those for 1.0 keep their components, which
+    older ORBs send, too.
+    """
     return PROFILE.sub(lambda found: found.group(1) + bytes([minor]) + found.group(2), message)
 
 

@@ -1,4 +1,5 @@
-"""Serve Echoes::All of tests/data/idl/valid/echoes.idl with stubs that omniidl has made in DIRECTORY; prints its reference.
+"""Serve Echoes::All of tests/data/idl/valid/echoes.idl with stubs that omniidl has made in DIRECTORY; prints
+its reference.
 
 echo_provider.py DIRECTORY        ends with its standard input
 """

@@ -18,7 +18,17 @@ import threading
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STORE = os.path.join(ROOT, ".venv-tests")
-SOURCES = ["setup.py", "setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "bin", "man", "rtshell_lite"]
+SOURCES = [
+    "setup.py",
+    "setup.cfg",
+    "pyproject.toml",
+    "README.md",
+    "LICENSE",
+    "CHANGELOG.md",
+    "bin",
+    "man",
+    "rtshell_lite",
+]
 
 
 class Failed(Exception):
@@ -42,7 +52,9 @@ def lock():
 
 
 def run(words, **keywords):
-    process = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **keywords)
+    process = subprocess.run(
+        words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **keywords
+    )
     if process.returncode:
         raise Failed("%s\n%s" % (" ".join(words), process.stdout.decode("utf-8", "replace").strip()))
     return process.stdout.decode().strip()
@@ -56,7 +68,8 @@ def need_loopback():
             probe.listen(1)
             socket.create_connection(probe.getsockname(), 5).close()
         except OSError as e:
-            sys.exit("tests/run: 127.0.0.1 does not work here (%s); in a new network namespace: ip link set lo up" % e.strerror)
+            sys.exit("tests/run: 127.0.0.1 does not work here (%s); in a new network "
+                     "namespace: ip link set lo up" % e.strerror)
 
 
 # ---- Pythons ----
@@ -86,8 +99,11 @@ def _candidates(asked):
     if not re.match(r"3\.\d+(\.\d+)?$", asked):
         return [asked]
     versions = os.path.join(os.environ.get("PYENV_ROOT") or os.path.expanduser("~/.pyenv"), "versions")
-    installed = [path for path in sorted(glob.glob(os.path.join(glob.escape(versions), "*", "bin", "python3")))
-                 if (path.split(os.sep)[-3] + ".").startswith(asked + ".")]
+    installed = [
+        path
+        for path in sorted(glob.glob(os.path.join(glob.escape(versions), "*", "bin", "python3")))
+        if (path.split(os.sep)[-3] + ".").startswith(asked + ".")
+    ]
     names = ["python" + ".".join(asked.split(".")[:2]), "python3"]
     return [sys.executable] + installed + list(filter(None, map(shutil.which, names)))
 
@@ -95,7 +111,9 @@ def _candidates(asked):
 # ---- the wheel ----
 
 def build_wheel(python):
-    """The wheel built from the checkout as it is now; a copy is built, so that nothing old or foreign gets in."""
+    """The wheel built from the checkout as it is now; a copy is built, so that nothing old or foreign gets
+    in.
+    """
     store = os.path.join(STORE, "dist", _digest(SOURCES))
     for wheel in glob.glob(os.path.join(store, "*.whl")):
         return wheel
@@ -105,7 +123,20 @@ def build_wheel(python):
         os.mkdir(source)
         for name in SOURCES:
             copy(os.path.join(ROOT, name), os.path.join(source, name))
-        run([builder, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", out, source])
+        run(
+            [
+                builder,
+                "-m",
+                "pip",
+                "wheel",
+                "--no-build-isolation",
+                "--no-deps",
+                "--no-index",
+                "-w",
+                out,
+                source,
+            ]
+        )
         shutil.rmtree(os.path.dirname(store), ignore_errors=True)
         shutil.copytree(out, store)
     return glob.glob(os.path.join(store, "*.whl"))[0]
@@ -151,19 +182,32 @@ def _prepared(python, wheel):
     words = ["--no-index", wheel]
     if fetched:  # what a user types, so that the extra is tried as well
         words = ["--no-index", "--find-links", os.path.dirname(fetched), wheel + "[omniorb]"]
-    interpreter = _environment(python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite")
+    interpreter = _environment(
+        python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite"
+    )
     _refresh(interpreter, directory, wheel)
-    # The processes of the tests, thousands of them, write no bytecode where commands are told not to: half their start-up.
-    run([interpreter, "-m", "compileall", "-q"] + [os.path.join(ROOT, name) for name in ("mock_components", "tests")])
+    # The processes of the tests, thousands of them, write no bytecode where commands are told not to: half
+    # their start-up.
+    run(
+        [interpreter, "-m", "compileall", "-q"]
+        + [os.path.join(ROOT, name) for name in ("mock_components", "tests")]
+    )
     return interpreter
 
 
 def prepare_compat(python):
-    """An environment with the real libraries for profiles and logs, from the package index; returns its interpreter. Raises
-    Failed.
+    """An environment with the real libraries for profiles and logs, from the package index; returns its
+    interpreter. Raises Failed.
     """
-    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support", "backports.zstd; python_version < '3.14'"]
-    return _environment(python, os.path.join(STORE, "compat-" + python.full), " ".join(words), words, "yaml, rtsprofile, mcap, mcap_ros2")
+    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support", "backports.zstd; python_version < "
+                                                                       "'3.14'"]
+    return _environment(
+        python,
+        os.path.join(STORE, "compat-" + python.full),
+        " ".join(words),
+        words,
+        "yaml, rtsprofile, mcap, mcap_ros2",
+    )
 
 
 def prepare_npm():
@@ -175,15 +219,22 @@ def prepare_npm():
     if not all(os.path.isdir(os.path.join(modules, word)) for word in words):
         os.makedirs(directory, exist_ok=True)
         try:
-            subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", directory] + words,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300, check=True)
+            subprocess.run(
+                ["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", directory] + words,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                timeout=300,
+                check=True,
+            )
         except (OSError, subprocess.SubprocessError):
             return None
     return modules
 
 
 def fetch_omniorb(python):
-    """The file of omniORBpy for this Python, from the package index; None where none was ever made. Raises Failed."""
+    """The file of omniORBpy for this Python, from the package index; None where none was ever made. Raises
+    Failed.
+    """
     if python.version == "3.6":
         return None
     directory = os.path.join(STORE, "omniorb-" + python.full)
@@ -191,8 +242,20 @@ def fetch_omniorb(python):
     marker = os.path.join(directory, "made-from")
     if _content(marker) != "\n".join(requirements):
         shutil.rmtree(directory, ignore_errors=True)
-        run([python.path, "-m", "pip", "download", "--disable-pip-version-check", "-q", "--no-deps", "-d", directory] +
-            requirements)
+        run(
+            [
+                python.path,
+                "-m",
+                "pip",
+                "download",
+                "--disable-pip-version-check",
+                "-q",
+                "--no-deps",
+                "-d",
+                directory,
+            ]
+            + requirements
+        )
         with open(marker, "w") as file:
             file.write("\n".join(requirements))
     return glob.glob(os.path.join(glob.escape(directory), "*.whl"))[0]
@@ -224,7 +287,9 @@ def _environment(python, directory, requirement, words, imports):
 
 
 def _refresh(interpreter, directory, wheel):
-    """Install this wheel unless it is installed, which is decided by its content: the version does not change."""
+    """Install this wheel unless it is installed, which is decided by its content: the version does not
+    change.
+    """
     marker = os.path.join(directory, "wheel")
     if _content(marker) == wheel:
         return

@@ -1,7 +1,7 @@
 """The answers in which components of the four implementations differ, as measured.
 
-`added` is what a connector gains, by whether the InPort comes first and by data flow; the rest speaks for itself
-where it is used.
+`added` is what a connector gains, by whether the InPort comes first and by data flow; the rest speaks for
+itself where it is used.
 """
 import worlds
 
@@ -13,9 +13,16 @@ MODES = "block,flush,new,nonblock,periodic"
 
 def modern(start, flows, interfaces):
     """The rest of the properties of a 2.x port."""
-    return (start + ["dataport.marshaling_types=cdr", "dataport.dataflow_type=" + flows,
-                     "dataport.interface_type=" + interfaces] +
-            ["dataport.interface_option.%s=" % name for name in interfaces.split(",")] + ["data_type=" + LONG])
+    return (
+        start
+        + [
+            "dataport.marshaling_types=cdr",
+            "dataport.dataflow_type=" + flows,
+            "dataport.interface_type=" + interfaces,
+        ]
+        + ["dataport.interface_option.%s=" % name for name in interfaces.split(",")]
+        + ["data_type=" + LONG]
+    )
 
 
 def plain(start, interfaces):
@@ -30,15 +37,31 @@ class Cpp11:
     language, endpoint, uuid, waits = ("C++", "compile", "1.1.2", ""), "corba.endpoint", 4, False
     nil_component, activate_stopped, sleeps = "BAD_PARAMETER", ("RTC_OK", "INACTIVE_STATE"), False
     context_properties, ext_trig = ["type", "rate"], True
-    out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr") + ["dataport.data_value"]
+    out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr") + [
+        "dataport.data_value"
+    ]
     in_properties = plain(IN, "corba_cdr")
     no_service_profile, no_sdo_service = "InternalError", "InternalError"
-    added = {(False, "push"): ["corba_cdr.inport_ior", "corba_cdr.inport_ref"], (True, "push"): ["corba_cdr.inport_ior"],
-             (False, "pull"): ["corba_cdr.outport_ior"]}
-    periodic, endian, marshaling, direct, double, half = "RTC_ERROR", "UNSUPPORTED", "RTC_OK", "BAD_PARAMETER", "RTC_OK", []
+    added = {
+        (False, "push"): ["corba_cdr.inport_ior", "corba_cdr.inport_ref"],
+        (True, "push"): ["corba_cdr.inport_ior"],
+        (False, "pull"): ["corba_cdr.outport_ior"],
+    }
+    periodic, endian, marshaling, direct, double, half = (
+        "RTC_ERROR",
+        "UNSUPPORTED",
+        "RTC_OK",
+        "BAD_PARAMETER",
+        "RTC_OK",
+        [],
+    )
     short_put, empty, readback, obeys_big = "MARSHAL", "BUFFER_EMPTY", "PORT_OK", True
     empty_id, bad_activate, number, set_creates = "InternalError", "InvalidParameter", "98765", True
-    no_set, cannot_activate, parameter = "Unknown exception", "Configuration::activate_configuration_set()", None
+    no_set, cannot_activate, parameter = (
+        "Unknown exception",
+        "Configuration::activate_configuration_set()",
+        None,
+    )
     service, service_sleeps = ("myservice0", "MyService"), True
     dead_port, dead_component = None, None
 
@@ -50,7 +73,9 @@ class Cpp12(Cpp11):
     language, endpoint, waits = ("C++", "compile", "1.2.2", ""), "corba.endpoints", True
     activate_stopped = ("RTC_OK", "ACTIVE_STATE")
     ext_trig = False
-    out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr,direct,shared_memory")
+    out_properties = plain(
+        OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr,direct,shared_memory"
+    )
     in_properties = plain(IN, "corba_cdr,direct,shared_memory")
     no_service_profile, no_sdo_service = "InvalidParameter", "InvalidParameter"
     direct, double, obeys_big = "RTC_ERROR", "PRECONDITION_NOT_MET", False
@@ -63,8 +88,11 @@ class Cpp2(Cpp12):
     language = ("C++", "compile", "2.1.0", "")
     activate_stopped, sleeps = ("RTC_ERROR", "INACTIVE_STATE"), True
     context_properties = ["sync_transition", "transition_timeout", "type", "rate", "name"]
-    out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull",
-                            "corba_cdr,data_service,direct,shared_memory")
+    out_properties = modern(
+        OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES],
+        "push,pull",
+        "corba_cdr,data_service,direct,shared_memory",
+    )
     in_properties = modern(IN, "push,pull", "corba_cdr,data_service,direct,shared_memory")
     added = {(False, "push"): ["outport", "inport", "corba_cdr.inport_ior", "corba_cdr.inport_ref"],
              (True, "push"): ["inport", "corba_cdr.inport_ior", "outport", "corba_cdr.inport_ref"],
@@ -82,13 +110,33 @@ class Py2:
     endpoint, uuid, waits = "corba.endpoints", 1, True
     nil_component, activate_stopped, sleeps = "BAD_PARAM", ("RTC_ERROR", "INACTIVE_STATE"), True
     context_properties, ext_trig = ["sync_transition", "transition_timeout", "type", "rate"], False
-    out_properties = modern(OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES], "push,pull,duplex",
-                            "corba_cdr,csp_channel,data_service,direct,shared_memory")
+    out_properties = modern(
+        OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES],
+        "push,pull,duplex",
+        "corba_cdr,csp_channel,data_service,direct,shared_memory",
+    )
     in_properties = modern(IN, "push,pull,duplex", "corba_cdr,csp_channel,data_service,direct,shared_memory")
     no_service_profile, no_sdo_service = "InternalError", "InvalidParameter"
-    added = {(False, "push"): ["outport.data_type", "inport.data_type", "corba_cdr.inport_ior", "corba_cdr.inport_ref"],
-             (True, "push"): ["inport.data_type", "corba_cdr.inport_ior", "corba_cdr.inport_ref", "outport.data_type"],
-             (False, "pull"): ["outport.data_type", "corba_cdr.outport_ior", "corba_cdr.outport_ref", "inport.data_type"]}
+    added = {
+        (False, "push"): [
+            "outport.data_type",
+            "inport.data_type",
+            "corba_cdr.inport_ior",
+            "corba_cdr.inport_ref",
+        ],
+        (True, "push"): [
+            "inport.data_type",
+            "corba_cdr.inport_ior",
+            "corba_cdr.inport_ref",
+            "outport.data_type",
+        ],
+        (False, "pull"): [
+            "outport.data_type",
+            "corba_cdr.outport_ior",
+            "corba_cdr.outport_ref",
+            "inport.data_type",
+        ],
+    }
     periodic, endian, marshaling, direct = "RTC_OK", "RTC_ERROR", "RTC_ERROR", "RTC_ERROR"
     double, half = "PRECONDITION_NOT_MET", ["half"]
     short_put, empty, readback, obeys_big = "PORT_OK", "BAD_PARAM", "BAD_PARAM", True

@@ -42,8 +42,19 @@ class Observer:
         self.heard.append((kind._n, hint))
 
 
-def request(key, operation, body=b"", number=1, minor=2, order="<", is_answered=True, contexts=b"", kind=requests.REQUEST):
-    """A Request, or a LocateRequest, as octets. `contexts`: octets of one service context, which is ignored."""
+def request(
+    key,
+    operation,
+    body=b"",
+    number=1,
+    minor=2,
+    order="<",
+    is_answered=True,
+    contexts=b"",
+    kind=requests.REQUEST,
+):
+    """A Request, or a LocateRequest, as octets. `contexts`: octets of one service context, which is ignored.
+    """
     def aligned(data, size):
         return data + b"\xee" * (-len(data) % size)  # padding is what happens to be in memory
 
@@ -55,12 +66,16 @@ def request(key, operation, body=b"", number=1, minor=2, order="<", is_answered=
     head = bytes(12)
     if minor < 2:
         head = aligned(head + known, 4) if asks else head
-        head += struct.pack(order + "I", number) + (bytes([is_answered]) + b"\xee" * (3 if minor else 0) if asks else b"")
+        head += struct.pack(order + "I", number) + (
+            bytes([is_answered]) + b"\xee" * (3 if minor else 0) if asks else b""
+        )
         head = aligned(head, 4) + octets(key)
         if asks:
             head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + octets(b"who")
     else:
-        head += struct.pack(order + "I", number) + (bytes([3 if is_answered else 0]) + b"\xee" * 3 if asks else b"")
+        head += struct.pack(order + "I", number) + (
+            bytes([3 if is_answered else 0]) + b"\xee" * 3 if asks else b""
+        )
         head += struct.pack(order + "H", 0) + b"\xee\xee" + octets(key)
         if asks:
             head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + known
@@ -83,8 +98,16 @@ def fragments(message, *cuts):
     order, minor = ("<" if message[6] & 1 else ">"), message[5]
     parts = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
     ahead = message[12:16] if minor == 2 else b""
-    return [messages.whole(message[7] if i == 0 else messages.FRAGMENT, (b"" if i == 0 else ahead) + part, minor, order, i < len(parts) - 1)
-            for i, part in enumerate(parts)]
+    return [
+        messages.whole(
+            message[7] if i == 0 else messages.FRAGMENT,
+            (b"" if i == 0 else ahead) + part,
+            minor,
+            order,
+            i < len(parts) - 1,
+        )
+        for i, part in enumerate(parts)
+    ]
 
 
 class Client:
@@ -129,7 +152,9 @@ class Client:
 
 
 def result(message):
-    """What a reply says: the octets of its results, or the name of the system exception and whether it was completed."""
+    """What a reply says: the octets of its results, or the name of the system exception and whether it was
+    completed.
+    """
     number, status, little, at = messages.reply(message)
     if status == messages.NO_EXCEPTION:
         return message[at:]
@@ -145,7 +170,9 @@ class Serving:
 
     def __init__(self):
         self.loop, self._began, self._over = None, threading.Event(), loop.Bell()
-        self._thread = threading.Thread(target=lambda: loop.run(self._run(), session=session.Session(LIMIT)), daemon=True)
+        self._thread = threading.Thread(
+            target=lambda: loop.run(self._run(), session=session.Session(LIMIT)), daemon=True
+        )
         self._thread.start()
         self._began.wait()
 

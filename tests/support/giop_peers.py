@@ -16,7 +16,9 @@ CLOSE = messages.whole(messages.CLOSE)
 
 
 class Peer:
-    """A process that answers each message with the next of some octets; what is None closes the connection. `last` came last."""
+    """A process that answers each message with the next of some octets; what is None closes the connection.
+    `last` came last.
+    """
 
     def __init__(self, *answers):
         self.listening = socket.socket()
@@ -53,9 +55,11 @@ def answer(number, body=b"\0", status=0, minor=2, order="<"):
 
 
 class Script:
-    """A process that reads the requests of one connection after the other, and answers them as a function says.
+    """A process that reads the requests of one connection after the other, and answers them as a function
+    says.
 
-    `play(requests)` gets the (number, operation) pairs that have come so far and returns octets to send, or None to wait for more.
+    `play(requests)` gets the (number, operation) pairs that have come so far and returns octets to send, or
+    None to wait for more.
     """
 
     def __init__(self, play):
@@ -83,7 +87,9 @@ class Script:
                 data += piece
                 while len(data) >= 12 and len(data) >= 12 + messages.size(data):
                     size = 12 + messages.size(data)
-                    pending.append((messages.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent"))
+                    pending.append(
+                        (messages.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent")
+                    )
                     data = data[size:]
                 self.most = max(self.most, len(pending))
                 reply = self.play(pending)
@@ -119,7 +125,9 @@ class Calls(unittest.TestCase):
 
     def run_tasks(self, *jobs):
         """The values of coroutine functions, each a job of the process of a reference."""
-        return self.wait_for(session.each(jobs, lambda job: job[1](), lambda job: (job[0].address[1:3], "job")))
+        return self.wait_for(
+            session.each(jobs, lambda job: job[1](), lambda job: (job[0].address[1:3], "job"))
+        )
 
     def script_of(self, replies):
         """A process that answers all that has come with replies(number) each."""

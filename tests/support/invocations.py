@@ -1,4 +1,5 @@
-"""With which arguments every command is run by tests that run them all: what its transcript, tests/commands/NAME.t, states.
+"""With which arguments every command is run by tests that run them all: what its transcript,
+tests/commands/NAME.t, states.
 
 At the margin of a transcript, as a rule at its end:
 
@@ -12,9 +13,11 @@ At the margin of a transcript, as a rule at its end:
 
 What is special about its examples is stated there, too: see tests/commands/test_examples.py.
 
-Words stand for things: SERVER a name server (or another directory), A and B components (A:out an out port, A:in an in port),
-MGR a manager, FILE an RtsProfile that connects A:out to B:in, OUT a file to write, LOG a log that was recorded before.
-"""
+Words stand for things: SERVER a name server (or another directory), A and B components (A:out an out port,
+A:in an in port), MGR a manager, FILE an RtsProfile that connects A:out to B:in, OUT a file to write, LOG a
+log that was recorded before.
+"""  # noqa: E501
+
 import os
 import re
 
@@ -29,7 +32,8 @@ def all_commands():
 
 
 def stated(kind):
-    """What transcripts state of one kind: {command: [line]}, without the commands that state nothing of it."""
+    """What transcripts state of one kind: {command: [line]}, without the commands that state nothing of it.
+    """
     found = {}
     for command in all_commands():
         path = os.path.join(transcripts.COMMANDS, command + ".t")
@@ -41,8 +45,13 @@ def stated(kind):
 
 
 def statuses(role):
-    """With which statuses commands may end besides 4 when a "server" or "component" is broken: {command: {status}}."""
-    return {command: {int(word) for line in lines for word in line.split()} for command, lines in stated("broken " + role).items()}
+    """With which statuses commands may end besides 4 when a "server" or "component" is broken: {command:
+    {status}}.
+    """
+    return {
+        command: {int(word) for line in lines for word in line.split()}
+        for command, lines in stated("broken " + role).items()
+    }
 
 
 def words(line, places):

@@ -1,4 +1,6 @@
-"""What tests leave behind: processes, found by a mark in their environment, and mounts, which only they themselves see."""
+"""What tests leave behind: processes, found by a mark in their environment, and mounts, which only they
+themselves see.
+"""
 import functools
 import os
 import signal
@@ -8,7 +10,9 @@ import uuid
 
 @functools.lru_cache(maxsize=None)
 def apart():
-    """How the command line of a job begins: root's jobs get a mount namespace each, as rtdoctor looks at all mounts."""
+    """How the command line of a job begins: root's jobs get a mount namespace each, as rtdoctor looks at all
+    mounts.
+    """
     command = ["unshare", "--mount"]
     try:
         works = os.geteuid() == 0 and subprocess.call(command + ["true"], stderr=subprocess.DEVNULL) == 0
@@ -26,7 +30,9 @@ def mark():
 def left_behind(marker):
     """Kill the processes that have the mark, except this one; returns their command lines."""
     found = []
-    for number in (int(name) for name in os.listdir("/proc") if name.isdigit()) if os.path.isdir("/proc") else ():
+    for number in (
+        (int(name) for name in os.listdir("/proc") if name.isdigit()) if os.path.isdir("/proc") else ()
+    ):
         try:
             with open("/proc/%d/environ" % number, "rb") as file:
                 if number == os.getpid() or marker not in file.read():

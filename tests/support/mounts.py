@@ -22,7 +22,9 @@ def refused():
 
 
 def take_away(top):
-    """Unmount all that is mounted below a directory, before it is removed: rm in a mounted tree would disconnect ports."""
+    """Unmount all that is mounted below a directory, before it is removed: rm in a mounted tree would
+    disconnect ports.
+    """
     with open("/proc/self/mountinfo") as file:
         places = [line.split(" ")[4] for line in file]
     for place in places:

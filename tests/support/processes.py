@@ -1,4 +1,5 @@
-"""The processes that tests talk to: name servers, worlds of mock components, peers that misbehave. All are started here.
+"""The processes that tests talk to: name servers, worlds of mock components, peers that misbehave. All are
+started here.
 
 They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they say) and NAME.control.
 """
@@ -20,16 +21,20 @@ START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
 # ---- starting ----
 
 def open_session(top):
-    """Have all that is started from now on keep its files in the directory `top`, and end when this process does."""
+    """Have all that is started from now on keep its files in the directory `top`, and end when this process
+    does.
+    """
     os.environ["SESSION"] = top
     os.mkfifo(session_file("alive"))  # what every peer has as stdin
     os.open(session_file("alive"), os.O_RDWR)  # never closed
 
 
 def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
-    """Start an omniNames of its own data directory; returns its process and its port as text, one that sorts behind `above`.
+    """Start an omniNames of its own data directory; returns its process and its port as text, one that sorts
+    behind `above`.
 
-    `published` is the port that its references tell, where that is another one; `options` are further words of omniNames.
+    `published` is the port that its references tell, where that is another one; `options` are further words
+    of omniNames.
     """
     publish = ["-ORBendPointPublish", "giop:tcp:127.0.0.1:%d" % published] if published else []
     more = list(options) + publish
@@ -60,9 +65,13 @@ def start_faulty(words):
 
 def start(name, command):
     """Start a process that ends when this one does; its words go to a file, its number to another."""
-    environment = dict(os.environ, PYTHONPATH=mocks_alone(), PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1")
+    environment = dict(
+        os.environ, PYTHONPATH=mocks_alone(), PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1"
+    )
     with open(session_file("alive")) as alive, open(session_file(name + ".out"), "wb") as out:
-        process = subprocess.Popen(command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""), env=environment)
+        process = subprocess.Popen(
+            command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""), env=environment
+        )
     with open(session_file(name + ".pid"), "w") as file:
         file.write(str(process.pid))
     return process

@@ -8,7 +8,9 @@ KINDS = ("CUT", "LOST", "HANG", "GONE")  # connection lost before, after the cal
 
 
 class Proxy:
-    """Listens on its own port and forwards to that of the name server, `target`, which is set before the first call."""
+    """Listens on its own port and forwards to that of the name server, `target`, which is set before the
+    first call.
+    """
 
     def __init__(self):
         self.lock = threading.Lock()

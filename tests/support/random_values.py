@@ -3,8 +3,28 @@ import math
 import struct
 
 from rtshell_lite.giop import descriptors, marshal, rare, references
-from rtshell_lite.giop.descriptors import (ANY, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FIXED, FLOAT, OBJECT, OCTET, RANGES, SEQUENCE,
-                                           STRING, STRUCT, TYPECODE, UNION, WCHAR, WSTRING, kind, target)
+from rtshell_lite.giop.descriptors import (
+    ANY,
+    ARRAY,
+    BOOLEAN,
+    CHAR,
+    DOUBLE,
+    ENUM,
+    FIXED,
+    FLOAT,
+    OBJECT,
+    OCTET,
+    RANGES,
+    SEQUENCE,
+    STRING,
+    STRUCT,
+    TYPECODE,
+    UNION,
+    WCHAR,
+    WSTRING,
+    kind,
+    target,
+)
 
 LETTERS = "ab'\"\\{}\n\x1b é日本\u202e"
 
@@ -17,7 +37,9 @@ def value(rng, descriptor, depth=4):
         low, high = RANGES[sort]
         return rng.choice((low, high, 0, rng.randint(low, high)))
     if sort in (FLOAT, DOUBLE):
-        number = rng.choice((0.0, -1.5, float("inf"), float("-inf"), float("nan"), 0.1, rng.uniform(-1e9, 1e9), 1e-30))
+        number = rng.choice(
+            (0.0, -1.5, float("inf"), float("-inf"), float("nan"), 0.1, rng.uniform(-1e9, 1e9), 1e-30)
+        )
         return struct.unpack("<f", struct.pack("<f", number))[0] if sort == FLOAT else number
     if sort == BOOLEAN:
         return rng.random() < 0.5
@@ -31,21 +53,34 @@ def value(rng, descriptor, depth=4):
     if sort == ENUM:
         return rng.choice(descriptor[3])
     if sort in (SEQUENCE, ARRAY):
-        size = descriptor[2] if sort == ARRAY else rng.randrange(min(descriptor[2] or 5, 5) + 1) if depth > 0 else 0
+        size = (
+            descriptor[2]
+            if sort == ARRAY
+            else rng.randrange(min(descriptor[2] or 5, 5) + 1) if depth > 0 else 0
+        )
         values = [value(rng, descriptor[1], depth - 1) for _ in range(size)]
         inner = kind(target(descriptor[1]))
         return bytes(values) if inner == OCTET else "".join(values) if inner == CHAR else values
     if sort == STRUCT:
         return descriptor[1](*[value(rng, inner, depth - 1) for _, inner in descriptors.members(descriptor)])
     if sort == FIXED:
-        return rare.fixed("%s%d.%s" % (rng.choice(("", "-")), rng.randrange(10 ** (descriptor[1] - descriptor[2])),
-                                       "%0*d" % (descriptor[2], rng.randrange(10 ** descriptor[2]))), *descriptor[1:])
+        return rare.fixed(
+            "%s%d.%s"
+            % (
+                rng.choice(("", "-")),
+                rng.randrange(10 ** (descriptor[1] - descriptor[2])),
+                "%0*d" % (descriptor[2], rng.randrange(10 ** descriptor[2])),
+            ),
+            *descriptor[1:]
+        )
     if sort == OBJECT:
         return rng.choice((None, references.make_reference("127.0.0.1", 1, b"key")))
     if sort == TYPECODE:
         return marshal.TypeCode(rng.choice((2, (STRING, 0), (SEQUENCE, (SEQUENCE, 3, 0), 4))))
     if sort == ANY:
-        inner = rng.choice((3, DOUBLE, (STRING, 0), (WSTRING, 0), (SEQUENCE, BOOLEAN, 0), (SEQUENCE, ANY, 0), (FIXED, 4, 2)))
+        inner = rng.choice(
+            (3, DOUBLE, (STRING, 0), (WSTRING, 0), (SEQUENCE, BOOLEAN, 0), (SEQUENCE, ANY, 0), (FIXED, 4, 2))
+        )
         return marshal.Any(inner, value(rng, inner, depth - 1))
     assert sort == UNION
     label = rng.choice([case[0] for case in descriptor[6]] + [value(rng, descriptor[4])])

@@ -1,6 +1,8 @@
-"""Built examples of OpenRTM-aist, found in directories and started on loopback. Nothing of OpenRTM is kept here.
+"""Built examples of OpenRTM-aist, found in directories and started on loopback. Nothing of OpenRTM is kept
+here.
 
-A directory with built examples of C++ holds programs such as SeqOutComp; one of Python holds OpenRTM_aist, with its stubs made.
+A directory with built examples of C++ holds programs such as SeqOutComp; one of Python holds OpenRTM_aist,
+with its stubs made.
 """
 import glob
 import os
@@ -15,7 +17,8 @@ from rtshell_lite import errors
 from rtshell_lite.robot import component, ports, tree
 
 START_LIMIT = 60.0  # seconds
-# The parts of a robot: the program (C++), the script (Python), and the instance name, where it is not that of the program.
+# The parts of a robot: the program (C++), the script (Python), and the instance name, where it is not that of
+# the program.
 PARTS = {
     "SeqOut": ("SeqOut", "SeqIO/SeqOut.py", "SequenceOutComponent"),
     "SeqIn": ("SeqIn", "SeqIO/SeqIn.py", "SequenceInComponent"),
@@ -55,9 +58,13 @@ class Cplusplus:
 
     def __init__(self, directory):
         found = glob.glob(os.path.join(glob.escape(directory), "**", "*Comp"), recursive=True)
-        self.programs = {os.path.basename(path)[:-len("Comp")]: path for path in found if os.access(path, os.X_OK)}
+        self.programs = {
+            os.path.basename(path)[: -len("Comp")]: path for path in found if os.access(path, os.X_OK)
+        }
         libraries = glob.glob(os.path.join(glob.escape(directory), "**", "lib*.so"), recursive=True)
-        self.environment = {"LD_LIBRARY_PATH": os.pathsep.join(sorted({os.path.dirname(path) for path in libraries}))}
+        self.environment = {
+            "LD_LIBRARY_PATH": os.pathsep.join(sorted({os.path.dirname(path) for path in libraries}))
+        }
 
     def command(self, part):
         return [self.programs[PARTS[part][0]]] if PARTS[part][0] in self.programs else None
@@ -93,7 +100,9 @@ def implementations(directories):
     for directory in directories:
         if glob.glob(os.path.join(glob.escape(directory), "**", "SeqOutComp"), recursive=True):
             found.append(Cplusplus(directory))
-        packages = glob.glob(os.path.join(glob.escape(directory), "**", "OpenRTM_aist", "RTM_IDL"), recursive=True)
+        packages = glob.glob(
+            os.path.join(glob.escape(directory), "**", "OpenRTM_aist", "RTM_IDL"), recursive=True
+        )
         found += [Python(os.path.dirname(package)) for package in packages[:1]]
     return found
 
@@ -126,8 +135,14 @@ class Robot:
             file.write(CONFIGURATION % {"port": name_server, "context": self.label + ".host_cxt",
                                         "rate": self.rate, "more": self.implementation.more})
         with open(os.path.join(where, "out"), "wb") as out:
-            return subprocess.Popen(self.implementation.command(part) + ["-f", "rtc.conf"], cwd=where, stdin=subprocess.PIPE,
-                                    stdout=out, stderr=out, env=dict(os.environ, **self.implementation.environment))
+            return subprocess.Popen(
+                self.implementation.command(part) + ["-f", "rtc.conf"],
+                cwd=where,
+                stdin=subprocess.PIPE,
+                stdout=out,
+                stderr=out,
+                env=dict(os.environ, **self.implementation.environment),
+            )
 
     def _node(self, part):
         """The part, once it answers with its ports and its state: its name is bound before."""
@@ -139,7 +154,9 @@ class Robot:
                 if self.processes[part].poll() is not None:
                     raise AssertionError(self.ending(part)) from None
                 if time.monotonic() > end:
-                    raise AssertionError("%s did not start: %s\n%s" % (self.path(part), e, self.last_words(part))) from None
+                    raise AssertionError(
+                        "%s did not start: %s\n%s" % (self.path(part), e, self.last_words(part))
+                    ) from None
                 time.sleep(0.1)
 
     def path(self, part):
@@ -151,8 +168,12 @@ class Robot:
             return file.read()
 
     def reads(self):
-        """How many values ConsoleOut has read: it says so once for each, in Python twice. (Its listeners say other words.)"""
-        return self.said("ConsoleOut").count("Received:") // (2 if self.implementation.name == "Python" else 1)
+        """How many values ConsoleOut has read: it says so once for each, in Python twice. (Its listeners say
+        other words.)
+        """
+        return self.said("ConsoleOut").count("Received:") // (
+            2 if self.implementation.name == "Python" else 1
+        )
 
     def last_words(self, part):
         """The end of what a component has printed, or of its last traceback (Python)."""
@@ -169,10 +190,18 @@ class Robot:
         how = "status %d" % process.returncode
         if process.returncode < 0:
             how = "signal %s" % signal.Signals(-process.returncode).name
-        return "%s %s ended: %s: %s\n%s" % (self.label, part, " ".join(process.args), how, self.last_words(part))
+        return "%s %s ended: %s: %s\n%s" % (
+            self.label,
+            part,
+            " ".join(process.args),
+            how,
+            self.last_words(part),
+        )
 
     def near_misses(self):
-        """How often a publisher has used a reference that had been released: of some hundred, one ends the process."""
+        """How often a publisher has used a reference that had been released: of some hundred, one ends the
+        process.
+        """
         return sum(self.said(part).count("nil reference") for part in self.processes)
 
     def connectors(self):
@@ -186,14 +215,20 @@ class Robot:
         if dead:
             return dead
         now = self.connectors()
-        return ["%s %s: %s, not %s" % (self.label, name, now.get(name), before) for name, before in self.connected.items()
-                if now.get(name) != before]
+        return [
+            "%s %s: %s, not %s" % (self.label, name, now.get(name), before)
+            for name, before in self.connected.items()
+            if now.get(name) != before
+        ]
 
     def fallen(self):
         """The parts that are to be Active and are not, and what they said last."""
         states = {part: self.state(part) for part in self.active}
-        return ["%s %s: %s: %s" % (self.label, part, state, self.last_words(part)) for part, state in states.items()
-                if state != "Active"]
+        return [
+            "%s %s: %s: %s" % (self.label, part, state, self.last_words(part))
+            for part, state in states.items()
+            if state != "Active"
+        ]
 
     def state(self, part):
         return wait_for(component.state(self.nodes[part]))

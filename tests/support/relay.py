@@ -1,5 +1,6 @@
-"""Ports that forward GIOP to others, and change what passes: references in answers lead to such ports, too, and those in questions
-back to what is behind them."""
+"""Ports that forward GIOP to others, and change what passes: references in answers lead to such ports, too,
+and those in questions back to what is behind them.
+"""
 import re
 import socket
 import struct
@@ -16,7 +17,8 @@ class Relay:
     closes = False
 
     def __init__(self):
-        self.fronts, self._real, self._lock = {}, {}, threading.Lock()  # ports: of ours by those behind, and the reverse
+        # ports: of ours by those behind, and the reverse
+        self.fronts, self._real, self._lock = {}, {}, threading.Lock()
 
     def front(self, port):
         """The port in front of another one."""

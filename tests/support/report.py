@@ -85,7 +85,9 @@ def main():
     found = unittest.defaultTestLoader.discover(here, os.path.basename(module) + ".py", here)
     outcomes = Outcomes()
     part = os.environ.get("RTSHELL_PART", "")
-    unittest.TestSuite(test for test in flat(found) if meant(test, patterns) and has_turn(test, part)).run(outcomes)
+    unittest.TestSuite(test for test in flat(found) if meant(test, patterns) and has_turn(test, part)).run(
+        outcomes
+    )
     with open(path, "w") as file:
         json.dump(outcomes.outcomes, file)
     sys.stdout.flush()

@@ -25,16 +25,18 @@ TIMEOUT = 0.8           # --timeout of the commands
 SLACK = 0.5             # seconds more than that may pass; waiting for a processor is not counted
 RESIDENT = 64 * 1024    # kB
 LIMIT = 40.0            # seconds after which a command is killed
-MODULES = os.path.abspath(os.environ.get("PYTHONPATH") or processes.ROOT)   # commands run in other directories than ours
+# commands run in other directories than ours
+MODULES = os.path.abspath(os.environ.get("PYTHONPATH") or processes.ROOT)
 THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))  # all cases instead of a sample
 PARALLEL = 6
 
 
 class Ran:
-    """What a command did: its words, status (128 + N for a signal N), out and err (bytes), seconds, kB resident at most, and
-    how many octets it said, of which out and err may be a part.
+    """What a command did: its words, status (128 + N for a signal N), out and err (bytes), seconds, kB
+    resident at most, and how many octets it said, of which out and err may be a part.
 
-    `seconds` do not count what its main thread stood waiting for a processor, as this machine has other things to do.
+    `seconds` do not count what its main thread stood waiting for a processor, as this machine has other
+    things to do.
     """
 
     def __init__(self, words, status, out, err, seconds, waited, resident, said):
@@ -66,25 +68,35 @@ def start(words, where, more, inside=(), **streams):
 
 
 def run(words, where, inside=(), most=sys.maxsize, **more):
-    """Run a command in the directory `where`, with more in its environment, and wait for it; `inside`: see `start`.
+    """Run a command in the directory `where`, with more in its environment, and wait for it; `inside`: see
+    `start`.
 
-    Of more than `most` octets of out, or of err, the first and the last are kept: what this process holds while others run counts
-    as memory of those that it starts.
+    Of more than `most` octets of out, or of err, the first and the last are kept: what this process holds
+    while others run counts as memory of those that it starts.
     """
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         begun = time.monotonic()
         process = start(words, where, more, inside, stdin=subprocess.DEVNULL, stdout=out, stderr=err)
         killer = threading.Timer(LIMIT, process.kill)
         killer.start()
-        os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)  # it stays as a zombie whose figures can be read
+        # it stays as a zombie whose figures can be read
+        os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
         seconds = time.monotonic() - begun
         killer.cancel()
         waited = tools.waited_for_processor(process.pid)
         status, usage = os.wait4(process.pid, 0)[1:]
         process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
         said = os.fstat(out.fileno()).st_size + os.fstat(err.fileno()).st_size
-        return Ran(words, process.returncode if process.returncode >= 0 else 128 - process.returncode, kept(out, most),
-                   kept(err, most), seconds - waited, waited, usage.ru_maxrss, said)
+        return Ran(
+            words,
+            process.returncode if process.returncode >= 0 else 128 - process.returncode,
+            kept(out, most),
+            kept(err, most),
+            seconds - waited,
+            waited,
+            usage.ru_maxrss,
+            said,
+        )
 
 
 def kept(file, most):
@@ -105,7 +117,11 @@ def run_on_terminal(words, where, columns=80, **more):
         try:
             signal.signal(signal.SIGINT, signal.SIG_DFL)
             os.chdir(where)
-            os.execve(sys.executable, [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:], environment(**more))
+            os.execve(
+                sys.executable,
+                [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:],
+                environment(**more),
+            )
         finally:
             os._exit(127)
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
@@ -140,7 +156,9 @@ def sample(cases, count, seed=1):
 
 
 class Surroundings:
-    """A directory, and in it the name servers, worlds and faulty peers that are started; all end with close()."""
+    """A directory, and in it the name servers, worlds and faulty peers that are started; all end with
+    close().
+    """
 
     def __init__(self):
         self.top = tempfile.mkdtemp(prefix="rt-faults-")
@@ -149,7 +167,9 @@ class Surroundings:
         self.lock = threading.Lock()
 
     def name_server(self, name="names", published=None, options=()):
-        """Start a name server; returns its address. `published`: the port in its references, if it is another one."""
+        """Start a name server; returns its address. `published`: the port in its references, if it is another
+        one.
+        """
         return "/127.0.0.1:" + processes.start_name_server(name, published=published, options=options)[1]
 
     def world(self, server, *words):
@@ -173,15 +193,20 @@ class Surroundings:
         return json.loads(processes.ready(process, name))
 
     def bind(self, place, *modes):
-        """Start faulty peers and enter them in a name server as components MODE.rtc; place: /HOST:PORT/CONTEXT."""
+        """Start faulty peers and enter them in a name server as components MODE.rtc; place:
+        /HOST:PORT/CONTEXT.
+        """
         self.faulty("--bind", place[1:], *modes)
 
     def files(self, server):
-        """What a profile and a log look like: the text of one that connects ConsoleIn0 to ConsoleOut0 of the world `linked` at
-        `server`, and the path of a log with one value of it."""
+        """What a profile and a log look like: the text of one that connects ConsoleIn0 to ConsoleOut0 of the
+        world `linked` at `server`, and the path of a log with one value of it.
+        """
         text = self.done(["rtcryo", "-y", server])
         log = os.path.join(self.top, "recorded.rtlog")
-        recorder = start(["rtlog", "-f", log, "-i", "-e", "1", server + "/test.host_cxt/ConsoleIn0.rtc:out"], self.top, {})
+        recorder = start(
+            ["rtlog", "-f", log, "-i", "-e", "1", server + "/test.host_cxt/ConsoleIn0.rtc:out"], self.top, {}
+        )
         while recorder.poll() is None:
             self.ctl("linked", "write", "ConsoleIn0:out", "42")
             time.sleep(0.02)
@@ -203,7 +228,9 @@ class Surroundings:
         return path
 
     def dumped(self, component, changes):
-        """Two files for `rtconf load`: a component's configuration, and the same with {parameter: value} in every set."""
+        """Two files for `rtconf load`: a component's configuration, and the same with {parameter: value} in
+        every set.
+        """
         text = self.done(["rtconf", component, "dump"])
         paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
         for path in paths:

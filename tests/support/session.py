@@ -15,7 +15,8 @@ Lines at the margin of a transcript that ask for surroundings:
     once: what peers do   on one Python of the matrix only
 
 Commands that exist only inside a session: see tools.py.
-"""
+"""  # noqa: E501
+
 import json
 import os
 import re
@@ -49,16 +50,24 @@ def run(request):
     environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
     environment["MOCKS"] = os.path.join(processes.ROOT, "mock_components")  # which has IDL files
     environment["MOCK_PYTHON"] = sys.executable  # which has omniORBpy
-    substitutions = [(re.escape(home), "$TMP"), (re.escape(top), "$SESSION"), (re.escape(environment["MOCKS"]), "$MOCKS"), (UUID, "$UUID")]
+    substitutions = [
+        (re.escape(home), "$TMP"),
+        (re.escape(top), "$SESSION"),
+        (re.escape(environment["MOCKS"]), "$MOCKS"),
+        (UUID, "$UUID"),
+    ]
     try:
-        environment["PORT"] = str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")[1]
+        environment["PORT"] = (
+            str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")[1]
+        )
         start_peers(asked, environment)
     except tools.Failed as e:
         return {"results": [], "substitutions": substitutions, "problem": str(e)}
     environment["RTCTREE_NAMESERVERS"] = "localhost:" + environment["PORT"]
     environment["RTCSH_CWD"] = "/localhost:%(PORT)s/test.host_cxt" % environment
     for name in sorted(environment):
-        if re.match("[0-9]{5}$", environment[name]):  # a port; all have five digits, so that columns stay where they are
+        # a port; all have five digits, so that columns stay where they are
+        if re.match("[0-9]{5}$", environment[name]):
             substitutions.append((r"(?<![0-9])%s(?![0-9])" % environment[name], "$" + name))
     results, problem = play(request, environment, home)
     return {"results": results, "substitutions": substitutions, "problem": problem}
@@ -69,15 +78,29 @@ def surroundings(top, home, commands, orb):
     directory = os.path.join(top, "bin")
     os.mkdir(directory)
     for name in tools.NAMES:
-        write_tool(os.path.join(directory, name), '"%s" -I -S "%s" %s' % (sys.executable, tools.__file__, name))
-    is_old = commands and os.path.isdir(os.path.join(os.path.dirname(commands), "lib", "python3.6"))  # it takes the C locale for ASCII
-    environment = {"HOME": home, "TMP": home, "TMPDIR": home, "SESSION": top, "LC_ALL": "C.UTF-8" if is_old else "C", "TERM": "xterm",
-                   "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", "")}  # how tests/run finds what was left behind
+        write_tool(
+            os.path.join(directory, name), '"%s" -I -S "%s" %s' % (sys.executable, tools.__file__, name)
+        )
+    # it takes the C locale for ASCII
+    is_old = commands and os.path.isdir(os.path.join(os.path.dirname(commands), "lib", "python3.6"))
+    environment = {
+        "HOME": home,
+        "TMP": home,
+        "TMPDIR": home,
+        "SESSION": top,
+        "LC_ALL": "C.UTF-8" if is_old else "C",
+        "TERM": ("xterm"),
+        # how tests/run finds what was left behind
+        "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", ""),
+    }
     if orb:
         environment["RTSHELL_ORB"] = orb
     if commands:
-        os.mkdir(os.path.join(top, "python"))  # peers find the mocks here, and rtshell_lite where it is installed
-        os.symlink(os.path.join(processes.ROOT, "mock_components"), os.path.join(top, "python", "mock_components"))
+        # peers find the mocks here, and rtshell_lite where it is installed
+        os.mkdir(os.path.join(top, "python"))
+        os.symlink(
+            os.path.join(processes.ROOT, "mock_components"), os.path.join(top, "python", "mock_components")
+        )
     else:
         commands = os.path.join(processes.ROOT, "bin")
         environment["PYTHONPATH"] = processes.ROOT
@@ -97,13 +120,22 @@ def play(request, environment, home):
     """Run all steps in one shell: pairs of output and status, and what went wrong with the session itself."""
     script, output = tools.session_file("script"), tools.session_file("output")
     with open(script, "w", encoding="utf-8") as file:
-        file.write("_mark() { _status=$?; printf '%%s%%s %%s\\n' '%s' $1 $_status; return $_status; }\n" % MARK)
+        file.write(
+            "_mark() { _status=$?; printf '%%s%%s %%s\\n' '%s' $1 $_status; return $_status; }\n" % MARK
+        )
         for number, step in enumerate(request["steps"]):
             file.write("%s\n_mark %d\n" % (step, number))
     problem = None
     with open(output, "wb") as out:
-        shell = subprocess.Popen(request["shell"] + [script], stdin=subprocess.DEVNULL, stdout=out, stderr=out,
-                                 cwd=home, env=environment, preexec_fn=tools.hear_ctrl_c)
+        shell = subprocess.Popen(
+            request["shell"] + [script],
+            stdin=subprocess.DEVNULL,
+            stdout=out,
+            stderr=out,
+            cwd=home,
+            env=environment,
+            preexec_fn=tools.hear_ctrl_c,
+        )
     try:
         shell.wait(request["time_limit"])
     except subprocess.TimeoutExpired:
@@ -112,13 +144,17 @@ def play(request, environment, home):
         parts = re.split((MARK + r"(\d+) (\d+)\n").encode(), file.read())
     results = [(parts[i].decode("latin-1"), int(parts[i + 2])) for i in range(0, len(parts) - 1, 3)]
     if len(results) < len(request["steps"]):
-        problem = "%s in: %s\n%s" % (problem or "the shell ended (%s)" % shell.returncode,
-                                     request["steps"][len(results)], parts[-1].decode("utf-8", "backslashreplace"))
+        problem = "%s in: %s\n%s" % (
+            problem or "the shell ended (%s)" % shell.returncode,
+            request["steps"][len(results)],
+            parts[-1].decode("utf-8", "backslashreplace"),
+        )
     return results, problem
 
 
 def start_peers(asked, environment):
-    """Start all that the transcript asks for at once, wait for each, put where they are into the environment."""
+    """Start all that the transcript asks for at once, wait for each, put where they are into the environment.
+    """
     waiting = []
     for kind, words in asked:
         for name in sorted(environment, key=len, reverse=True):
@@ -136,7 +172,9 @@ def start_peers(asked, environment):
     for process, name in waiting:
         line = processes.ready(process, name)
         if line.startswith("{"):
-            environment.update((re.sub(r"\W", "_", mode).upper(), str(port)) for mode, port in json.loads(line).items())
+            environment.update(
+                (re.sub(r"\W", "_", mode).upper(), str(port)) for mode, port in json.loads(line).items()
+            )
 
 
 def unused(environment, variable):

@@ -1,7 +1,7 @@
 """What tests/run without arguments runs: the same every time, in 3 to 5 minutes on two quiet cores.
 
-Each transcript under one shell and with one ORB, some of those about failures, and of a test module that says PART = N one in
-N tests.
+Each transcript under one shell and with one ORB, some of those about failures, and of a test module that says
+PART = N one in N tests.
 """
 import os
 import zlib
@@ -11,7 +11,7 @@ import transcripts
 OF_FAILURES = 3  # one in so many of the transcripts about failures
 OF_OMNIORB = 4  # one in so many transcripts is played with omniORB, the others with our own ORB
 BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: 3 to 5 minutes on two quiet cores.
-A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""
+A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""  # noqa: E501
 
 
 def choose(wanted):
@@ -28,7 +28,9 @@ def is_chosen():
 
 
 def part(source):
-    """Which tests of a module have their turn, as report.py takes it; "" for all. `source` is the module's file."""
+    """Which tests of a module have their turn, as report.py takes it; "" for all. `source` is the module's
+    file.
+    """
     if not is_chosen():
         return ""
     with open(source, encoding="utf-8") as file:
@@ -36,12 +38,19 @@ def part(source):
 
 
 def orbs():
-    """What transcripts are played with: each ORB in a short run (None: the one that commands choose), else the user's."""
-    return [None, "omniorb"] if is_chosen() and "RTSHELL_ORB" not in os.environ else [os.environ.get("RTSHELL_ORB")]
+    """What transcripts are played with: each ORB in a short run (None: the one that commands choose), else
+    the user's.
+    """
+    return (
+        [None, "omniorb"]
+        if is_chosen() and "RTSHELL_ORB" not in os.environ
+        else [os.environ.get("RTSHELL_ORB")]
+    )
 
 
 def at_once(processors, measures=False):
-    """How many jobs run at once, for they wait more than they compute: half as many of those that measure times.
+    """How many jobs run at once, for they wait more than they compute: half as many of those that measure
+    times.
 
     Parts are short; whole modules, for which there is a limit of time, hinder each other.
     """

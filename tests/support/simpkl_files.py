@@ -46,8 +46,16 @@ def importable(classes=CLASSES):
 
 
 def spec(name="numbers", type_name=TEXT, cls=TimedLong):
-    return make(PortSpec, _formatter=None, _input=True, _name=name, _raw_specs=["/localhost/Src0.rtc:out." + name],
-                _targets=[(["/", "localhost", "Src0.rtc"], "out")], _type=cls, _type_name=type_name)
+    return make(
+        PortSpec,
+        _formatter=None,
+        _input=True,
+        _name=name,
+        _raw_specs=["/localhost/Src0.rtc:out." + name],
+        _targets=[(["/", "localhost", "Src0.rtc"], "out")],
+        _type=cls,
+        _type_name=type_name,
+    )
 
 
 def values(count):
@@ -73,10 +81,12 @@ def log(data, protocol=4, closed=True, specs=None, start=1795247464.75, classes=
     return out
 
 
-# ---- Python 2 -------------------------------------------------------------------------------------------------
+# ---- Python 2 -------------------------------------------------------------------------------------------------  # noqa: E501
 
 def python2_log(data, old_style=False):
-    """The same in the form of Python 2: protocol 2, text as strings of octets; classes may be of the old style."""
+    """The same in the form of Python 2: protocol 2, text as strings of octets; classes may be of the old
+    style.
+    """
     def text(value):
         return b"U" + bytes([len(value)]) + value.encode()
 
@@ -96,7 +106,9 @@ def python2_log(data, old_style=False):
     out = b"\x80\x02" + b"G" + struct.pack(">d", 1795247464.75) + b"]" + port + b"a\x86." + b" " * CLOSING
     for index, value in enumerate(data):
         time = made("RTC", "Time", sec=b"\x8a\x01" + bytes([value.tm.sec % 100]), nsec=number(value.tm.nsec))
-        stamp = made("rtshell.ilog", "EntryTS", _sec=number(1795247464), _nsec=number(750000000 + index * 10000000))
+        stamp = made(
+            "rtshell.ilog", "EntryTS", _sec=number(1795247464), _nsec=number(750000000 + index * 10000000)
+        )
         pair = text("numbers") + made("RTC", "TimedLong", tm=time, data=number(value.data)) + b"\x86"
         out += b"\x80\x02(" + number(index) + stamp + pair + number(len(out)) + number(0) + b"t."
     return out

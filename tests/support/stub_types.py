@@ -1,4 +1,5 @@
-"""Run by test_idl as a program: the types of the stubs that omniidl made of a file, in the portable form, as JSON.
+"""Run by test_idl as a program: the types of the stubs that omniidl made of a file, in the portable form, as
+JSON.
 
 usage: stub_types.py DIRECTORY MODULE
 """

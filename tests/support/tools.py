@@ -1,7 +1,7 @@
 """The commands that exist only inside a session: `tools.py NAME WORD…` runs the function play_NAME.
 
-They are called a thousand times in a run of the tests, so they import little and start with `python -I -S`, which saves half of
-their time.
+They are called a thousand times in a run of the tests, so they import little and start with `python -I -S`,
+which saves half of their time.
 """
 import os
 import signal
@@ -10,7 +10,8 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 START_LIMIT = 30.0  # seconds until a peer must be in the state that it is told to be in
-UNWINDING = 2.0  # seconds that a command may take to tidy up after Ctrl-C, on a busy machine; the timeout is 3
+# seconds that a command may take to tidy up after Ctrl-C, on a busy machine; the timeout is 3
+UNWINDING = 2.0
 
 
 class Failed(Exception):
@@ -110,7 +111,8 @@ def control(name):
 # ---- running a command ----
 
 def play_within(words):
-    """within LEAST-MOST COMMAND...: complain if the command takes less or more seconds; status is the command's.
+    """within LEAST-MOST COMMAND...: complain if the command takes less or more seconds; status is the
+    command's.
 
     What it was ready to run and was not let, as other tests had the processors, does not count as MOST.
     """
@@ -127,14 +129,17 @@ def play_within(words):
 
 
 def play_interrupt(words):
-    """interrupt SECONDS COMMAND...: press Ctrl-C after that long; the command must be gone soon, long before the timeout.
+    """interrupt SECONDS COMMAND...: press Ctrl-C after that long; the command must be gone soon, long before
+    the timeout.
 
     What it was ready to run and was not let does not count: Python would be interrupted while it starts.
     """
     import subprocess
     begun = time.monotonic()
     process = subprocess.Popen(words[1:], preexec_fn=hear_ctrl_c)
-    while process.poll() is None and time.monotonic() - begun - waited_for_processor(process.pid) < float(words[0]):
+    while process.poll() is None and time.monotonic() - begun - waited_for_processor(process.pid) < float(
+        words[0]
+    ):
         time.sleep(0.01)
     if process.returncode is not None:
         sys.stdout.write("ended before Ctrl-C\n")
@@ -150,7 +155,9 @@ def play_interrupt(words):
 
 
 def play_tty(words):
-    """tty COLUMNS COMMAND...: run the command on a terminal that wide, type what comes through a pipe, show what is written there."""
+    """tty COLUMNS COMMAND...: run the command on a terminal that wide, type what comes through a pipe, show
+    what is written there.
+    """
     import fcntl
     import pty
     import stat
@@ -172,7 +179,9 @@ def play_tty(words):
 
 
 def spawn(words):
-    """Start a command as a shell would; returns its process number. (subprocess takes longer to import than a command to run.)"""
+    """Start a command as a shell would; returns its process number. (subprocess takes longer to import than a
+    command to run.)
+    """
     process = os.fork()
     if process:
         return process
@@ -186,7 +195,8 @@ def spawn(words):
 
 
 def hear_ctrl_c():
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # a runner in the background ignores it, and that is inherited
+    # a runner in the background ignores it, and that is inherited
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def shell_status(status):
@@ -207,7 +217,8 @@ def printed_on(terminal):
 
 
 def waited_for_processor(pid):
-    """Seconds that the main thread of a process has waited for a processor, 0 where the kernel does not say."""
+    """Seconds that the main thread of a process has waited for a processor, 0 where the kernel does not say.
+    """
     try:
         with open("/proc/%d/schedstat" % pid) as file:
             return int(file.read().split()[1]) / 1e9

@@ -34,8 +34,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 COMMANDS = os.path.join(os.path.dirname(HERE), "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
-DIRECTIVE = re.compile(r"(world|server|faulty|needs|python|orb|alone|once|"  # see session.py; for tests of faults, see invocations.py:
-                       r"invocation|local|looking|lasting|broken server|broken component|fatal|examples?|prepared): *(.*)$")
+# see session.py; for tests of faults, see invocations.py:
+DIRECTIVE = re.compile(
+    r"(world|server|faulty|needs|python|orb|alone|once|"
+    r"invocation|local|looking|lasting|broken server|broken component|fatal|examples?|prepared): *(.*)$"
+)
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
 SUFFIX = re.compile(r" \((re|glob|esc|no-eol)\)$")
 
@@ -168,7 +171,9 @@ def _align(expected, actual):
     same = [[matches(e, a) for a in actual] for e in expected]
     for i in reversed(range(len(expected))):
         for j in reversed(range(len(actual))):
-            longest[i][j] = 1 + longest[i + 1][j + 1] if same[i][j] else max(longest[i + 1][j], longest[i][j + 1])
+            longest[i][j] = (
+                1 + longest[i + 1][j + 1] if same[i][j] else max(longest[i + 1][j], longest[i][j + 1])
+            )
     merged, i = [], 0
     for j, line in enumerate(actual):
         while i < len(expected) and not same[i][j] and longest[i + 1][j] >= longest[i][j + 1]:
@@ -182,8 +187,9 @@ def _align(expected, actual):
 # ---- running ----
 
 class Setting:
-    """What a transcript runs with: a Python that has omniORBpy, the directory of the commands (None: the checkout's), and their
-    ORB (None: the one that they choose themselves), unless the transcript demands another.
+    """What a transcript runs with: a Python that has omniORBpy, the directory of the commands (None: the
+    checkout's), and their ORB (None: the one that they choose themselves), unless the transcript demands
+    another.
     """
 
     def __init__(self, python=sys.executable, commands=None, orb=os.environ.get("RTSHELL_ORB")):
@@ -213,17 +219,31 @@ def run_case(path, shell, setting, accept=False, time_limit=TIME_LIMIT):
     if actual == render(items, [step.expected for step in steps(items)]) and not outcome["problem"]:
         return "pass", ""
     name = os.path.basename(path)
-    difference = difflib.unified_diff(text.splitlines(), actual.splitlines(), name, name + " (actual)", lineterm="")
+    difference = difflib.unified_diff(
+        text.splitlines(), actual.splitlines(), name, name + " (actual)", lineterm=""
+    )
     return "fail", "\n".join(list(difference) + ([outcome["problem"]] if outcome["problem"] else []))
 
 
 def _session(items, shell, setting, time_limit):
     """Have session.py run the steps in a process group of its own, which never outlives this call."""
     top = tempfile.mkdtemp(prefix="rt-")
-    request = {"top": top, "shell": SHELLS[shell], "commands": setting.commands, "orb": setting.orb, "time_limit": time_limit,
-               "directives": directives(items), "steps": ["\n".join(s.command) for s in steps(items)]}
-    worker = subprocess.Popen(leftovers.apart() + [setting.python, os.path.join(HERE, "session.py")], stdin=subprocess.PIPE,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+    request = {
+        "top": top,
+        "shell": SHELLS[shell],
+        "commands": setting.commands,
+        "orb": setting.orb,
+        "time_limit": time_limit,
+        "directives": directives(items),
+        "steps": ["\n".join(s.command) for s in steps(items)],
+    }
+    worker = subprocess.Popen(
+        leftovers.apart() + [setting.python, os.path.join(HERE, "session.py")],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
     complaint = []
     reader = threading.Thread(target=lambda: complaint.append(worker.stderr.read()), daemon=True)
     reader.start()
@@ -237,7 +257,10 @@ def _session(items, shell, setting, time_limit):
         mounts.take_away(top)
         shutil.rmtree(top, ignore_errors=True)
     if not answer:
-        return {"outputs": [], "problem": "the session broke down: %s" % b"".join(complaint).decode("utf-8", "replace")}
+        return {
+            "outputs": [],
+            "problem": "the session broke down: %s" % b"".join(complaint).decode("utf-8", "replace"),
+        }
     return _spelt(json.loads(answer.decode()))
 
 
@@ -308,17 +331,23 @@ def missing_shells():
 
 
 def says(path, word):
-    """Does this transcript hold a directive, or the start of one: `alone` (it measures times), `orb: omniorb` …?"""
+    """Does this transcript hold a directive, or the start of one: `alone` (it measures times), `orb: omniorb`
+    …?
+    """
     with open(path, encoding="utf-8") as file:
         return any(line.startswith(word if ":" in word else word + ":") for line in file)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("pattern", nargs="*")
-    parser.add_argument("--accept", action="store_true", help="rewrite the expected output from the actual one")
+    parser.add_argument("--accept", action="store_true", help="rewrite the expected output from the "
+                                                              "actual one")
     parser.add_argument("--shell", action="append", choices=sorted(SHELLS), help="only under this shell")
-    parser.add_argument("--commands", metavar="DIR", help="where installed commands are (default: run the checkout)")
+    parser.add_argument("--commands", metavar="DIR", help="where installed commands are (default: run "
+                                                          "the checkout)")
     args = parser.parse_args()
     shells = args.shell or (["dash"] if args.accept else None)
     setting = Setting(commands=args.commands and os.path.abspath(args.commands))

@@ -41,7 +41,9 @@ class Server:
     def start(cls):
         cls.directory = tempfile.mkdtemp()
         processes.open_session(cls.directory)
-        cls.orb = CORBA.ORB_init(["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID)
+        cls.orb = CORBA.ORB_init(
+            ["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID
+        )
         cls.process, port = processes.start_name_server(cls.NAME)
         cls.port = int(port)
         cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
@@ -110,7 +112,9 @@ class World:
 
 def nvlist(**changes):
     """Connector properties, written with _ for dots after `dataport`; None leaves one out."""
-    values = {"dataflow_type": "push", "interface_type": "corba_cdr", "subscription_type": "flush", "data_type": LONG}
+    values = {"dataflow_type": (
+        "push"
+    ), "interface_type": "corba_cdr", "subscription_type": "flush", "data_type": LONG}
     values.update(changes)
     return [SDOPackage.NameValue("dataport." + name.replace("__", "."), omniany.to_any(value))
             for name, value in values.items() if value is not None]

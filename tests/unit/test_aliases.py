@@ -1,5 +1,6 @@
-"""Directories with several names, where the name server calls itself otherwise than we do: if these fail, rtdel and rtdoctor take
-a robot's own directories for those of another name server, or the other way round."""
+"""Directories with several names, where the name server calls itself otherwise than we do: if these fail,
+rtdel and rtdoctor take a robot's own directories for those of another name server, or the other way round.
+"""
 import shutil
 import subprocess
 import tempfile
@@ -35,8 +36,11 @@ class PublishedOtherwise(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.directory, True)
         self.port = processes.nameserver.free_port()
         command = processes.nameserver.command(self.port, self.directory, PUBLISHED)
-        self.process = subprocess.Popen(command + ["-ORBendPointNoPublish", "giop:tcp:127.0.0.1:%d" % self.port],
-                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.process = subprocess.Popen(
+            command + ["-ORBendPointNoPublish", "giop:tcp:127.0.0.1:%d" % self.port],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
         worlds.eventually(lambda: processes.nameserver.answers(self.port), "omniNames answers")
@@ -48,7 +52,11 @@ class PublishedOtherwise(unittest.TestCase):
 
     def foreign(self):
         async def found():
-            return [node.name for node in await aliases.within(await tree.walk(await tree.resolve(self.at()))) if node.foreign]
+            return [
+                node.name
+                for node in await aliases.within(await tree.walk(await tree.resolve(self.at())))
+                if node.foreign
+            ]
         return loop.run(found())
 
     def walked(self):
@@ -60,7 +68,10 @@ class PublishedOtherwise(unittest.TestCase):
     def delete(self, notes):
         """The lines of a deletion of own.cxt."""
         async def deleted():
-            return [line async for line in naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True)]
+            return [
+                line
+                async for line in naming.delete(path.parse(self.at("own.cxt")), notes.append, recursive=True)
+            ]
         return loop.run(deleted())
 
     def test_its_own_directories_are_not_foreign(self):
@@ -68,13 +79,18 @@ class PublishedOtherwise(unittest.TestCase):
         self.assertEqual(self.foreign(), [])
 
     def test_another_server_at_the_same_port_is_foreign(self):
-        self.names.bind_context([("root", "cxt")], mock_naming.root(omniorb.start(), "127.0.0.9:%d" % self.port))
+        self.names.bind_context(
+            [("root", "cxt")], mock_naming.root(omniorb.start(), "127.0.0.9:%d" % self.port)
+        )
         self.assertEqual(self.foreign(), ["root.cxt"])
 
     def test_its_own_directories_can_be_deleted(self):
         notes = []
         lines = self.delete(notes)
-        self.assertEqual(([line.rpartition("/")[2] for line in lines], notes), (["inner.cxt: deleted", "own.cxt: deleted"], []))
+        self.assertEqual(
+            ([line.rpartition("/")[2] for line in lines], notes),
+            (["inner.cxt: deleted", "own.cxt: deleted"], []),
+        )
         self.assertEqual(self.walked(), [])
 
     def test_a_second_name_is_an_alias(self):
@@ -83,14 +99,22 @@ class PublishedOtherwise(unittest.TestCase):
         self.assertEqual(walked, [("own.cxt", None), ("inner.cxt", None), ("two.cxt", self.at("own.cxt"))])
         notes = []
         self.delete(notes)
-        self.assertEqual(notes, ["%s: another name of %s; only this name is deleted" % (self.at("own.cxt"), self.at("two.cxt"))])
+        self.assertEqual(
+            notes,
+            ["%s: another name of %s; only this name is deleted" % (self.at("own.cxt"), self.at("two.cxt"))],
+        )
         self.assertEqual([node.name for node in self.walked()], ["two.cxt", "inner.cxt"])
 
 
 class Hosts(unittest.TestCase):
     def test_names_of_one_host(self):
-        for one, other, same in (("a", "a", True), ("localhost", "127.0.0.1", True), ("127.0.0.1", "127.0.0.2", False),
-                                 ("no-such-host.invalid", "127.0.0.1", False), ("", "127.0.0.1", False)):
+        for one, other, same in (
+            ("a", "a", True),
+            ("localhost", "127.0.0.1", True),
+            ("127.0.0.1", "127.0.0.2", False),
+            ("no-such-host.invalid", "127.0.0.1", False),
+            ("", "127.0.0.1", False),
+        ):
             self.assertIs(loop.run(aliases.same_host(one, other)), same, (one, other))
 
 

@@ -1,7 +1,8 @@
-"""Answers that are made to harm who reads them: if one of these fails, a peer ends our process, or fills its memory.
+"""Answers that are made to harm who reads them: if one of these fails, a peer ends our process, or fills its
+memory.
 
-omniORB dies of what these peers send (SIGSEGV), so commands are run, and what they leave is looked at. RTSHELL_ORB=omniorb tries
-our own ORB, which reads some of it otherwise.
+omniORB dies of what these peers send (SIGSEGV), so commands are run, and what they leave is looked at.
+RTSHELL_ORB=omniorb tries our own ORB, which reads some of it otherwise.
 """
 import binascii
 import os
@@ -31,8 +32,13 @@ IS_BUILTIN = os.environ.get("RTSHELL_ORB") != "omniorb"
 
 def run(*words):
     """(status, stdout, lines of stderr) of a command."""
-    ran = subprocess.run([sys.executable, "-m", "rtshell_lite"] + list(words), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                         stdin=subprocess.DEVNULL, env=dict(os.environ, RTSHELL_TIMEOUT=TIMEOUT))
+    ran = subprocess.run(
+        [sys.executable, "-m", "rtshell_lite"] + list(words),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        stdin=subprocess.DEVNULL,
+        env=dict(os.environ, RTSHELL_TIMEOUT=TIMEOUT),
+    )
     return ran.returncode, ran.stdout.decode(), ran.stderr.decode().splitlines()
 
 
@@ -52,8 +58,11 @@ class Commands(unittest.TestCase):
         return out
 
     def test_a_reference_that_ends_omniorb_costs_its_own_line(self):
-        for mode, why in (("bad-type", "a reference whose type is no text"), ("bad-profiles", "a reference of 10000 profiles"),
-                          ("bad-body", "an unusable reference")):
+        for mode, why in (
+            ("bad-type", "a reference whose type is no text"),
+            ("bad-profiles", "a reference of 10000 profiles"),
+            ("bad-body", "an unusable reference"),
+        ):
             with self.subTest(mode):
                 self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (%s)" % why, "rtcat", "SERVER/Evil0.rtc")
                 self.assertIn("?Evil0.rtc", self.says(mode, 4, "1 of 1 did not answer", "rtls", "SERVER"))
@@ -64,29 +73,61 @@ class Commands(unittest.TestCase):
         self.says("bad-iterator", 4, "SERVER: garbled answer (a reference", "rtls", "SERVER")
         status, said = (4, "garbled answer (a reference") if IS_BUILTIN else (3, "no such path")
         self.says("bad-exception", status, "SERVER/Evil0.rtc: " + said, "rtcat", "SERVER/Evil0.rtc")
-        self.says("bad-ports", 4, "SERVER/Evil0.rtc: garbled answer (a reference", "rtcat", "SERVER/Evil0.rtc")
-        self.says("bad-owner", 4, "SERVER/Evil0.rtc: garbled answer (a reference", "rtcat", "-ll", "SERVER/Evil0.rtc")
+        self.says(
+            "bad-ports", 4, "SERVER/Evil0.rtc: garbled answer (a reference", "rtcat", "SERVER/Evil0.rtc"
+        )
+        self.says(
+            "bad-owner",
+            4,
+            "SERVER/Evil0.rtc: garbled answer (a reference",
+            "rtcat",
+            "-ll",
+            "SERVER/Evil0.rtc",
+        )
 
     def test_values_inside_values(self):
         where, nested = ("", "types inside types") if IS_BUILTIN else ("deep: ", "values inside values")
         for mode, what in (("any-in-any", "values inside values"), ("deep-value", nested)):
-            self.says(mode, 4, "SERVER/Evil0.rtc: garbled answer (%s%s, deeper than 64)" % (where, what), "rtcat", "SERVER/Evil0.rtc")
+            self.says(
+                mode,
+                4,
+                "SERVER/Evil0.rtc: garbled answer (%s%s, deeper than 64)" % (where, what),
+                "rtcat",
+                "SERVER/Evil0.rtc",
+            )
 
     def test_references_left_out_are_reported(self):
         for mode, said, words in (
-                ("endless", "names are taken; its list of them does not end", ["rtfind", "SERVER", "-n", "x"]),
-                ("endless-nothing", "only its first 1 names are taken; its list of them does not end", ["rtls", "SERVER"]),
-                ("many-ports", "19000 of 20000 ports are left out", ["rtls", "-l", "SERVER"]),
-                ("many-ends", "19984 of 20000 ends of a connector are left out", ["rtls", "-l", "SERVER"]),
-                ("megabytes", "1 of 2 names are left out: they are longer than 131072 characters", ["rtls", "SERVER"])):
+            ("endless", "names are taken; its list of them does not end", ["rtfind", "SERVER", "-n", "x"]),
+            (
+                "endless-nothing",
+                "only its first 1 names are taken; its list of them does not end",
+                ["rtls", "SERVER"],
+            ),
+            ("many-ports", "19000 of 20000 ports are left out", ["rtls", "-l", "SERVER"]),
+            ("many-ends", "19984 of 20000 ends of a connector are left out", ["rtls", "-l", "SERVER"]),
+            (
+                "megabytes",
+                "1 of 2 names are left out: they are longer than 131072 characters",
+                ["rtls", "SERVER"],
+            ),
+        ):
             with self.subTest(mode):
                 self.assertLess(len(self.says(mode, 5, said, *words)), 1 << 20)
 
     def test_long_names_without_end(self):
-        self.says("endless-long", 5, "only its first 151 names are taken; its list of them does not end", "rtls", "SERVER")
+        self.says(
+            "endless-long",
+            5,
+            "only its first 151 names are taken; its list of them does not end",
+            "rtls",
+            "SERVER",
+        )
 
     def test_a_name_listed_again_is_the_same_name(self):
-        lines = self.says("endless", 5, "only its first 50000 names are taken", "rtfind", "SERVER").splitlines()
+        lines = self.says(
+            "endless", 5, "only its first 50000 names are taken", "rtfind", "SERVER"
+        ).splitlines()
         self.assertEqual(len(lines), len(set(lines)))
 
     @unittest.skipIf(IS_BUILTIN, "the builtin ORB refuses the answer: see the next test")
@@ -116,7 +157,9 @@ class References(unittest.TestCase):
 
     def test_a_reference_without_an_address_has_none(self):
         elsewhere = "IOR:" + binascii.hexlify(b"\1\0\0\0" + ior.octets(TYPE, [(1, b"x")])).decode()
-        self.assertEqual((ior.address(elsewhere), ior.addresses(elsewhere)), ((TYPE[:-1].decode(), "", 0, b""), []))
+        self.assertEqual(
+            (ior.address(elsewhere), ior.addresses(elsewhere)), ((TYPE[:-1].decode(), "", 0, b""), [])
+        )
         cut = elsewhere[:-8]
         self.assertEqual((ior.address(cut), ior.addresses(cut)), (("", "", 0, b""), []))
 
@@ -133,8 +176,17 @@ class References(unittest.TestCase):
     def test_texts_that_are_no_references(self):
         whole = binascii.hexlify(b"\1\0\0\0" + ior.octets(TYPE, [self.PROFILE])).decode()
         nil = "IOR:01000000" + "01000000" + "00000000" + "00000000"
-        for text in [nil, "", "IOR:", "IOR:0", "IOR:zz", "IOR:é", "corbaname::evil", "corbaloc::evil:1/x", "IOR:" + "00" * 100000] + [
-                "IOR:" + whole[:size] for size in range(0, len(whole) - 2, 2)]:
+        for text in [
+            nil,
+            "",
+            "IOR:",
+            "IOR:0",
+            "IOR:zz",
+            "IOR:é",
+            "corbaname::evil",
+            "corbaloc::evil:1/x",
+            "IOR:" + "00" * 100000,
+        ] + ["IOR:" + whole[:size] for size in range(0, len(whole) - 2, 2)]:
             with self.subTest(text[:80]), self.assertRaises(ValueError):
                 ior.checked(text)
 
@@ -154,20 +206,26 @@ class Descriptors(unittest.TestCase):
         count = 0
         for objref, operation in self.operations():
             plain = stubs.operation(objref._NP_RepositoryId, operation)
-            results = list(plain[1] or ()) + [part for each in (plain[2] or {}).values() for part in each[5::2]]
+            results = list(plain[1] or ()) + [
+                part for each in (plain[2] or {}).values() for part in each[5::2]
+            ]
             guarded = answers._guarded(objref, operation)
             if descriptors.OBJECT not in kinds(results):
                 continue
             count += 1
             with self.subTest("%s.%s" % (objref.__name__, operation)):
-                safe = list(guarded[1]) + [part for each in (guarded[2] or {}).values() for part in each[5::2]]
+                safe = list(guarded[1]) + [
+                    part for each in (guarded[2] or {}).values() for part in each[5::2]
+                ]
                 self.assertNotIn(descriptors.OBJECT, kinds(safe))
         self.assertGreater(count, 30)
 
 
 class Messages(unittest.TestCase):
     def test_where_and_why(self):
-        self.assertEqual((str(errors.Garbled("/a", "b")), errors.Garbled.status), ("/a: garbled answer (b)", 4))
+        self.assertEqual(
+            (str(errors.Garbled("/a", "b")), errors.Garbled.status), ("/a: garbled answer (b)", 4)
+        )
 
 
 if __name__ == "__main__":

@@ -22,7 +22,8 @@ DOCS = os.path.join(ROOT, "docs")
 EXAMPLES = ["example_test.py", "example_launch.py", "example_log.py"]
 PUBLIC = ["rtshell_lite.api", "rtshell_lite.xmlprofile.model", "rtshell_lite.xmlprofile.fields"]
 
-# What a host finds after it has used the library: its signals, and its ORB with calls that may take as long as they like
+# What a host finds after it has used the library: its signals, and its ORB with calls that may take as long
+# as they like
 HOST = """
 import os, signal, sys, time
 from omniORB import CORBA
@@ -45,7 +46,8 @@ assert signal.set_wakeup_fd(-1) == bell and signal.getitimer(signal.ITIMER_REAL)
 print("as before")
 """
 
-# A host that serves a component of its own, as programs with OpenRTM-aist-Python do, and uses the library from its threads
+# A host that serves a component of its own, as programs with OpenRTM-aist-Python do, and uses the library
+# from its threads
 SERVING = """
 import sys, threading
 from mock_components import __main__ as mocks, flavour, naming, process, stage, worlds
@@ -69,7 +71,7 @@ with api.connected(own.path + ":out", sys.argv[1] + "ConsoleOut0.rtc:in"):
     said.append(len(own.ports()[0].connections) + len(own.ports()[1].connections))
 print(*said, flush=True)
 __import__("os")._exit(0)
-"""
+"""  # noqa: E501
 
 # Ctrl-C while the library waits for values: Python's own handler, then the host's
 INTERRUPTED = """
@@ -124,7 +126,9 @@ class World(unittest.TestCase):
         sink.activate(wait=10)
         self.assertEqual(sink.state, "Active")
         sink.deactivate(wait=10)
-        self.assertEqual([(port.path, port.type) for port in sink.ports()], [(sink.path + ":in", "DataInPort")])
+        self.assertEqual(
+            [(port.path, port.type) for port in sink.ports()], [(sink.path + ":in", "DataInPort")]
+        )
         with self.assertRaises(api.Error) as caught:
             sink.activate(context=7)
         self.assertEqual((caught.exception.where, caught.exception.status), (sink.path, 3))
@@ -189,7 +193,10 @@ class World(unittest.TestCase):
         writer.join()
         for number in range(2, 5):
             self.world.ctl("write", "ConsoleIn0:out", str(number))
-        self.assertEqual([value.data for _, value in zip(range(3), (value for value in coming if value.data > 1))], [2, 3, 4])
+        self.assertEqual(
+            [value.data for _, value in zip(range(3), (value for value in coming if value.data > 1))],
+            [2, 3, 4],
+        )
         coming.close()
         self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").ports()[0].connections, [])
 
@@ -197,7 +204,9 @@ class World(unittest.TestCase):
         one, other = self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"
         api.connect(one, other)
         profile = api.capture(self.home)
-        profile.components = [each for each in profile.components if each.instance_name in ("ConsoleIn0", "ConsoleOut0")]
+        profile.components = [
+            each for each in profile.components if each.instance_name in ("ConsoleIn0", "ConsoleOut0")
+        ]
         happening = api.keep(profile, timeout=worlds.LIMIT)
         self.addCleanup(happening.close)
         active = set()
@@ -206,10 +215,15 @@ class World(unittest.TestCase):
             active |= {event.object} if event.done == "Active" else set()
         self.assertEqual(api.disconnect(one, other), 1)
         event = next(happening)
-        self.assertEqual((event.object, event.done[:19], event.error), (one[:-len(":out")], "restored connection", None))
+        self.assertEqual(
+            (event.object, event.done[:19], event.error), (one[: -len(":out")], "restored connection", None)
+        )
         happening.close()
         self.assertEqual(api.disconnect(one, other), 1)
-        for each in [api.component(port[:-len(":out")] if port == one else port[:-len(":in")]) for port in (one, other)]:
+        for each in [
+            api.component(port[: -len(":out")] if port == one else port[: -len(":in")])
+            for port in (one, other)
+        ]:
             self.assertEqual(each.state, "Active")
             each.deactivate(wait=10)
 
@@ -238,7 +252,10 @@ class World(unittest.TestCase):
             api.component(self.home)
         with self.assertRaises(errors.BadPath) as caught:
             api.connect(self.home + "ConsoleIn0.rtc", self.home + "ConsoleOut0.rtc:in")
-        self.assertEqual((caught.exception.where, caught.exception.why), (self.home + "ConsoleIn0.rtc", "no port specified"))
+        self.assertEqual(
+            (caught.exception.where, caught.exception.why),
+            (self.home + "ConsoleIn0.rtc", "no port specified"),
+        )
         for nowhere, kind in ((self.home + "nowhere", errors.NotFound), ("/127.0.0.1:1", errors.Unreachable)):
             with self.assertRaises(kind) as caught:
                 api.components(nowhere)
@@ -256,9 +273,12 @@ class World(unittest.TestCase):
 
     def test_where_and_why(self):
         for error, where, why in (
-                (errors.Failed("/a.rtc", "broken"), "/a.rtc", "broken"), (errors.NotFound("/a.rtc"), "/a.rtc", "no such path"),
-                (errors.BadProfile("a.xml", 3, 1, "no text"), "a.xml", "3:1: no text"),
-                (errors.Shortage("memory", "none"), "", "out of memory here: none"), (errors.Usage("what?"), "", "what? (see --help)")):
+            (errors.Failed("/a.rtc", "broken"), "/a.rtc", "broken"),
+            (errors.NotFound("/a.rtc"), "/a.rtc", "no such path"),
+            (errors.BadProfile("a.xml", 3, 1, "no text"), "a.xml", "3:1: no text"),
+            (errors.Shortage("memory", "none"), "", "out of memory here: none"),
+            (errors.Usage("what?"), "", "what? (see --help)"),
+        ):
             self.assertEqual((error.where, error.why), (where, why))
         self.assertEqual(errors.MissingOmniORB().where, "")
 
@@ -267,7 +287,9 @@ class World(unittest.TestCase):
 
         def ask(name):
             states.append(api.component(self.home + name).state)
-        threads = [threading.Thread(target=ask, args=(name,)) for name in ("ConsoleIn0.rtc", "ConsoleOut1.rtc") * 4]
+        threads = [
+            threading.Thread(target=ask, args=(name,)) for name in ("ConsoleIn0.rtc", "ConsoleOut1.rtc") * 4
+        ]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -276,17 +298,26 @@ class World(unittest.TestCase):
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
     def said(self, program, *words):
-        """What a program prints, in a process of its own; the library uses its own ORB there, whatever the commands use."""
+        """What a program prints, in a process of its own; the library uses its own ORB there, whatever the
+        commands use.
+        """
         environment = {name: value for name, value in worlds.ENVIRONMENT.items() if name != "RTSHELL_ORB"}
-        return subprocess.run([sys.executable, "-c", program] + list(words), env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, preexec_fn=tools.hear_ctrl_c).stdout.decode()
+        return subprocess.run(
+            [sys.executable, "-c", program] + list(words),
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            preexec_fn=tools.hear_ctrl_c,
+        ).stdout.decode()
 
     def test_a_host_keeps_its_signals_and_deadlines(self):
         self.addCleanup(self.world.ctl, "reset")
         self.assertEqual(self.said(HOST, self.home + "ConsoleIn0.rtc", self.world.control), "as before\n")
 
     def test_a_host_that_serves_components_itself(self):
-        self.assertEqual(self.said(SERVING, self.home, "127.0.0.1:%d" % worlds.Server.port), "Active Active 1\n")
+        self.assertEqual(
+            self.said(SERVING, self.home, "127.0.0.1:%d" % worlds.Server.port), "Active Active 1\n"
+        )
 
     def test_ctrl_c(self):
         """It ends a wait as the host has it, and leaves no connection."""
@@ -318,8 +349,12 @@ class Services(unittest.TestCase):
         self.assertEqual((where.x, where.y, distance), (3.0, 4.0, 5.0))
         self.assertIsNone(api.call(port, "rest", 0.0, idl=self.IDL))
         self.assertEqual(api.call(self.path, "get_sdo_id"), "Robot0")
-        for what, words, kind in (("say", (), errors.BadValue), ("say", ("a", "b"), errors.Usage), ("sey", ("a",), errors.NoSuch),
-                                  ("rest", ("a",), errors.BadValue)):
+        for what, words, kind in (
+            ("say", (), errors.BadValue),
+            ("say", ("a", "b"), errors.Usage),
+            ("sey", ("a",), errors.NoSuch),
+            ("rest", ("a",), errors.BadValue),
+        ):
             with self.assertRaises(kind):
                 api.call(port, what, *words, idl=self.IDL)
         with self.assertRaises(errors.NoSuch):  # its IDL is not known
@@ -332,7 +367,8 @@ class Services(unittest.TestCase):
         arm = api.service(self.path + ":svc.arm", self.IDL)
         arm._set_speed(3.5)
         self.assertEqual(arm._get_speed(), 3.5)
-        where, _ = arm.move_to(seconds=0, goal=arm.move_to({"x": 1, "y": 2}, 0)[0])  # what it returns can be given back
+        # what it returns can be given back
+        where, _ = arm.move_to(seconds=0, goal=arm.move_to({"x": 1, "y": 2}, 0)[0])
         self.assertEqual(str(arm.turn([where.x], False)[1]), "MOVING")
         self.assertEqual(arm.keep({"_type": "long", "_value": 7}).content, 7)
         with self.assertRaises(errors.Raised) as caught:
@@ -354,8 +390,11 @@ class Robot(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         worlds.start_name_server()
-        cls.worlds = [worlds.World("console"), worlds.World("manager", "Motor", "--context", "m.host_cxt/%n.rtc"),
-                      worlds.World("zombie", "--context", "dead.host_cxt/%n.rtc")]
+        cls.worlds = [
+            worlds.World("console"),
+            worlds.World("manager", "Motor", "--context", "m.host_cxt/%n.rtc"),
+            worlds.World("zombie", "--context", "dead.host_cxt/%n.rtc"),
+        ]
         cls.server = "/127.0.0.1:%d" % worlds.Server.port
         cls.home = cls.server + "/test.host_cxt/"
 
@@ -414,7 +453,9 @@ class Robot(unittest.TestCase):
                 event = next(happening)
         self.assertEqual(event.path, path)
         api.component(path).deactivate(wait=10)
-        with self.assertRaises(errors.NotFound), contextlib.closing(api.watch(self.home + "nosuch.rtc")) as happening:
+        with self.assertRaises(errors.NotFound), contextlib.closing(
+            api.watch(self.home + "nosuch.rtc")
+        ) as happening:
             next(happening)
 
     def test_a_system_is_started_and_stopped(self):
@@ -456,19 +497,33 @@ class Documents(unittest.TestCase):
         with open(os.path.join(DOCS, "library.md"), encoding="utf-8") as file:
             named = set(re.findall(r"\bapi\.(\w+)", file.read()))
         self.assertEqual(named - set(api.__all__), set())
-        self.assertEqual(set(api.__all__) - named - {"Component", "Connection", "Context", "Event", "Manager", "Port", "Service"}, set())
+        self.assertEqual(
+            set(api.__all__)
+            - named
+            - {"Component", "Connection", "Context", "Event", "Manager", "Port", "Service"},
+            set(),
+        )
 
 
 class Types(unittest.TestCase):
-    """The stubs are true, and a program that is annotated can use them. (mypy is a developer's tool: .ci/run installs it.)"""
+    """The stubs are true, and a program that is annotated can use them. (mypy is a developer's tool: .ci/run
+    installs it.)
+    """
 
     def mypy(self, *words):
         tools = os.path.join(ROOT, ".venv-tools", "bin", "python")
         for python in tools, sys.executable:
-            if os.path.exists(python) and not subprocess.call([python, "-c", "import mypy"], stderr=subprocess.DEVNULL):
+            if os.path.exists(python) and not subprocess.call(
+                [python, "-c", "import mypy"], stderr=subprocess.DEVNULL
+            ):
                 with tempfile.TemporaryDirectory() as cache:
-                    done = subprocess.run([python, "-m"] + list(words), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                          env=dict(os.environ, MYPYPATH=ROOT, PYTHONPATH=ROOT, MYPY_CACHE_DIR=cache))
+                    done = subprocess.run(
+                        [python, "-m"] + list(words),
+                        cwd=ROOT,
+                        stdout=subprocess.PIPE,
+                        stderr=subprocess.STDOUT,
+                        env=dict(os.environ, MYPYPATH=ROOT, PYTHONPATH=ROOT, MYPY_CACHE_DIR=cache),
+                    )
                 self.assertEqual(done.returncode, 0, done.stdout.decode())
                 return
         self.skipTest("needs mypy")

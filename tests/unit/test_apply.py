@@ -1,5 +1,5 @@
-"""How steps are carried out: if this fails, a big system takes long to restore, steps overtake those they need, or the report is
-not what there is.
+"""How steps are carried out: if this fails, a big system takes long to restore, steps overtake those they
+need, or the report is not what there is.
 """
 import itertools
 import random
@@ -29,14 +29,19 @@ def levels(wanted):
 class Levels(unittest.TestCase):
     def test_a_long_chain_of_connections_takes_few(self):
         sites = [Site() for _ in range(200)]
-        ring = [([sites[number], sites[(number + step) % 200]], True) for number in range(200) for step in (1, 2)]
+        ring = [
+            ([sites[number], sites[(number + step) % 200]], True) for number in range(200) for step in (1, 2)
+        ]
         self.assertLessEqual(len(levels(ring)), 8)
 
     def test_none_shares_a_site_and_order_is_kept_where_it_matters(self):
         for seed in range(200):
             chance = random.Random(seed)
             sites = [Site() for _ in range(chance.randint(1, 6))]
-            wanted = [(chance.sample(sites, chance.randint(1, min(3, len(sites)))), chance.random() < 0.6) for _ in range(12)]
+            wanted = [
+                (chance.sample(sites, chance.randint(1, min(3, len(sites)))), chance.random() < 0.6)
+                for _ in range(12)
+            ]
             found = levels(wanted)
             at = {number: place for place, level in enumerate(found) for number in level}
             self.assertEqual(sorted(at), list(range(12)))
@@ -45,13 +50,14 @@ class Levels(unittest.TestCase):
                     self.assertNotEqual(at[one], at[other])
                     if not (wanted[one][1] and wanted[other][1]):
                         self.assertLess(at[one], at[other])
-                    if wanted[one] == wanted[other]:  # the removal of what is left of a connection, and the connection
+                    # the removal of what is left of a connection, and the connection
+                    if wanted[one] == wanted[other]:
                         self.assertLess(at[one], at[other])
 
 
 class Switch(steps.Step):
-    """A step that turns something on. `found`: what one look after the other finds, if not whether it is on: an error, or the
-    exception that ends the command, or a text that says why it cannot be turned on.
+    """A step that turns something on. `found`: what one look after the other finds, if not whether it is on:
+    an error, or the exception that ends the command, or a text that says why it cannot be turned on.
     """
 
     endpoint = "switch"
@@ -89,11 +95,14 @@ class Reports(unittest.TestCase):
             loop.run(apply.carry_out(outcomes, all_or_nothing))
         except KeyboardInterrupt:
             pass
-        self.assertEqual([(outcome.status, outcome.error and str(outcome.error)) for outcome in outcomes], expected)
+        self.assertEqual(
+            [(outcome.status, outcome.error and str(outcome.error)) for outcome in outcomes], expected
+        )
 
     def test_failed_undoing_is_reported(self):
         self.check([Switch("a", undoes=False), Switch("b", False, False), Switch("c")],
-                   [(apply.STUCK, "a: is still there"), (apply.FAILED, "b: reported success, but nothing changed"),
+                   [(apply.STUCK, "a: is still there"), (apply.FAILED, "b: reported success, but "
+                                                                       "nothing changed"),
                     (apply.UNDONE, None)], True)
 
     def test_an_interruption_while_it_was_undone(self):
@@ -103,8 +112,10 @@ class Reports(unittest.TestCase):
 
     def test_a_look_that_fails_twice_leaves_it_uncertain(self):
         lost = errors.Refused("a", "no answer to that")
-        self.check([Switch("a", False, lost, lost), Switch("b", False, lost)],
-                   [(apply.UNSURE, "a: no answer to that; whether it was done is not known"), (apply.DONE, None)])
+        self.check(
+            [Switch("a", False, lost, lost), Switch("b", False, lost)],
+            [(apply.UNSURE, "a: no answer to that; whether it was done is not known"), (apply.DONE, None)],
+        )
 
     def test_a_step_that_its_look_rules_out_has_failed(self):
         self.check([Switch("a", False, "is no switch"), Switch("b", "is no switch")],

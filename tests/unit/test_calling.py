@@ -74,8 +74,14 @@ class Once(Calls):
         self.assertEqual(asked, 1, error)
 
     def test_system_exceptions(self):
-        for name, completed in (("COMM_FAILURE", 2), ("TRANSIENT", 1), ("OBJECT_NOT_EXIST", 1), ("BAD_OPERATION", 1),
-                                ("UNKNOWN", 0), ("NO_RESOURCES", 2)):
+        for name, completed in (
+            ("COMM_FAILURE", 2),
+            ("TRANSIENT", 1),
+            ("OBJECT_NOT_EXIST", 1),
+            ("BAD_OPERATION", 1),
+            ("UNKNOWN", 0),
+            ("NO_RESOURCES", 2),
+        ):
             with self.subTest(name):
                 error, asked = self.failure(answer(1, exception(name, completed), 2), answer(2, LONG))
                 self.assertEqual((error.exception, asked), ((name, completed), 1))
@@ -83,7 +89,8 @@ class Once(Calls):
     def test_silence(self):
         error, asked = self.failure(b"")
         self.assertEqual((type(error), error.why, asked), (errors.Silent, "no answer within 0.3s", 1))
-        self.assertEqual(self.session.silent, {}, "it may take longer than its caller waits: others are asked all the same")
+        self.assertEqual(self.session.silent, {}, "it may take longer than its caller waits: others are "
+                                                  "asked all the same")
 
     def test_its_limit_may_be_shorter_than_the_timeout_and_longer(self):
         self.session.timeout = 0.2
@@ -116,7 +123,9 @@ class Once(Calls):
 
     def test_oneway_asks_for_no_reply(self):
         for minor in (0, 1, 2):
-            octets = messages.request(1, (1, minor), messages.KEY, struct.pack("<I", 1) + b"x", "stop", (), True)
+            octets = messages.request(
+                1, (1, minor), messages.KEY, struct.pack("<I", 1) + b"x", "stop", (), True
+            )
             flags = octets[messages.HEADER + (4 if minor == 2 else 8)]
             self.assertEqual(flags, 0, minor)
 

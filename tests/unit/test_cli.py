@@ -1,4 +1,6 @@
-"""What every command shares, tested with a command of our own: options anywhere, a line for each failure, exit statuses."""
+"""What every command shares, tested with a command of our own: options anywhere, a line for each failure,
+exit statuses.
+"""
 import io
 import os
 import subprocess
@@ -50,7 +52,8 @@ def run(args):
 cli.main(arguments, run, __doc__)
 '''
 
-# Imports all that there is, and prints what of the process has changed. (omniORB itself adds a directory to sys.path.)
+# Imports all that there is, and prints what of the process has changed. (omniORB itself adds a directory to
+# sys.path.)
 IMPORTING = """
 import importlib, os, pkgutil, signal, sys, threading, warnings
 import rtshell_lite
@@ -70,7 +73,7 @@ for module in pkgutil.walk_packages(rtshell_lite.__path__, "rtshell_lite."):
     except ImportError as e:
         assert "omniORB" in str(e), e
     print("".join(module.name + ": " + what for what, value in process().items() if value != before[what]), end="")
-"""
+"""  # noqa: E501
 
 
 def environment(**more):
@@ -98,8 +101,13 @@ class Command(unittest.TestCase):
         cls.folder.cleanup()
 
     def foo(self, *words, **variables):
-        ran = subprocess.run([sys.executable, self.file] + list(words), env=environment(**variables), stdout=subprocess.PIPE,
-                             stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)
+        ran = subprocess.run(
+            [sys.executable, self.file] + list(words),
+            env=environment(**variables),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            stdin=subprocess.DEVNULL,
+        )
         return ran.returncode, ran.stdout.decode("utf-8"), ran.stderr.decode("utf-8")
 
     def said(self, *words, **variables):
@@ -110,10 +118,15 @@ class Command(unittest.TestCase):
         parser = options.Parser()
         parser.add_argument("-l", action="count")
         parser.add_argument("-n", type=int)
-        for words, expected in ((["a", "-l", "b"], (["a", "b"], None, False)), (["a", "-n"], (["a"], "n", False)),
-                                (["-n", "5"], ([], None, False)), (["-n", "5", "a"], (["a"], None, False)),
-                                (["-n5", "a"], (["a"], None, False)), (["a", "-l"], (["a"], None, False)),
-                                (["a", "--", "-n"], (["a", "-n"], None, True))):
+        for words, expected in (
+            (["a", "-l", "b"], (["a", "b"], None, False)),
+            (["a", "-n"], (["a"], "n", False)),
+            (["-n", "5"], ([], None, False)),
+            (["-n", "5", "a"], (["a"], None, False)),
+            (["-n5", "a"], (["a"], None, False)),
+            (["a", "-l"], (["a"], None, False)),
+            (["a", "--", "-n"], (["a", "-n"], None, True)),
+        ):
             found, option, is_ended = parser.unfinished(words)
             self.assertEqual((found, option and option.dest, is_ended), expected, words)
 
@@ -163,8 +176,8 @@ class Command(unittest.TestCase):
     def test_a_python_without_a_standard_module(self):
         """Debian's python3-minimal lacks json and a dozen others."""
         self.assertEqual(self.foo("lacking")[0::2], (1, (
-            "rtfoo: this Python lacks its module json_of_some_python, which is needed for that; a whole one has it "
-            "(Debian: python3, not python3-minimal)\n")))
+            "rtfoo: this Python lacks its module json_of_some_python, which is needed for that; a whole "
+            "one has it (Debian: python3, not python3-minimal)\n")))
 
     def test_a_local_failure_is_1(self):
         self.assertEqual(self.foo("io")[0::2], (1, "rtfoo: /does/not/exist: No such file or directory\n"))
@@ -202,10 +215,13 @@ class Reading(unittest.TestCase):
     def test_a_command_that_waits_for_the_terminal_says_so(self):
         for name, on_terminal, wanted in ("-", True, "Ctrl-D"), ("-", False, ""), ("file", True, ""):
             stdin = mock.Mock(isatty=lambda: on_terminal)
-            with mock.patch.object(sys, "stdin", stdin), mock.patch.object(sys, "stderr", io.StringIO()) as said, \
-                    mock.patch.object(notes, "listener", cli._hear):
+            with mock.patch.object(sys, "stdin", stdin), mock.patch.object(
+                sys, "stderr", io.StringIO()
+            ) as said, mock.patch.object(notes, "listener", cli._hear):
                 notes.reading(name, "an RtsProfile")
-            self.assertEqual("reading an RtsProfile from standard input; Ctrl-D ends it" in said.getvalue(), bool(wanted))
+            self.assertEqual(
+                "reading an RtsProfile from standard input; Ctrl-D ends it" in said.getvalue(), bool(wanted)
+            )
 
 
 class Files(unittest.TestCase):
@@ -224,9 +240,13 @@ class Files(unittest.TestCase):
     def test_the_longest_names(self):
         """As long as the file system allows: 255 octets."""
         names = ["a" * 255, "b" * 250, "\u00e9" * 127, "\u3042" * 85]
-        program = "import sys; from rtshell_lite import files\nfor name in sys.argv[1:]: files.write(name, name)"
+        program = (
+            "import sys; from rtshell_lite import files\nfor name in sys.argv[1:]: files.write(name, name)"
+        )
         with tempfile.TemporaryDirectory() as directory:
-            subprocess.check_call([sys.executable, "-c", program] + [os.path.join(directory, name) for name in names])
+            subprocess.check_call(
+                [sys.executable, "-c", program] + [os.path.join(directory, name) for name in names]
+            )
             self.assertEqual(set(os.listdir(directory)), set(names))
 
 

@@ -1,4 +1,6 @@
-"""What is reported of a component that others know nothing of: if this fails, an operator looks for the fault in the wrong place."""
+"""What is reported of a component that others know nothing of: if this fails, an operator looks for the fault
+in the wrong place.
+"""
 import unittest
 from unittest import mock
 
@@ -30,9 +32,15 @@ class Asked:
 class Contexts(unittest.TestCase):
     def change(self, code):
         """Why it is not activated where its context answers `code`, and has no other reference of it."""
-        node = Asked(get_component_state=mock.Mock(_v=1), activate_component=code, get_owned_contexts=["context"],
-                     get_profile=mock.Mock(owner=None))
-        with node.patched(), mock.patch.object(orb, "narrow", lambda ref, name: ref), self.assertRaises(errors.Refused) as caught:
+        node = Asked(
+            get_component_state=mock.Mock(_v=1),
+            activate_component=code,
+            get_owned_contexts=["context"],
+            get_profile=mock.Mock(owner=None),
+        )
+        with node.patched(), mock.patch.object(orb, "narrow", lambda ref, name: ref), self.assertRaises(
+            errors.Refused
+        ) as caught:
             loop.run(transitions.change(node, transitions.ACTIVATE, index=0, wait=0))
         return str(caught.exception)
 
@@ -40,7 +48,8 @@ class Contexts(unittest.TestCase):
         self.assertEqual(self.change("BAD_PARAMETER"), "/localhost/a.rtc: is not in its execution context 0")
 
     def test_one_that_refuses(self):
-        self.assertEqual(self.change("UNSUPPORTED"), "/localhost/a.rtc: cannot activate: UNSUPPORTED, it is Inactive")
+        self.assertEqual(self.change("UNSUPPORTED"), "/localhost/a.rtc: cannot activate: UNSUPPORTED, it "
+                                                     "is Inactive")
 
 
 class Machines(unittest.TestCase):
@@ -51,7 +60,9 @@ class Machines(unittest.TestCase):
             return loop.run(fsm.of(Asked(get_service_profiles=profiles))).ref
 
     def test_a_service_without_a_reference_is_none(self):
-        self.assertEqual(self.found(("Other", "other"), (fsm.SERVICE, None), (fsm.SERVICE, "machine")), "machine")
+        self.assertEqual(
+            self.found(("Other", "other"), (fsm.SERVICE, None), (fsm.SERVICE, "machine")), "machine"
+        )
         for services in ((), (("Other", "other"),), ((fsm.SERVICE, None),)):
             with self.assertRaises(errors.NoSuch):
                 self.found(*services)

@@ -1,4 +1,6 @@
-"""Configuration as text: if this fails, a dumped configuration does not come back as it was, or a typo is swallowed."""
+"""Configuration as text: if this fails, a dumped configuration does not come back as it was, or a typo is
+swallowed.
+"""
 import collections
 import random
 import unittest
@@ -6,7 +8,16 @@ import unittest
 from rtshell_lite import errors
 from rtshell_lite.robot import configuration
 
-ODD = list("ab =#[]\\.:\n\r\t\0\x1b\x7f\x85\u2028\u202e") + ["日", "é", "\udcff", "\udc80", "\U0001f916", "\ufeff", " active", "\\x20"]
+ODD = list("ab =#[]\\.:\n\r\t\0\x1b\x7f\x85\u2028\u202e") + [
+    "日",
+    "é",
+    "\udcff",
+    "\udc80",
+    "\U0001f916",
+    "\ufeff",
+    " active",
+    "\\x20",
+]
 
 
 class Sets:
@@ -18,8 +29,11 @@ class Sets:
         self.values, self.active = values, active
 
     def sets(self, with_hidden=False):
-        return [configuration.Set(set_id, "", self.values[set_id], set_id == self.active) for set_id in sorted(self.values)
-                if with_hidden or not configuration.hidden(set_id)]
+        return [
+            configuration.Set(set_id, "", self.values[set_id], set_id == self.active)
+            for set_id in sorted(self.values)
+            if with_hidden or not configuration.hidden(set_id)
+        ]
 
 
 def random_text(dice):
@@ -27,8 +41,14 @@ def random_text(dice):
 
 
 def random_sets(dice):
-    return Sets({random_text(dice): collections.OrderedDict((random_text(dice), random_text(dice))
-                                                            for _ in range(dice.randrange(4))) for _ in range(dice.randrange(4))})
+    return Sets(
+        {
+            random_text(dice): collections.OrderedDict(
+                (random_text(dice), random_text(dice)) for _ in range(dice.randrange(4))
+            )
+            for _ in range(dice.randrange(4))
+        }
+    )
 
 
 def parsed(text):
@@ -42,16 +62,21 @@ class Text(unittest.TestCase):
             sets = random_sets(dice)
             sets.active = dice.choice(sorted(sets.values) + [""])
             lines = configuration.dumped(sets, with_hidden=True)
-            self.assertEqual(configuration.parsed("\n".join(lines).split("\n"), ""), (sets.values, sets.active), lines)
+            self.assertEqual(
+                configuration.parsed("\n".join(lines).split("\n"), ""), (sets.values, sets.active), lines
+            )
 
     def test_lines_are_printable_and_survive_editors(self):
-        """No control character reaches a terminal; stripping blanks from the ends of lines changes nothing."""
+        """No control character reaches a terminal; stripping blanks from the ends of lines changes nothing.
+        """
         dice = random.Random(2)
         for _ in range(1000):
             sets = random_sets(dice)
             lines = configuration.dumped(sets, with_hidden=True)
             self.assertTrue(all(line.isprintable() for line in lines), lines)
-            self.assertEqual(configuration.parsed([line.rstrip() + "\r" for line in lines], "")[0], sets.values)
+            self.assertEqual(
+                configuration.parsed([line.rstrip() + "\r" for line in lines], "")[0], sets.values
+            )
 
     def test_written_by_hand(self):
         self.assertEqual(parsed("# a\n\n  \n[a] active  \nx=1\r\ny==#\n[b]\n[a]\nz= \n"),
@@ -88,7 +113,13 @@ class Differences(unittest.TestCase):
 
 class Hidden(unittest.TestCase):
     def test_both_ends_count(self):
-        for set_id, hidden in (("__widget__", True), ("__x", False), ("x__", False), ("_x_", False), ("default", False)):
+        for set_id, hidden in (
+            ("__widget__", True),
+            ("__x", False),
+            ("x__", False),
+            ("_x_", False),
+            ("default", False),
+        ):
             self.assertIs(configuration.hidden(set_id), hidden, set_id)
 
 

@@ -1,4 +1,6 @@
-"""Connections of data ports: if this fails, Ctrl-C takes longer the more ports there are, or commands report the wrong status."""
+"""Connections of data ports: if this fails, Ctrl-C takes longer the more ports there are, or commands report
+the wrong status.
+"""
 import collections
 import os
 import signal
@@ -74,7 +76,14 @@ class Struck(unittest.TestCase):
     """Signals at the worst of moments leave no connection in a robot."""
 
     def test_none_is_left_whenever_ctrl_c_comes(self):
-        for strikes in (["open"], ["connect"], ["connected"], ["close"], ["connect", "close"], ["close", "close again"]):
+        for strikes in (
+            ["open"],
+            ["connect"],
+            ["connected"],
+            ["close"],
+            ["connect", "close"],
+            ["close", "close again"],
+        ):
             for others in (0, 6):  # more than calls are made at a time
                 with self.subTest(strikes=strikes, others=others), mock.patch.object(loop, "BOUNCE", 0):
                     every = [Connection() for _ in range(others)] + [Connection(strikes)]
@@ -155,7 +164,9 @@ class Closing(unittest.TestCase):
         self.assertLess(self.rest(*readers), 100 * reading.QUIET / 2)
 
     def test_a_value_that_came_long_ago_is_no_sign(self):
-        """A value that came while others were closed does not count; the next one is waited for, up to a limit."""
+        """A value that came while others were closed does not count; the next one is waited for, up to a
+        limit.
+        """
         reader = idle_reader()
         reader.early = []
         reader.stop()
@@ -163,7 +174,9 @@ class Closing(unittest.TestCase):
         self.assertGreater(self.rest(reader), reading.QUIET)
 
     def test_a_connector_is_removed_right_after_a_value(self):
-        """While its answer is on its way the publisher does not use the connector; a moment later it may again."""
+        """While its answer is on its way the publisher does not use the connector; a moment later it may
+        again.
+        """
         reader, turns = idle_reader(), []
         reader.stop()
 
@@ -174,20 +187,25 @@ class Closing(unittest.TestCase):
         async def main():
             loop.current().call_later(0.02, take)
             await reader.is_at_rest()
-        with mock.patch.object(reading, "QUIET", LIMIT), mock.patch.object(reading.orb, "answers_at_once", lambda: True):
+        with mock.patch.object(reading, "QUIET", LIMIT), mock.patch.object(
+            reading.orb, "answers_at_once", lambda: True
+        ):
             loop.run(main())
         self.assertEqual(turns, [])
 
 
 class Early(unittest.TestCase):
     def test_values_that_come_before_the_connection_is_made(self):
-        """They wait in memory, so there is a limit: a component that goes on is told that the buffer is full."""
+        """They wait in memory, so there is a limit: a component that goes on is told that the buffer is full.
+        """
         for receiver in servants.RECEIVERS.values():
             reader = idle_reader()
             servant = receiver(reader._take)
             put = getattr(servant, "put", None) or servant.push
             with mock.patch.object(reading, "BUFFER_BYTES", 1000):
-                self.assertEqual([str(put(b"x" * 400)) for _ in range(3)], ["PORT_OK", "PORT_OK", "BUFFER_FULL"])
+                self.assertEqual(
+                    [str(put(b"x" * 400)) for _ in range(3)], ["PORT_OK", "PORT_OK", "BUFFER_FULL"]
+                )
             self.assertEqual((reader.count, len(reader.early)), (2, 2))
 
 
@@ -195,19 +213,29 @@ class Live(unittest.TestCase):
     def test_values_are_sent_to_ends_that_answer(self):
         """Silent ones only if there is nobody else; those whose connection failed otherwise never."""
         silent, refused = errors.Silent("a", "no answer"), errors.Refused("a", "no")
-        for failures, expected in (((None, silent, refused), [0]), ((silent, refused, silent), [0, 2]), ((refused,), [])):
+        for failures, expected in (
+            ((None, silent, refused), [0]),
+            ((silent, refused, silent), [0, 2]),
+            ((refused,), []),
+        ):
             writers = [mock.Mock(failure=failure) for failure in failures]
-            self.assertEqual([number for _, number in sender.Injection.live(mock.Mock(writers=writers))], expected)
+            self.assertEqual(
+                [number for _, number in sender.Injection.live(mock.Mock(writers=writers))], expected
+            )
 
 
 class Status(unittest.TestCase):
-    """The exit status of commands that stay connected: that of the failures, or 5 where another connection was of use."""
+    """The exit status of commands that stay connected: that of the failures, or 5 where another connection
+    was of use.
+    """
 
     def status(self, *failures, **more):
         connections = [mock.Mock(failure=failure) for failure in failures]
         tally = cli.Tally()
         with mock.patch.object(cli, "complain"):
-            watcher.Watcher(connections).count(tally, [connections[number] for number in more.get("useless", ())])
+            watcher.Watcher(connections).count(
+                tally, [connections[number] for number in more.get("useless", ())]
+            )
         return tally.done, tally.status()
 
     def test_it(self):
@@ -231,7 +259,9 @@ class Arguments(unittest.TestCase):
         self.assertEqual(self.found("/h/A.rtc:out.one", "A.out"), ("A.out", "one"))
         self.assertEqual(self.found("/h/A.rtc:out.one", "A.out", "A.out.one"), ("A.out.one", None))
         for word in ("out.o-ne", "in.one", "one"):
-            self.assertEqual(self.found("/h/A.rtc:" + word, "A.out"), "/h/A.rtc: no such port: %s (its ports: out)" % word)
+            self.assertEqual(
+                self.found("/h/A.rtc:" + word, "A.out"), "/h/A.rtc: no such port: %s (its ports: out)" % word
+            )
 
 
 def answer(*answers):
@@ -248,11 +278,15 @@ class Rates(unittest.TestCase):
 
     def measured(self, *counts, **more):
         node = collections.namedtuple("Node", "path")(path.parse("/h/A.rtc"))
-        kinds = [("A.in", "DataInPort")] + [("A.out%d" % number, "DataOutPort") for number in range(len(counts))]
+        kinds = [("A.in", "DataInPort")] + [
+            ("A.out%d" % number, "DataOutPort") for number in range(len(counts))
+        ]
         known = [ports.Port(node, name, kind, {}, [], [], name, None) for name, kind in kinds]
-        with mock.patch("rtshell_lite.robot.component.state", answer(more.get("state", "Active"))), \
-                mock.patch("rtshell_lite.robot.ports.ports", answer(known)), \
-                mock.patch("rtshell_lite.data.reading.count_writes", answer(*[(count, 2.0) for count in counts])):
+        with mock.patch(
+            "rtshell_lite.robot.component.state", answer(more.get("state", "Active"))
+        ), mock.patch("rtshell_lite.robot.ports.ports", answer(known)), mock.patch(
+            "rtshell_lite.data.reading.count_writes", answer(*[(count, 2.0) for count in counts])
+        ):
             return loop.run(rates.measured(node, 2.0))
 
     def test_the_first_port_that_is_written_to(self):

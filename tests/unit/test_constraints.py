@@ -34,21 +34,37 @@ class Fits(unittest.TestCase):
 
 class Doubts(unittest.TestCase):
     def check(self, present, value, expected, **sets):
-        found = constraints.doubts({"p": present}, {"p": value}, {name: {"p": text} for name, text in sets.items()})
+        found = constraints.doubts(
+            {"p": present}, {"p": value}, {name: {"p": text} for name, text in sets.items()}
+        )
         self.assertEqual([reason for _, reason in found], expected)
 
     def test_numbers(self):
         self.check("0", "abc", ["abc is no number, as the present value is (0)"])
         self.check("0,1.5", "2,b", ["2,b is no number, as the present value is (0,1.5)"])
         self.check("0", "", ["'' is no number, as the present value is (0)"])
-        for present, value in (("0", "-1e-3"), ("abc", "def"), ("abc", "1"), ("", "x"), ("0,1", "2"), ("1", "2,3")):
+        for present, value in (
+            ("0", "-1e-3"),
+            ("abc", "def"),
+            ("abc", "1"),
+            ("", "x"),
+            ("0,1", "2"),
+            ("1", "2,3"),
+        ):
             self.check(present, value, [])
 
     def test_constraints(self):
         for name in ("__constraints__", "__constraint__"):
-            self.check("5", "200", ["200 does not fit the component's constraint 0<=x<=150"], **{name: "0<=x<=150"})
+            self.check("5", "200", ["200 does not fit the component's constraint 0<=x<=150"], **{name: (
+                "0<=x<=150"
+            )})
         self.check("5", "abc", ["abc is no number, as the present value is (5)"], __constraints__="0<=x<=150")
-        self.check("red", "pink", ["pink does not fit the component's constraint (red,blue)"], __constraints__="(red,blue)")
+        self.check(
+            "red",
+            "pink",
+            ["pink does not fit the component's constraint (red,blue)"],
+            __constraints__="(red,blue)",
+        )
         self.check("5", "7", [], __constraints__="0<=x<=150", __constraint__="x>100")
         self.check("5", "700", [], default="0<=x<=150")
 

@@ -1,4 +1,6 @@
-"""Log files: what was written is read again, whatever happens to the file; hostile ones are refused at no cost."""
+"""Log files: what was written is read again, whatever happens to the file; hostile ones are refused at no
+cost.
+"""
 import os
 import random
 import resource
@@ -76,10 +78,16 @@ class Files(Case):
         self.assertEqual(list(log.notes()), [])
 
     def test_the_format_is_that_of_others(self):
-        """Numbers are little-endian, without gaps; a message has the head of plain CDR; the footer says where the summary is."""
+        """Numbers are little-endian, without gaps; a message has the head of plain CDR; the footer says where
+        the summary is.
+        """
         data = self.write(messages(1))
         self.assertEqual((data[:9], data[-8:]), (b"\x89MCAP0\r\n\1", mcap.MAGIC))
-        message = struct.pack("<BQHIQQ", 5, 22 + 4 + 12, 0, 0, START, 0x30303030 * 10 ** 9 + 0x30303030) + b"\0\1\0\0" + b"00000000...."
+        message = (
+            struct.pack("<BQHIQQ", 5, 22 + 4 + 12, 0, 0, START, 0x30303030 * 10**9 + 0x30303030)
+            + b"\0\1\0\0"
+            + b"00000000...."
+        )
         self.assertEqual(data.count(message), 1)
         start, _ = mcap.footer(data[-mcap.FOOT.size:])
         self.assertEqual(data[start], mcap.SCHEMA)
@@ -96,7 +104,9 @@ class Files(Case):
                 self.assertEqual(data[stretch.end], mcap.MESSAGE_INDEX)
 
     def test_only_what_is_torn_is_cut_off(self):
-        """To go on with a file whose middle is damaged would throw away all behind that; half a large record may go."""
+        """To go on with a file whose middle is damaged would throw away all behind that; half a large record
+        may go.
+        """
         data = self.write(messages(100, 40000), close=False)
         with logfile.load(self.name) as log:
             place = log._stretches[1].offset
@@ -218,7 +228,9 @@ class Files(Case):
                 self.write(written)
             lock(file, name)
         lock = writer.lock
-        with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(errors.Failed, "another rtlog"):
+        with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(
+            errors.Failed, "another rtlog"
+        ):
             writer.Writer(self.name, CHANNELS, START)
         self.assertEqual(self.read()[1], as_read(written))
 
@@ -228,7 +240,9 @@ class Files(Case):
             warnings.simplefilter("always", ResourceWarning)
             with self.assertRaises(errors.Failed):
                 writer.Writer(self.name, CHANNELS, START, True)
-            with mock.patch.object(textlog.Writer, "_prepare", side_effect=OSError), self.assertRaises(OSError):
+            with mock.patch.object(textlog.Writer, "_prepare", side_effect=OSError), self.assertRaises(
+                OSError
+            ):
                 textlog.Writer(self.name, CHANNELS, [None, None])
         self.assertEqual([str(each.message) for each in told], [])
 
@@ -303,7 +317,9 @@ class Damage(Case):
                 elif how == 1:
                     del changed[place:place + chance.randrange(1, 30)]
                 else:
-                    changed[place:place] = bytes(chance.randrange(256) for _ in range(chance.randrange(1, 30)))
+                    changed[place:place] = bytes(
+                        chance.randrange(256) for _ in range(chance.randrange(1, 30))
+                    )
             self.put(bytes(changed))
             found = self.read()
             if found:

@@ -18,9 +18,15 @@ def channel(number=0, **about):
 
 def chunk(body, crc=None, compression="", size=None, within=None):
     """A chunk of these octets, and what it says of them."""
-    return mcap.record(mcap.CHUNK, mcap.CHUNK_HEAD.pack(1, 2, len(body) if size is None else size,
-                                                        zlib.crc32(body) if crc is None else crc),
-                       mcap.string(compression), struct.pack("<Q", len(body) if within is None else within), body)
+    return mcap.record(
+        mcap.CHUNK,
+        mcap.CHUNK_HEAD.pack(
+            1, 2, len(body) if size is None else size, zlib.crc32(body) if crc is None else crc
+        ),
+        mcap.string(compression),
+        struct.pack("<Q", len(body) if within is None else within),
+        body,
+    )
 
 
 def message(number=0, moment=1, data=b"\0\1\0\0x"):
@@ -40,20 +46,41 @@ class Hostile(Case):
             self.assertLess(peak, 20 << 20)
 
     def test_what_is_no_log(self):
-        for data in [b"", b"text", mcap.MAGIC, mcap.MAGIC + channel(), mcap.MAGIC + HEADER[8:-1], mcap.MAGIC * 2]:
+        for data in [
+            b"",
+            b"text",
+            mcap.MAGIC,
+            mcap.MAGIC + channel(),
+            mcap.MAGIC + HEADER[8:-1],
+            mcap.MAGIC * 2,
+        ]:
             self.assertIsNone(self.all(data), data[:80])
         self.assertEqual(self.all(HEADER)[0].count, 0)
 
     def test_channels(self):
         """Whatever a channel says of itself, others are read."""
-        bad = [channel(7, description="[" * 100000), channel(7, sources="[" * 100000), channel(7, sources="1"), channel(7, sources="[[1]]"),
-               mcap.record(mcap.CHANNEL, b"x"), mcap.record(mcap.SCHEMA, b"\1\0\xff\xff\xff\xff"), channel(0, type="other"),
-               mcap.metadata_record("rtlog", {"created": "9" * 400}), mcap.metadata_record("rtlog", {"created": "x"}),
-               mcap.record(mcap.METADATA, b"\xff" * 9), mcap.record(mcap.ATTACHMENT, bytes(16) + b"\xff" * 30),
-               mcap.record(mcap.ATTACHMENT, bytes(24) + struct.pack("<Q", 1 << 62)), mcap.record(0x99, b"x")]
+        bad = [
+            channel(7, description="[" * 100000),
+            channel(7, sources="[" * 100000),
+            channel(7, sources="1"),
+            channel(7, sources="[[1]]"),
+            mcap.record(mcap.CHANNEL, b"x"),
+            mcap.record(mcap.SCHEMA, b"\1\0\xff\xff\xff\xff"),
+            channel(0, type="other"),
+            mcap.metadata_record("rtlog", {"created": "9" * 400}),
+            mcap.metadata_record("rtlog", {"created": ("x")}),
+            mcap.record(mcap.METADATA, b"\xff" * 9),
+            mcap.record(mcap.ATTACHMENT, bytes(16) + b"\xff" * 30),
+            mcap.record(mcap.ATTACHMENT, bytes(24) + struct.pack("<Q", 1 << 62)),
+            mcap.record(0x99, b"x"),
+        ]
         for record in bad:
             log, found = self.all(HEADER + channel() + record + chunk(message()))
-            self.assertEqual([(entry.data, log.channels[entry.channel].name) for entry in found], [(b"x", "a")], record[:80])
+            self.assertEqual(
+                [(entry.data, log.channels[entry.channel].name) for entry in found],
+                [(b"x", "a")],
+                record[:80],
+            )
         many = b"".join(channel(n) for n in range(3000))
         self.assertEqual(self.all(HEADER + many + chunk(message()))[0].count, 1)
 
@@ -62,13 +89,24 @@ class Hostile(Case):
         for length in (1 << 20, 1 << 40, (1 << 64) - 1):
             for kind in range(1, 16):
                 self.all(HEADER + mcap.HEAD.pack(kind, length) + b"x")
-        for odd in (chunk(b"x", size=1 << 60), chunk(b"x", within=1 << 60), chunk(mcap.HEAD.pack(5, 1 << 60)), chunk(b"")):
+        for odd in (
+            chunk(b"x", size=1 << 60),
+            chunk(b"x", within=1 << 60),
+            chunk(mcap.HEAD.pack(5, 1 << 60)),
+            chunk(b""),
+        ):
             self.assertEqual(self.all(HEADER + channel() + odd + chunk(message()))[1][0].data, b"x")
 
     def test_messages(self):
         good = chunk(message())
-        for body, damaged in ((message(9), 1), (mcap.record(mcap.MESSAGE, b"x"), 1), (message(moment=1 << 63), 1),
-                              (message(data=b"\0\7\0\0x"), 0), (message(data=b""), 0), (mcap.record(0x80, b"y"), 0)):
+        for body, damaged in (
+            (message(9), 1),
+            (mcap.record(mcap.MESSAGE, b"x"), 1),
+            (message(moment=1 << 63), 1),
+            (message(data=b"\0\7\0\0x"), 0),
+            (message(data=b""), 0),
+            (mcap.record(0x80, b"y"), 0),
+        ):
             log, found = self.all(HEADER + channel() + good + chunk(body) + good)
             self.assertEqual(([entry.data for entry in found], log.damaged), ([b"x", b"x"], damaged), body)
         log, found = self.all(HEADER + channel() + good + chunk(message(), crc=7) + good)
@@ -85,7 +123,9 @@ class Hostile(Case):
         for name in ("lz4", "\x1b[2J", "zstd"):
             data = HEADER + channel() + chunk(b"xyz", compression=name)
             self.put(data)
-            with mock.patch.object(compression, "_zstd", lambda: None), self.assertRaisesRegex(errors.Failed, "compressed .*mcap decomp"):
+            with mock.patch.object(compression, "_zstd", lambda: None), self.assertRaisesRegex(
+                errors.Failed, "compressed .*mcap decomp"
+            ):
                 logfile.load(self.name)
 
     def test_what_python_can_decompress(self):
@@ -99,7 +139,12 @@ class Hostile(Case):
         with mock.patch.object(compression, "_zstd", lambda: module):
             log, found = self.all(HEADER + channel() + good + chunk(b"odd", 1, "zstd") + good)
             self.assertEqual(([entry.data for entry in found], log.damaged), ([b"x", b"x"], 1))
-            self.assertEqual(self.all(HEADER + channel() + chunk(zlib.compress(bytes(1 << 25)), 1, "zstd", 5) + good)[0].damaged, 1)
+            self.assertEqual(
+                self.all(HEADER + channel() + chunk(zlib.compress(bytes(1 << 25)), 1, "zstd", 5) + good)[
+                    0
+                ].damaged,
+                1,
+            )
 
     def test_summaries(self):
         """A summary that does not agree with the file is not used."""
@@ -107,32 +152,76 @@ class Hostile(Case):
         whole = self.write(written)
         start, _ = mcap.footer(whole[-mcap.FOOT.size:])
         data = whole[:start]
-        index = mcap.record(mcap.CHUNK_INDEX, struct.pack("<QQQQ", 0, 0, 1 << 63, 5), mcap.blob(b""), bytes(8), mcap.string(""), bytes(16))
-        counts = mcap.record(mcap.STATISTICS, struct.pack("<QHIIIIQQ", 77, 1, 1, 0, 0, 1, 0, 0), mcap.blob(struct.pack("<HQ", 0, 77)))
-        for summary in (index, counts, index + counts, mcap.record(mcap.CHUNK_INDEX, b"x"), mcap.HEAD.pack(8, 1 << 50), b"x" * 8):
+        index = mcap.record(
+            mcap.CHUNK_INDEX,
+            struct.pack("<QQQQ", 0, 0, 1 << 63, 5),
+            mcap.blob(b""),
+            bytes(8),
+            mcap.string(""),
+            bytes(16),
+        )
+        counts = mcap.record(
+            mcap.STATISTICS,
+            struct.pack("<QHIIIIQQ", 77, 1, 1, 0, 0, 1, 0, 0),
+            mcap.blob(struct.pack("<HQ", 0, 77)),
+        )
+        for summary in (
+            index,
+            counts,
+            index + counts,
+            mcap.record(mcap.CHUNK_INDEX, b"x"),
+            mcap.HEAD.pack(8, 1 << 50),
+            b"x" * 8,
+        ):
             for at in (len(data), 0, 8, len(data) + 7, 1 << 62):
                 end = mcap.HEAD.pack(mcap.FOOTER, 20) + struct.pack("<QQI", at, 0, 0) + mcap.MAGIC
                 self.assertEqual(self.all(data + summary + end)[1], as_read(written), (summary, at))
 
     def test_schemas(self):
         """Each is a type, or refused."""
-        good = "Time stamp\nfloat64[3] x  # y\nuint8 A=1\nstring[] names\n" + "=" * 80 + "\nMSG: p/Time\nint32 sec\nuint32 nsec\n"
+        good = (
+            "Time stamp\nfloat64[3] x  # y\nuint8 A=1\nstring[] names\n"
+            + "=" * 80
+            + "\nMSG: p/Time\nint32 sec\nuint32 nsec\n"
+        )
         made = schemas.to_type(("p/Odd", "ros2msg", good.encode()))
         self.assertEqual(made.name, "p.Odd")
-        bad = ["Nothing x", "int32", "int8 x", "p/Odd x", "float64[999999999] x", "wstring x", "", "x\0y z", "int32 x\nint32 x",
-               "int32 _d", "$ x"]
+        bad = [
+            "Nothing x",
+            "int32",
+            "int8 x",
+            "p/Odd x",
+            "float64[999999999] x",
+            "wstring x",
+            "",
+            "x\0y z",
+            "int32 x\nint32 x",
+            "int32 _d",
+            "$ x",
+        ]
         for words in bad:
             with self.assertRaises(errors.Error, msg=words):
                 schemas.to_type(("p/Odd", "ros2msg", words.encode()))
-        for words in ('#include "/etc/passwd"\n', "module p {", "", "struct Other { long x; };", "typedef long Odd;" * 40000):
+        for words in (
+            '#include "/etc/passwd"\n',
+            "module p {",
+            "",
+            "struct Other { long x; };",
+            "typedef long Odd;" * 40000,
+        ):
             with self.assertRaises(errors.Error, msg=words[:40]):
                 schemas.to_type(("p::Odd", "omgidl", words.encode()))
         with self.assertRaises(errors.BadType):
             schemas.to_type(("p/Odd", "protobuf", b""))
 
     def test_names_of_standard_types(self):
-        for name, expected in (("rtc/TimedLong", "IDL:RTC/TimedLong:1.0"), ("rtc/msg/TimedLong", "IDL:RTC/TimedLong:1.0"), (
-                "std_msgs/msg/Header", "IDL:std_msgs/Header:1.0"), ("RTC::TimedLong", "IDL:RTC/TimedLong:1.0"), ("x", "IDL:x:1.0")):
+        for name, expected in (
+            ("rtc/TimedLong", "IDL:RTC/TimedLong:1.0"),
+            ("rtc/msg/TimedLong", "IDL:RTC/TimedLong:1.0"),
+            ("std_msgs/msg/Header", "IDL:std_msgs/Header:1.0"),
+            ("RTC::TimedLong", "IDL:RTC/TimedLong:1.0"),
+            ("x", "IDL:x:1.0"),
+        ):
             self.assertEqual(schemas.type_id(name), expected)
 
 

@@ -1,4 +1,5 @@
-"""Recording and playing without any port: which entries, when, with which times, and what a slow disk costs."""
+"""Recording and playing without any port: which entries, when, with which times, and what a slow disk costs.
+"""
 import csv
 import errno
 import json
@@ -14,7 +15,18 @@ import tools
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
-from rtshell_lite.datalog import decode, export, logfile, pace, play, recorder, records, tables, textlog, writer
+from rtshell_lite.datalog import (
+    decode,
+    export,
+    logfile,
+    pace,
+    play,
+    recorder,
+    records,
+    tables,
+    textlog,
+    writer,
+)
 from rtshell_lite.net import loop
 try:
     import omniORB
@@ -30,9 +42,17 @@ class Playing(Case):
     def test_ranges(self):
         """As rtshell: an end without a start is a number of entries, with one it is the last."""
         self.write(messages(10))
-        for start, end, numbers in [(None, None, range(10)), (None, 3, range(3)), (0, 3, range(3)), (2, 4, range(2, 5)),
-                                    (9, None, [9]), (None, -1, range(10)), (3, -1, range(3, 10)), (None, 99, range(10)),
-                                    (None, 0, [])]:
+        for start, end, numbers in [
+            (None, None, range(10)),
+            (None, 3, range(3)),
+            (0, 3, range(3)),
+            (2, 4, range(2, 5)),
+            (9, None, [9]),
+            (None, -1, range(10)),
+            (3, -1, range(3, 10)),
+            (None, 99, range(10)),
+            (None, 0, []),
+        ]:
             self.assertEqual(self.numbers(start, end), list(numbers), (start, end))
         self.assertEqual(self.numbers(1700000000.0025, 1700000000.0055, False), [3, 4, 5])
         for start, end, by_index in [(10, None, True), (1800000000, None, False), (None, 1600000000, False)]:
@@ -44,11 +64,20 @@ class Playing(Case):
         out.write([(0, START + 5, True, b"\1"), (1, START - 1, True, b"")])
         out.close()
         with open(self.name) as file:
-            self.assertEqual(file.read(), "1700000000.000000005\t('a', b'\\x01')\n1699999999.999999999\t('b', b'')\n")
+            self.assertEqual(file.read(), "1700000000.000000005\t('a', "
+                                          "b'\\x01')\n1699999999.999999999\t('b', b'')\n")
 
     def test_moments(self):
-        for value, can_be in ((0, True), ((1 << 63) - 1, True), (1 << 63, False), (-1 << 63, True), ((-1 << 63) - 1, False),
-                              (True, False), (1.0, False), (None, False)):
+        for value, can_be in (
+            (0, True),
+            ((1 << 63) - 1, True),
+            (1 << 63, False),
+            (-1 << 63, True),
+            ((-1 << 63) - 1, False),
+            (True, False),
+            (1.0, False),
+            (None, False),
+        ):
             self.assertIs(records.is_moment(value), can_be, value)
 
     def test_a_log_without_entries_is_reported(self):
@@ -101,14 +130,22 @@ class Playing(Case):
 
         with logfile.load(self.name) as log:
             came = loop.run(play_it(log))
-        expected = list(range(3)) + list(range(7, 21)) + list(range(15, 21)) + list(range(15, 21)) + list(range(15, 40))
+        expected = (
+            list(range(3))
+            + list(range(7, 21))
+            + list(range(15, 21))
+            + list(range(15, 21))
+            + list(range(15, 40))
+        )
         numbers = [number for number, _ in came]
         self.assertEqual(numbers, expected)
         self.assertEqual([number for number, is_elsewhere in came if is_elsewhere], [0, 7, 15, 15, 15])
 
     def test_a_moment_again_and_again(self):
         """It takes some time, and others go on."""
-        chosen = mock.Mock(entries=lambda log, first=None: iter([records.Entry(0, START, 0, True, b"", None)] * 40))
+        chosen = mock.Mock(
+            entries=lambda log, first=None: iter([records.Entry(0, START, 0, True, b"", None)] * 40)
+        )
 
         async def play_it():
             beats = []
@@ -119,7 +156,9 @@ class Playing(Case):
                     await loop.sleep(0)
 
             async with loop.background(beat()):
-                times = await self.times(pace.Pace(None, chosen, 1, None, .15, True).entries(), time.monotonic())
+                times = await self.times(
+                    pace.Pace(None, chosen, 1, None, 0.15, True).entries(), time.monotonic()
+                )
             return len(times), len(beats)
 
         count, beats = loop.run(play_it())
@@ -133,9 +172,15 @@ class Timestamps(Case):
 
     def setUp(self):
         Case.setUp(self)
-        self.write([(0, START, True, struct.pack("<IIi", 1600000000, 900000000, 7)),
-                    (0, START, False, struct.pack(">IIi", 1600000000, 1, 7)), (0, START, True, struct.pack("<IIi", 0, 0, 7)),
-                    (0, START, True, b"xyz")], channels=[CHANNELS[0]._replace(typecode=b"")])
+        self.write(
+            [
+                (0, START, True, struct.pack("<IIi", 1600000000, 900000000, 7)),
+                (0, START, False, struct.pack(">IIi", 1600000000, 1, 7)),
+                (0, START, True, struct.pack("<IIi", 0, 0, 7)),
+                (0, START, True, b"xyz"),
+            ],
+            channels=[CHANNELS[0]._replace(typecode=b"")],
+        )
         self.log = logfile.load(self.name)
         self.addCleanup(self.log.__exit__)
         self.channels, self.entries = decode.Channels(self.log, datatypes.Types()), list(self.log.entries())
@@ -173,7 +218,10 @@ class Timestamps(Case):
 
 class Types(Case):
     def open(self, type_id, typecode):
-        self.write([(0, START, True, struct.pack("<IIi", 1, 2, 7))], channels=[records.Channel("a", type_id, typecode, ())])
+        self.write(
+            [(0, START, True, struct.pack("<IIi", 1, 2, 7))],
+            channels=[records.Channel("a", type_id, typecode, ())],
+        )
         log = logfile.load(self.name)
         self.addCleanup(log.__exit__)
         return decode.Channels(log, datatypes.Types()), next(log.entries())
@@ -194,15 +242,19 @@ class Types(Case):
             fields = decode.record(channels, entry)
             self.assertEqual((fields["hex"], fields["little_endian"]), ("010000000200000007000000", True))
             self.assertEqual(channels.data(entry, True, START + 5), entry.data)
-            with self.assertRaisesRegex(errors.Failed, "type IDL:Own/Type:1.0 is not known; name its IDL file"):
+            with self.assertRaisesRegex(errors.Failed, "type IDL:Own/Type:1.0 is not known; name its "
+                                                       "IDL file"):
                 channels.data(entry, False)
 
 
 class Exporting(Case):
     def test_no_harm_to_a_terminal(self):
         """A table is looked at, too: nothing in a log reaches a terminal but what can be printed."""
-        value = simpkl_files.make(simpkl_files.TimedLong, tm=simpkl_files.make(simpkl_files.Time, sec=1, nsec=2),
-                                  **{"data": "\x1b[2J\u202e\r\n\\x", "a\x9b": 1})
+        value = simpkl_files.make(
+            simpkl_files.TimedLong,
+            tm=simpkl_files.make(simpkl_files.Time, sec=1, nsec=2),
+            **{"data": "\x1b[2J\u202e\r\n\\x", "a\x9b": 1}
+        )
         self.put(simpkl_files.log([value], 2, specs=[simpkl_files.spec("n\x07", "IDL:Own/Type:1.0")]))
         with logfile.load(self.name) as log:
             lines = list(tables.lines(decode.Channels(log, datatypes.Types()), log.entries()))
@@ -210,22 +262,36 @@ class Exporting(Case):
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
 
     def test_columns(self):
-        """Those that come later are in all lines; a cell with a comma or a quote is quoted; the timestamp is one column."""
+        """Those that come later are in all lines; a cell with a comma or a quote is quoted; the timestamp is
+        one column.
+        """
         known = datatypes.Types()
-        chosen = [("TimedString", '"a,\\"b"'), ("TimedDoubleSeq", "[1.5]"), ("TimedDoubleSeq", "[2.5, 3.5]"), ("TimedPose2D", None)]
+        chosen = [
+            ("TimedString", '"a,\\"b"'),
+            ("TimedDoubleSeq", "[1.5]"),
+            ("TimedDoubleSeq", "[2.5, 3.5]"),
+            ("TimedPose2D", None),
+        ]
         types = [known.named(name) for name in ("TimedString", "TimedDoubleSeq", "TimedPose2D")]
         channels = [records.Channel(type.name, type.id, type.to_bytes(), ()) for type in types]
         messages = []
         for name, words in chosen:
             (place,) = [place for place, type in enumerate(types) if type.name == "RTC." + name]
-            spelt = words or "RTC.TimedPose2D(tm=RTC.Time(sec=1, nsec=2), data=RTC.Pose2D(position=RTC.Point2D(x=1, y=2), heading=3))"
+            spelt = (
+                words
+                or "RTC.TimedPose2D(tm=RTC.Time(sec=1, nsec=2), data=RTC.Pose2D(position=RTC.Point2D(x=1, "
+                   "y=2), heading=3))"
+            )
             value = values.Expression(spelt, None, types[place]).value(1.5)
             messages.append((place, START + len(messages), True, types[place].encode(value)))
         self.write(messages, channels=channels)
         with logfile.load(self.name) as log:
             lines = list(tables.lines(decode.Channels(log, known), log.entries()))
             self.assertEqual({len(row) for row in csv.reader(lines)}, {10})
-            self.assertEqual(lines[0], "number,time,port,tm,data,data[0],data[1],data.position.x,data.position.y,data.heading")
+            self.assertEqual(
+                lines[0],
+                "number,time,port,tm,data,data[0],data[1],data.position.x,data.position.y,data.heading",
+            )
             self.assertEqual(lines[1], '0,1700000000.000000000,RTC.TimedString,1.500000000,"a,""b",,,,,')
             self.assertEqual(lines[3:], ["2,1700000000.000000002,RTC.TimedDoubleSeq,1.500000000,,2.5,3.5,,,",
                                          "3,1700000000.000000003,RTC.TimedPose2D,1.000000002,,,,1.0,2.0,3.0"])
@@ -233,15 +299,32 @@ class Exporting(Case):
             names = tables.write(decode.Channels(log, known), log.entries(), directory, True)
         self.assertEqual([os.path.basename(name) for name in names], [type.name + ".csv" for type in types])
         with open(names[1]) as file:
-            self.assertEqual(file.read(), "number,time,port,tm,data[0],data[1]\n1,1700000000000000001,RTC.TimedDoubleSeq,1500000000,1.5,\n"
-                             "2,1700000000000000002,RTC.TimedDoubleSeq,1500000000,2.5,3.5\n")
+            self.assertEqual(
+                file.read(),
+                "number,time,port,tm,data[0],data[1]\n1,1700000000000000001,RTC.TimedDoubleSeq,1500000000,1.5,\n"  # noqa: E501
+                "2,1700000000000000002,RTC.TimedDoubleSeq,1500000000,2.5,3.5\n",
+            )
 
     def test_numbers(self):
-        """A struct of numbers and times is shown without its value being made: in either byte order, and not where it is cut."""
+        """A struct of numbers and times is shown without its value being made: in either byte order, and not
+        where it is cut.
+        """
         time = ["struct", "IDL:RTC/Time:1.0", "Time", [["sec", "unsigned long"], ["nsec", "unsigned long"]]]
-        members = [["tm", time], ["small", "short"], ["at", time], ["large", "double"], ["is_so", "boolean"], ["octet", "octet"]]
-        type = datatypes.from_bytes(json.dumps(["struct", "IDL:Own/Numbers:1.0", "Numbers", members]).encode())
-        words = "Own.Numbers(tm=RTC.Time(1, 2), small=-3, at=RTC.Time(4, 1999999999), large=1e300, is_so=True, octet=255)"
+        members = [
+            ["tm", time],
+            ["small", "short"],
+            ["at", time],
+            ["large", "double"],
+            ["is_so", "boolean"],
+            ["octet", "octet"],
+        ]
+        type = datatypes.from_bytes(
+            json.dumps(["struct", "IDL:Own/Numbers:1.0", "Numbers", members]).encode()
+        )
+        words = (
+            "Own.Numbers(tm=RTC.Time(1, 2), small=-3, at=RTC.Time(4, 1999999999), large=1e300, "
+            "is_so=True, octet=255)"
+        )
         value = values.Expression(words, None, type).value(None)
         messages = [(0, START, little, type.encode(value, little)) for little in (True, False)]
         self.write(messages + [(0, START, True, messages[0][3][:-1])],
@@ -257,14 +340,24 @@ class Exporting(Case):
 
 
 class Deep(Case):
-    """Values nested so deep that they can be read and not be told in words: what comes behind them is not lost."""
+    """Values nested so deep that they can be read and not be told in words: what comes behind them is not
+    lost.
+    """
 
     def setUp(self):
         Case.setUp(self)
-        words = ["struct", "IDL:Own/Node:1.0", "Node", [["inner", ["sequence", ["see", "IDL:Own/Node:1.0"], 0]]]]
+        words = [
+            "struct",
+            "IDL:Own/Node:1.0",
+            "Node",
+            [["inner", ["sequence", ["see", "IDL:Own/Node:1.0"], 0]]],
+        ]
         self.type = datatypes.from_bytes(json.dumps(words).encode())
         self.channel = records.Channel("deep", self.type.id, self.type.to_bytes(), ())
-        self.messages = [(0, START + depth, True, b"\1\0\0\0" * depth + bytes(4)) for depth in list(range(100, 300, 5)) + [0]]
+        self.messages = [
+            (0, START + depth, True, b"\1\0\0\0" * depth + bytes(4))
+            for depth in list(range(100, 300, 5)) + [0]
+        ]
 
     def test_shown(self):
         self.write(self.messages, channels=[self.channel])
@@ -294,8 +387,12 @@ class Recording(Case):
                 found.append(loop.run(channels.add(mock.Mock(properties=properties), name)))
         self.assertEqual((found, [channel.sources for channel in channels.found]),
                          ([0, 1, 0], [["/h/A.rtc:out", "/h/C.rtc:out"], ["/h/B.rtc:out"]]))
-        with mock.patch.object(recorder.ports, "label", lambda port: "/h/D.rtc:out"), self.assertRaises(errors.Failed):
-            loop.run(channels.add(mock.Mock(properties={"dataport.data_type": "IDL:RTC/TimedDouble:1.0"}), "one"))
+        with mock.patch.object(recorder.ports, "label", lambda port: "/h/D.rtc:out"), self.assertRaises(
+            errors.Failed
+        ):
+            loop.run(channels.add(mock.Mock(properties={"dataport.data_type": (
+                "IDL:RTC/TimedDouble:1.0"
+            )}), "one"))
 
     def record(self, work, out, feed=None):
         """Have a Recorder write to a Writer until feed(), a coroutine, ends, or it is done."""
@@ -307,7 +404,9 @@ class Recording(Case):
         loop.run(main())
 
     def test_a_slow_disk_costs_messages_not_time(self):
-        """The sender never waits, not even for a disk that writes nothing until all is sent; what does not fit is counted."""
+        """The sender never waits, not even for a disk that writes nothing until all is sent; what does not
+        fit is counted.
+        """
         message, sent = message_of(b"x" * 1000000), threading.Event()
 
         class Slow(writer.Writer):

@@ -37,27 +37,49 @@ module User {
   union Held switch (RTC::GripperStatus) { case RTC::GRIPPER_STATE_CLOSED: double width; default: octet none; };
   struct All { RTC::Time tm; RTC::TimedPoint2D at; Place place_; Grip state; Vectors axes; Held it; Img::ColorFormat color; };
 };
-"""
+"""  # noqa: E501
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")
-MINE = "module Mine { struct Reading { long a; sequence<string> from; }; interface I { enum Mode { ON, OFF }; }; };"
+MINE = (
+    "module Mine { struct Reading { long a; sequence<string> from; }; interface I { enum Mode { ON, OFF "
+    "}; }; };"
+)
 
 
 def a_port(type_id, **properties):
     """A Port of a component that says this about its type."""
-    return ports.Port(None, "a", "DataOutPort", dict(properties, **{"dataport.data_type": type_id}), [], [], None, None)
+    return ports.Port(
+        None, "a", "DataOutPort", dict(properties, **{"dataport.data_type": type_id}), [], [], None, None
+    )
 
 
 @unittest.skipIf(omniORB is None, "needs omniORBpy")
 class Standard(unittest.TestCase):
     def test_names(self):
         types = datatypes.Types()
-        for name in ("TimedLong", "RTC.TimedLong", "RTC::TimedLong", "::RTC::TimedLong", "IDL:RTC/TimedLong:1.0", "RTC/TimedLong"):
+        for name in (
+            "TimedLong",
+            "RTC.TimedLong",
+            "RTC::TimedLong",
+            "::RTC::TimedLong",
+            "IDL:RTC/TimedLong:1.0",
+            "RTC/TimedLong",
+        ):
             found = types.named(name)
             self.assertEqual((found.id, found.name), ("IDL:RTC/TimedLong:1.0", "RTC.TimedLong"), name)
         self.assertEqual(descriptors.members(found.descriptor)[1][0], "data")
         self.assertEqual(types.named("CameraImage").name, "RTC.CameraImage")
         self.assertEqual(types.named("TimedCameraImage").name, "Img.TimedCameraImage")
-        for name in ("", "any", "Timed", "RTC.Missing", "__class__", "IDL:omg.org/RTC/TimedLong:1.0", "a.b.c", "IDL:", "\x1b[2J"):
+        for name in (
+            "",
+            "any",
+            "Timed",
+            "RTC.Missing",
+            "__class__",
+            "IDL:omg.org/RTC/TimedLong:1.0",
+            "a.b.c",
+            "IDL:",
+            "\x1b[2J",
+        ):
             with self.assertRaises(errors.NoSuch, msg=name) as caught:
                 types.named(name)
             self.assertIn("--idl", str(caught.exception))
@@ -67,7 +89,10 @@ class Standard(unittest.TestCase):
         """(name, TypeCode) of each standard struct."""
         for module, contents in (("RTC", RTC), ("Img", Img)):
             for type_id in idl.TYPES:
-                if type_id.startswith(f"IDL:{module}/") and descriptors.kind(idl.known(type_id)) == descriptors.STRUCT:
+                if (
+                    type_id.startswith(f"IDL:{module}/")
+                    and descriptors.kind(idl.known(type_id)) == descriptors.STRUCT
+                ):
                     yield f"{module}.{idl.name(type_id)}", getattr(contents, "_tc_" + idl.name(type_id))
 
     def test_beside_omniorb(self):
@@ -101,9 +126,13 @@ class Standard(unittest.TestCase):
     def test_checked_bytes(self):
         """Bytes that a real component sent."""
         for name, data, expected in (
-                ("TimedLong", 3, "010000000200000003000000"), ("TimedShort", -3, "0100000002000000fdff"),
-                ("TimedDouble", 1.5, "0100000002000000000000000000f83f"), ("TimedString", "abc", "01000000020000000400000061626300"),
-                ("TimedBoolean", True, "010000000200000001"), ("TimedOctetSeq", b"\1\2", "0100000002000000020000000102")):
+            ("TimedLong", 3, "010000000200000003000000"),
+            ("TimedShort", -3, "0100000002000000fdff"),
+            ("TimedDouble", 1.5, "0100000002000000000000000000f83f"),
+            ("TimedString", "abc", "01000000020000000400000061626300"),
+            ("TimedBoolean", True, "010000000200000001"),
+            ("TimedOctetSeq", b"\1\2", "0100000002000000020000000102"),
+        ):
             value = getattr(RTC, name)(RTC.Time(1, 2), data)
             self.assertEqual(datatypes.Types().named(name).encode(value).hex(), expected)
 
@@ -148,31 +177,41 @@ class Named(unittest.TestCase):
         self.assertEqual(types.named("RTC.TimedLong").id, "IDL:RTC/TimedLong:1.0")
         found = values.Expression('Mine.Reading(5, ["x"])', types).value()
         self.assertEqual(values.text(found), "(a=5, from=['x'])")
-        self.assertEqual(values.text(values.Expression("Mine.Reading(a=5, _from=[])", types).value()), "(a=5, from=[])")
+        self.assertEqual(
+            values.text(values.Expression("Mine.Reading(a=5, _from=[])", types).value()), "(a=5, from=[])"
+        )
         with self.assertRaises(errors.NoSuch):
             types.named("Mine.Other")
 
     @unittest.skipIf(omniORB is None, "needs omniORBpy")
     def test_two_of_a_name(self):
-        types = datatypes.Types(idl=[self.file("a.idl", "module A { struct S { long a; }; }; module B { struct S { long b; }; };")])
+        types = datatypes.Types(idl=[self.file("a.idl", "module A { struct S { long a; }; }; module B "
+                                                        "{ struct S { long b; }; };")])
         self.assertEqual(types.named("B.S").name, "B.S")
         with self.assertRaises(errors.NoSuch) as caught:
             types.named("S")
         self.assertIn("it may be IDL:A/S:1.0 or IDL:B/S:1.0", str(caught.exception))
 
     def test_a_type_of_the_user_counts_before_the_standard_one(self):
-        mine = self.file("own.idl", "module RTC { struct Time { long s; }; struct TimedLong { Time tm; double mine; }; };")
+        mine = self.file("own.idl", "module RTC { struct Time { long s; }; struct TimedLong { Time tm; "
+                                    "double mine; }; };")
         types = datatypes.Types(idl=[mine])
         for name in "TimedLong", "RTC.TimedLong", "IDL:RTC/TimedLong:1.0":
-            self.assertEqual([name for name, _ in descriptors.members(types.named(name).descriptor)], ["tm", "mine"])
+            self.assertEqual(
+                [name for name, _ in descriptors.members(types.named(name).descriptor)], ["tm", "mine"]
+            )
         self.assertEqual(types.named("RTC.TimedShort").id, "IDL:RTC/TimedShort:1.0")
 
     def test_a_type_that_an_include_defines_too_names_both_files(self):
-        mine = self.file("own.idl", '#include "BasicDataType.idl"\nmodule RTC {\nstruct TimedLong { long mine; };\n};')
+        mine = self.file("own.idl", '#include "BasicDataType.idl"\nmodule RTC {\nstruct TimedLong { long '
+                                    'mine; };\n};')
         with self.assertRaises(errors.BadIdl) as caught:
             datatypes.Types(idl=[mine]).load()
-        self.assertRegex(str(caught.exception), r"own.idl:3:8: TimedLong is declared already, in OpenRTM's BasicDataType.idl; "
-                                                "leave one of the two out$")
+        self.assertRegex(
+            str(caught.exception),
+            r"own.idl:3:8: TimedLong is declared already, in OpenRTM's BasicDataType.idl; "
+            "leave one of the two out$",
+        )
 
     def test_faults_show_at_once(self):
         with self.assertRaises(errors.BadIdl):
@@ -182,7 +221,8 @@ class Named(unittest.TestCase):
 
     @unittest.skipUnless(omniORB and os.path.exists(OMNIIDL), "needs omniidl")
     def test_compiled_stubs(self):
-        path = self.file("mine.idl", MINE.replace("Mine", "MineToo") + " module Tree2 { struct Node; typedef sequence<Node> Nodes;"
+        path = self.file("mine.idl", MINE.replace("Mine", "MineToo") + " module Tree2 { struct Node; "
+                                                                       "typedef sequence<Node> Nodes;"
                          " struct Node { long a; Nodes more; }; };")
         subprocess.check_call([OMNIIDL, "-bpython", "-C" + self.directory, path])
         before = list(sys.path)
@@ -205,11 +245,15 @@ class Named(unittest.TestCase):
         subprocess.check_call([OMNIIDL, "-bpython", "-C" + self.directory, "-I" + OWN, path])
         types = datatypes.Types(modules=["User"], path=[self.directory])
         kind = types.named("User.All")
-        made = values.Expression("User.All({time}, RTC.TimedPoint2D({time}, RTC.Point2D(1, 2)), RTC.Pose2D(RTC.Point2D(1, 2), 3),"
-                                 " GRIPPER_STATE_OPEN, [[1, 2, 3]], {'_d': 'GRIPPER_STATE_CLOSED', '_v': 5}, CF_RGB)", types)
+        made = values.Expression("User.All({time}, RTC.TimedPoint2D({time}, RTC.Point2D(1, 2)), "
+                                 "RTC.Pose2D(RTC.Point2D(1, 2), 3), GRIPPER_STATE_OPEN, [[1, 2, 3]], "
+                                 "{'_d': 'GRIPPER_STATE_CLOSED', '_v': 5}, CF_RGB)", types)
         data = kind.encode(made.value())
-        self.assertEqual(values.text(kind.decode(data)).partition(" place_=")[2], "(position=(x=1.0, y=2.0), heading=3.0)"
-                         " state=GRIPPER_STATE_OPEN axes=[[1.0, 2.0, 3.0]] it=(width=5.0) color=CF_RGB")
+        self.assertEqual(
+            values.text(kind.decode(data)).partition(" place_=")[2],
+            "(position=(x=1.0, y=2.0), heading=3.0)"
+            " state=GRIPPER_STATE_OPEN axes=[[1.0, 2.0, 3.0]] it=(width=5.0) color=CF_RGB",
+        )
         loop.run(start_omniorb())
         theirs = omniORB.cdrMarshal(sys.modules["User"]._tc_All, kind.decode(data), True)
         self.assertEqual(len(theirs), len(data))  # octets between values may be anything
@@ -248,9 +292,17 @@ class Offered(unittest.TestCase):
 
     def test_typecodes(self):
         the_orb = omniorb.start()
-        inner = the_orb.create_struct_tc("IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)])
-        outer = the_orb.create_struct_tc("IDL:T/Outer:1.0", "Outer", [
-            CORBA.StructMember("tm", RTC._tc_Time, None), CORBA.StructMember("data", the_orb.create_sequence_tc(0, inner), None)])
+        inner = the_orb.create_struct_tc(
+            "IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)]
+        )
+        outer = the_orb.create_struct_tc(
+            "IDL:T/Outer:1.0",
+            "Outer",
+            [
+                CORBA.StructMember("tm", RTC._tc_Time, None),
+                CORBA.StructMember("data", the_orb.create_sequence_tc(0, inner), None),
+            ],
+        )
         through = omniORB.cdrUnmarshal(CORBA.TC_TypeCode, omniORB.cdrMarshal(CORBA.TC_TypeCode, outer))
         for typecode in (outer, through):
             one = self.taken(typecode)
@@ -260,10 +312,19 @@ class Offered(unittest.TestCase):
     def test_hostile_typecodes(self):
         the_orb = omniorb.start()
         for typecode, reason in (
-                (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("__class__", CORBA.TC_long, None)]), "identifier"),
-                (the_orb.create_struct_tc("IDL:T/S:1.0", "S", []), "needs members"),
-                (the_orb.create_array_tc(1 << 30, CORBA.TC_octet), "out of bounds"),
-                (the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("a", CORBA.TC_any, None)]), "values of any")):
+            (
+                the_orb.create_struct_tc(
+                    "IDL:T/S:1.0", "S", [CORBA.StructMember("__class__", CORBA.TC_long, None)]
+                ),
+                "identifier",
+            ),
+            (the_orb.create_struct_tc("IDL:T/S:1.0", "S", []), "needs members"),
+            (the_orb.create_array_tc(1 << 30, CORBA.TC_octet), "out of bounds"),
+            (
+                the_orb.create_struct_tc("IDL:T/S:1.0", "S", [CORBA.StructMember("a", CORBA.TC_any, None)]),
+                "values of any",
+            ),
+        ):
             with self.assertRaisesRegex(errors.BadType, reason):
                 self.taken(typecode).decode(bytes(100))
 
@@ -298,13 +359,18 @@ class OfPorts(unittest.TestCase):
         port = self.port("cpp2")
         with self.assertRaises(errors.NoSuch) as caught:
             loop.run(datatypes.Types().of_port(self.renamed(port)))
-        self.assertRegex(str(caught.exception), r"ConsoleIn0.rtc:out: no such data type known: IDL:Their/Own:1.0; name its IDL")
+        self.assertRegex(
+            str(caught.exception),
+            r"ConsoleIn0.rtc:out: no such data type known: IDL:Their/Own:1.0; name its IDL",
+        )
 
 
 class Cdr(unittest.TestCase):
     def test_least(self):
         self.assertEqual(fixed_size.least((descriptors.SEQUENCE, descriptors.LONG, 0)), 4)
-        self.assertEqual(fixed_size.least((descriptors.ARRAY, (descriptors.ARRAY, descriptors.DOUBLE, 3), 2)), 48)
+        self.assertEqual(
+            fixed_size.least((descriptors.ARRAY, (descriptors.ARRAY, descriptors.DOUBLE, 3), 2)), 48
+        )
 
 
 if __name__ == "__main__":

@@ -33,14 +33,18 @@ class Adopted(unittest.TestCase):
 
     def test_one_of_the_same_id_around(self):
         inner = struct(("value", LONG))
-        found = descriptors.adopted(struct(("children", (SEQUENCE, inner, 0)), ("more", (SEQUENCE, itself(), 0))))
+        found = descriptors.adopted(
+            struct(("children", (SEQUENCE, inner, 0)), ("more", (SEQUENCE, itself(), 0)))
+        )
         self.assertIs(dict(descriptors.members(found))["more"][1][1][0], found)
 
     def test_an_indirection_that_leads_to_a_type_or_to_nothing(self):
         found = descriptors.adopted((SEQUENCE, (INDIRECT, [struct(("value", LONG))]), 0))
         self.assertEqual([name for name, _ in descriptors.members(found[1])], ["value"])
         for nothing in (None, "IDL:Other:1.0", (INDIRECT, ["IDL:Other:1.0"], "x")):
-            with self.subTest(nothing), self.assertRaisesRegex(errors.BadType, "is used, but nowhere defined"):
+            with self.subTest(nothing), self.assertRaisesRegex(
+                errors.BadType, "is used, but nowhere defined"
+            ):
                 descriptors.adopted((SEQUENCE, (INDIRECT, [nothing]), 0))
 
     def test_an_indirection_too_deep_is_named(self):

@@ -10,8 +10,21 @@ import worlds
 from rtshell_lite import errors, path
 from loops import asynchronous, wait_for
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import (components, connections, finding, limits, local, profile, rates, references, remedies, report, servers,
-                                 started, waiting)
+from rtshell_lite.doctor import (
+    components,
+    connections,
+    finding,
+    limits,
+    local,
+    profile,
+    rates,
+    references,
+    remedies,
+    report,
+    servers,
+    started,
+    waiting,
+)
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 from rtshell_lite.xmlprofile import model
 
@@ -31,9 +44,19 @@ class Connections(unittest.TestCase):
         node = tree.Node(path.parse("/localhost/In0.rtc"), "component", None)
         connector = ports.Connector("one", "out_in", [None, None], [])
         port = ports.Port(node, "In0.out", "DataOutPort", {}, [], [connector], None, None)
-        finding, = wait_for(connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {}))
-        self.assertEqual(finding, ("fail", "connection", "/localhost/In0.rtc:out", "connection out_in has an end that is nothing (nil)",
-                                   "rtdis -i one /localhost/In0.rtc:out"))
+        (finding,) = wait_for(
+            connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {})
+        )
+        self.assertEqual(
+            finding,
+            (
+                "fail",
+                "connection",
+                "/localhost/In0.rtc:out",
+                "connection out_in has an end that is nothing (nil)",
+                "rtdis -i one /localhost/In0.rtc:out",
+            ),
+        )
 
     def test_an_end_that_is_listed_twice(self):
         """It is asked again only once, and reported once: two answers could differ."""
@@ -55,21 +78,40 @@ class Connections(unittest.TestCase):
         node = tree.Node(path.parse("/localhost/In0.rtc"), "component", "component")
         before, after = [ports.Connector("one", "c", ["near", far], []) for far in ("far1", "far2")]
         port = ports.Port(node, "In0.out", "Port", {}, [], [before], "near", None)
-        ends = {"near": places.End("near", port, None), "far1": places.End("far1", None, errors.Silent("far1", "no answer"))}
+        ends = {
+            "near": places.End("near", port, None),
+            "far1": places.End("far1", None, errors.Silent("far1", "no answer")),
+        }
         with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
-                connections.places, "ask", asynchronous(lambda refs, joining: [port._replace(connectors=[after]) for _ in refs])):
-            self.assertIsNone(wait_for(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends)))
+            connections.places,
+            "ask",
+            asynchronous(lambda refs, joining: [port._replace(connectors=[after]) for _ in refs]),
+        ):
+            self.assertIsNone(
+                wait_for(connections._again(connections.Link(snapshot.Snapshot(node), port, before), ends))
+            )
 
     def test_connectors_that_one_end_lacks(self):
         there = ports.Connector("one", "c", [], [("x", "1")])
         here = ports.Connector("one", "c", [], [("x", "1"), ("dataport.dataflow_type", "push")])
-        port = ports.Port(tree.Node(path.parse("/localhost/In0.rtc"), "component", None), "In0.out", "DataOutPort", {}, [], [here],
-                          None, None)
+        port = ports.Port(
+            tree.Node(path.parse("/localhost/In0.rtc"), "component", None),
+            "In0.out",
+            "DataOutPort",
+            {},
+            [],
+            [here],
+            None,
+            None,
+        )
         far = tree.Node(path.parse("/localhost/far.rtc"), "component", None)
-        found = connections._differences(connections.Link(None, port, here),
-                                         places.End(None, port._replace(node=far, name="far.in", connectors=[there]), None),
-                                         remedies.words("restart far end"))
-        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, missing at /localhost/far.rtc:in"])
+        found = connections._differences(
+            connections.Link(None, port, here),
+            places.End(None, port._replace(node=far, name="far.in", connectors=[there]), None),
+            remedies.words("restart far end"),
+        )
+        self.assertEqual([finding.message for finding in found], ["dataport.dataflow_type is push here, "
+                                                                  "missing at /localhost/far.rtc:in"])
 
     def test_references_differ_in_spelling(self):
         """Some implementations give the text of a Python object for one."""
@@ -85,9 +127,19 @@ class Started(unittest.TestCase):
     def messages(self, connected=(), **states):
         """What is said of components in these states; some of them are connected with each other."""
         connector = ports.Connector("one", "c", list(connected), [])
-        snapshots = [mock.Mock(states=state, where="/d/" + name, node=mock.Mock(path=path.parse("/d/" + name)), ports=[
-            ports.Port(None, "p", "DataOutPort", {}, [], [connector] if name in connected else [], name, None)])
-            for name, state in sorted(states.items())]
+        snapshots = [
+            mock.Mock(
+                states=state,
+                where="/d/" + name,
+                node=mock.Mock(path=path.parse("/d/" + name)),
+                ports=[
+                    ports.Port(
+                        None, "p", "DataOutPort", {}, [], [connector] if name in connected else [], name, None
+                    )
+                ],
+            )
+            for name, state in sorted(states.items())
+        ]
         with mock.patch.object(started.component, "merged", lambda states: states), \
                 mock.patch.object(started.orb, "identity", lambda ref: ref):
             return [(finding.path, finding.message) for finding in started.findings(
@@ -111,13 +163,19 @@ class Waiting(unittest.TestCase):
         def node(name, number):
             return mock.Mock(path=path.parse("/d/" + name), endpoint=("198.51.100.1", number))
         with mock.patch.object(waiting, "_sockets", asynchronous(lambda endpoint: set())):
-            found = wait_for(waiting.culprits(mock.Mock(node=node("A", 1)), [node("B", 1), node("C", 2), node("D", 2)]))
+            found = wait_for(
+                waiting.culprits(mock.Mock(node=node("A", 1)), [node("B", 1), node("C", 2), node("D", 2)])
+            )
         self.assertEqual(found, (["/d/C"], False))
 
 
 class Timestamps(unittest.TestCase):
     def test_which_types_have_one(self):
-        for data_type, has_one in (("IDL:RTC/TimedLong:1.0", True), ("IDL:RTC/Point2D:1.0", False), ("", False)):
+        for data_type, has_one in (
+            ("IDL:RTC/TimedLong:1.0", True),
+            ("IDL:RTC/Point2D:1.0", False),
+            ("", False),
+        ):
             port = mock.Mock(properties={"dataport.data_type": data_type})
             self.assertIs(rates.Watched(mock.Mock(), 100.0, port).stamped, has_one, data_type)
 
@@ -134,7 +192,9 @@ class Remedies(unittest.TestCase):
 class Profile(unittest.TestCase):
     def test_a_rate_that_a_context_has_rounded(self):
         context = model.ExecutionContext(id="0", kind="PERIODIC", rate=30.0)
-        listed = model.Component(id="", path_uri="localhost/In0.rtc", instance_name="In0", execution_contexts=[context])
+        listed = model.Component(
+            id="", path_uri="localhost/In0.rtc", instance_name="In0", execution_contexts=[context]
+        )
         for rate, number in ((30.0003, 0), (29.99, 0), (31.0, 1)):
             owned = [component.Context(0, None, "Periodic", rate, True, None, (), ())]
             with self.subTest(rate=rate), mock.patch(
@@ -155,8 +215,10 @@ class Here(unittest.TestCase):
         self.assertEqual((finding.level, finding.check), ("fail", "ORB"))
 
     def test_addresses_of_name_servers(self):
-        self.assertEqual([wait_for(local.fault(address)) for address in ("robot1:2810", "robot1,robot2", "a b")],
-                         [""] + 2 * ["several are separated by semicolons"])
+        self.assertEqual(
+            [wait_for(local.fault(address)) for address in ("robot1:2810", "robot1,robot2", "a b")],
+            [""] + 2 * ["several are separated by semicolons"],
+        )
 
 
 class NameServers(unittest.TestCase):
@@ -167,7 +229,9 @@ class NameServers(unittest.TestCase):
             if isinstance(answer, Exception):
                 raise answer
             return answer
-        with mock.patch.object(orb, "call", call), mock.patch.object(orb, "endpoint", lambda ref: ("robot1", 2809)):
+        with mock.patch.object(orb, "call", call), mock.patch.object(
+            orb, "endpoint", lambda ref: ("robot1", 2809)
+        ):
             with self.assertRaises(servers._Stop) as caught:
                 wait_for(check("/robot1", None))
         return caught.exception.finding.message
@@ -175,15 +239,19 @@ class NameServers(unittest.TestCase):
     def test_answers_that_prove_a_name_server(self):
         refused = errors.Refused("/robot1", "CORBA.NO_PERMISSION")
         self.assertEqual(self.stopped(servers._is_there, refused), "answers with CORBA.NO_PERMISSION")
-        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not report what it is (CORBA.NO_PERMISSION)")
-        self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is no naming context")
+        self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not report what "
+                                                                     "it is (CORBA.NO_PERMISSION)")
+        self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is no naming "
+                                                                   "context")
 
 
 class Names(unittest.TestCase):
     def test_bound_twice_without_telling_its_names(self):
         """OpenRTM-aist has the names of a component in a property; others do not."""
-        nodes = [tree.Node(path.parse(where), "component", None)
-                 for where in ("/one/a.host_cxt/In0.rtc", "/one/b.host_cxt/In0.rtc", "/two/a.host_cxt/In0.rtc")]
+        nodes = [
+            tree.Node(path.parse(where), "component", None)
+            for where in ("/one/a.host_cxt/In0.rtc", "/one/b.host_cxt/In0.rtc", "/two/a.host_cxt/In0.rtc")
+        ]
         each = snapshot.Snapshot(nodes[0], nodes[1:])
         each.profile = component.Profile("In0", "In", "", "", "", "", "", properties=[])
         self.assertEqual([(finding.path, finding.message) for finding in components._names(each)],
@@ -199,23 +267,38 @@ class ManyFindings(unittest.TestCase):
         other = finding.ok("component", "/robot/B0.rtc", "Active")
         first, joined = limits.left_out(self.late(3000) + [other])
         self.assertEqual((first, joined.level), (other, "fail"))
-        self.assertEqual(joined.message, "3000 components not looked at, as there was no time left: /robot/A0.rtc, /robot/A1.rtc, "
-                                         "/robot/A2.rtc and 2997 more")
+        self.assertEqual(joined.message, "3000 components not looked at, as there was no time left: "
+                                         "/robot/A0.rtc, /robot/A1.rtc, /robot/A2.rtc and 2997 more")
 
     def test_a_process_that_was_not_asked_does_not_hang(self):
-        node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", session.NO_TIME))
+        node = tree.Node(
+            path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", session.NO_TIME)
+        )
         visit = servers.Visit(None, [], [], [], {("robot", 4000): None}, None, "")
-        self.assertEqual(wait_for(references._silent(visit, node, [("robot", 4000)], "robot:4000")).message, "slow: " + session.NO_TIME)
+        self.assertEqual(
+            wait_for(references._silent(visit, node, [("robot", 4000)], "robot:4000")).message,
+            "slow: " + session.NO_TIME,
+        )
 
     def test_failures_come_first_and_like_warnings_are_one(self):
         words = remedies.words("slow", host="robot")
-        warnings = [finding.warn("reference", "/robot/A%d.rtc" % i, "publishes 127.0.0.1:%d" % (4000 + i), words) for i in range(3)]
-        pasted = [finding.warn("reference", "/robot/C%d.rtc" % i, "to be pasted", remedies.command("delete name", path="/c"))
-                  for i in range(3)]
+        warnings = [
+            finding.warn("reference", "/robot/A%d.rtc" % i, "publishes 127.0.0.1:%d" % (4000 + i), words)
+            for i in range(3)
+        ]
+        pasted = [
+            finding.warn(
+                "reference", "/robot/C%d.rtc" % i, "to be pasted", remedies.command("delete name", path="/c")
+            )
+            for i in range(3)
+        ]
         failure = finding.fail("component", "/robot/B0.rtc", "in Error", words)
         found = list(finding.grouped(warnings + pasted + [failure]))
-        self.assertEqual([each.path for each in found], ["/robot/B0.rtc", "/robot/A0.rtc"] + [each.path for each in pasted])
-        self.assertEqual(found[1].message, "publishes 127.0.0.1:4000; the same with /robot/A1.rtc and /robot/A2.rtc")
+        self.assertEqual(
+            [each.path for each in found], ["/robot/B0.rtc", "/robot/A0.rtc"] + [each.path for each in pasted]
+        )
+        self.assertEqual(found[1].message, "publishes 127.0.0.1:4000; the same with /robot/A1.rtc and "
+                                           "/robot/A2.rtc")
 
 
 class Rates(unittest.TestCase):
@@ -230,7 +313,9 @@ class Rates(unittest.TestCase):
         return rates._finding(watched, 1.0, missed).level
 
     def test_a_starved_machine(self):
-        self.assertEqual([self.found(50, 0.0), self.found(50, 0.5), self.found(20, 0.5)], ["warn", "ok", "warn"])
+        self.assertEqual(
+            [self.found(50, 0.0), self.found(50, 0.5), self.found(20, 0.5)], ["warn", "ok", "warn"]
+        )
 
     def test_clocks_that_differ_by_minutes(self):
         watched = mock.Mock(stamp=(1000.0, 700.0), where="/robot/A0.rtc")

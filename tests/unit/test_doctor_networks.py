@@ -1,4 +1,5 @@
-"""What published addresses mean: if one of these fails, rtdoctor takes a robot out of reach for a dead one."""
+"""What published addresses mean: if one of these fails, rtdoctor takes a robot out of reach for a dead one.
+"""
 import errno
 import ipaddress
 import socket
@@ -22,8 +23,11 @@ class Published(unittest.TestCase):
 
     def setUp(self):
         own = {"10.77.0.1", "172.17.0.1", "127.0.0.1"}
-        for patch in (mock.patch.object(networks, "_networks", lambda: LAN), mock.patch.object(addresses, "is_own", own.__contains__),
-                      mock.patch.object(addresses, "resolve", asynchronous(lambda host: [host]))):
+        for patch in (
+            mock.patch.object(networks, "_networks", lambda: LAN),
+            mock.patch.object(addresses, "is_own", own.__contains__),
+            mock.patch.object(addresses, "resolve", asynchronous(lambda host: [host])),
+        ):
             patch.start()
             self.addCleanup(patch.stop)
 
@@ -37,14 +41,22 @@ class Published(unittest.TestCase):
             return wait_for(networks.is_certain(None, homes))
 
     def test_nothing_against_it(self):
-        for published, homes in (("127.0.0.1", ["127.0.0.1"]), ("10.77.0.2", ["10.77.0.2"]), ("10.77.0.3", ["10.77.0.2"]),
-                                 ("10.77.0.1", ["10.77.0.1"]), ("10.77.0.1", ["127.0.0.1"])):
+        for published, homes in (
+            ("127.0.0.1", ["127.0.0.1"]),
+            ("10.77.0.2", ["10.77.0.2"]),
+            ("10.77.0.3", ["10.77.0.2"]),
+            ("10.77.0.1", ["10.77.0.1"]),
+            ("10.77.0.1", ["127.0.0.1"]),
+        ):
             self.assertFalse(self.misled(published, homes), (published, homes))
 
     def test_loopback(self):
         self.assertEqual(self.misled("127.0.0.1", ["10.77.0.2"]),
                          ("fail", "publishes 127.0.0.1:4000, which means this host, not its own"))
-        self.assertEqual(self.misled("127.0.0.1", ["10.77.0.1"]), ("warn", "publishes 127.0.0.1:4000: only this host can reach it"))
+        self.assertEqual(
+            self.misled("127.0.0.1", ["10.77.0.1"]),
+            ("warn", "publishes 127.0.0.1:4000: only this host can reach it"),
+        )
         self.assertIn("10.77.0.9 takes part", self.misled("localhost", ["127.0.0.1"], "10.77.0.9")[1])
 
     def test_no_home_is_known(self):
@@ -68,7 +80,9 @@ class Published(unittest.TestCase):
         self.assertIsNone(self.misled("fe80::1%eth0", ["10.77.0.2"]))
 
     def test_a_name_that_means_this_host(self):
-        with mock.patch.object(addresses, "resolve", asynchronous(lambda host: ["10.77.0.1"] if host == "desk" else [host])):
+        with mock.patch.object(
+            addresses, "resolve", asynchronous(lambda host: ["10.77.0.1"] if host == "desk" else [host])
+        ):
             self.assertFalse(self.certain("desk", ["10.77.0.2"]))
             self.assertTrue(self.certain("desk", ["10.77.0.1"]))
 
@@ -81,17 +95,24 @@ class Published(unittest.TestCase):
 
     def test_addresses_apart_from_their_host(self):
         for published, apart in (("172.17.0.1", True), ("10.77.0.3", False), ("8.8.8.8", True), ("", False)):
-            with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []):
+            with mock.patch.object(
+                networks.orb, "addresses", lambda ref: [(published, 4000)] if published else []
+            ):
                 self.assertEqual(wait_for(networks.is_apart(None, ["10.77.0.2"])), apart, published)
 
     def silent(self, published, failure, answered=()):
-        """What is said of an object that publishes an address, bound at 10.77.0.2, when a connection ends so; whether to delete it."""
-        node = tree.Node(path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", "no answer within 1s"))
+        """What is said of an object that publishes an address, bound at 10.77.0.2, when a connection ends so;
+        whether to delete it.
+        """
+        node = tree.Node(
+            path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", "no answer within 1s")
+        )
         visit = mock.Mock(probes={(published, 4000): failure}, addresses=["10.77.0.2"])
-        with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]), \
-                mock.patch.object(session.Session, "answered", {other: time.monotonic() for other in answered}), \
-                mock.patch.object(addresses, "arrives", asynchronous(lambda where: True)), \
-                mock.patch.object(addresses, "speaks_otherwise", asynchronous(lambda where: False)):
+        with mock.patch.object(networks.orb, "addresses", lambda ref: [(published, 4000)]), mock.patch.object(
+            session.Session, "answered", {other: time.monotonic() for other in answered}
+        ), mock.patch.object(addresses, "arrives", asynchronous(lambda where: True)), mock.patch.object(
+            addresses, "speaks_otherwise", asynchronous(lambda where: False)
+        ):
             async def silent():
                 session.current().name_servers.add(("10.77.0.3", 2809))
                 return await references._silent(visit, node, [(published, 4000)], published + ":4000")
@@ -99,31 +120,47 @@ class Published(unittest.TestCase):
         return found.message, "rtdel" in found.remedy
 
     def test_why_an_object_is_silent(self):
-        refused, lost = errors.ConnectionRefused("10.77.0.3:4000"), errors.Unreachable("10.77.0.3:4000", "no route to host")
-        unknown = "cannot tell from here whether it lives: 10.77.0.3:4000 refuses the connection, as a firewall would", False
+        refused, lost = errors.ConnectionRefused("10.77.0.3:4000"), errors.Unreachable(
+            "10.77.0.3:4000", "no route to host"
+        )
+        unknown = (
+            "cannot tell from here whether it lives: 10.77.0.3:4000 refuses the connection, as a "
+            "firewall would",
+            False,
+        )
         for answered, found in (
-                ([], unknown), ([("10.77.0.3", 2809)], unknown), ([("10.77.0.3", 80)], unknown), ([("10.77.0.2", 4001)], unknown),
-                ([("10.77.0.3", 4000)], unknown), ([("10.77.0.3", 4001)], ("dead: nothing listens at 10.77.0.3:4000", True))):
+            ([], unknown),
+            ([("10.77.0.3", 2809)], unknown),
+            ([("10.77.0.3", 80)], unknown),
+            ([("10.77.0.2", 4001)], unknown),
+            ([("10.77.0.3", 4000)], unknown),
+            ([("10.77.0.3", 4001)], ("dead: nothing listens at 10.77.0.3:4000", True)),
+        ):
             self.assertEqual(self.silent("10.77.0.3", refused, answered), found, answered)
         self.assertEqual(self.silent("10.77.0.3", lost), (
-            "cannot tell from here whether it lives: publishes 10.77.0.3:4000, out of reach (no route to host)", False))
+            "cannot tell from here whether it lives: publishes 10.77.0.3:4000, out of reach (no "
+            "route to host)", False))
         for failure, why in ((refused, "connection refused"), (lost, "no route to host")):
             self.assertEqual(self.silent("172.17.0.1", failure), (
-                "cannot tell from here whether it lives: publishes 172.17.0.1:4000, of another network than its name server, "
-                "out of reach (%s)" % why, False))
-        self.assertEqual(self.silent("10.77.0.3", None)[0], "hung: 10.77.0.3:4000 accepts TCP, but no answer within 1s")
+                "cannot tell from here whether it lives: publishes 172.17.0.1:4000, of another network "
+                "than its name server, out of reach (%s)" % why, False))
+        self.assertEqual(self.silent("10.77.0.3", None)[0], "hung: 10.77.0.3:4000 accepts TCP, but no "
+                                                            "answer within 1s")
 
 
 class BelowManagers(unittest.TestCase):
     def test_a_slave_that_misleads(self):
         """It is not called gone because nobody listens at its port here."""
         manager = tree.Node(path.parse("/robot/manager.mgr"), "manager", None)
-        slave = tree.Node(path.parse("/robot/manager.mgr/slave0"), "zombie", None, errors.ConnectionRefused("/a"))
+        slave = tree.Node(
+            path.parse("/robot/manager.mgr/slave0"), "zombie", None, errors.ConnectionRefused("/a")
+        )
         with mock.patch.object(networks.orb, "addresses", lambda ref: [("127.0.0.1", 4000)]), \
                 mock.patch.object(networks, "homes_of", asynchronous(lambda ref: ["10.77.0.2"])), \
                 mock.patch.object(addresses, "is_own", lambda address: False):
             finding, = wait_for(managers._troubles(manager, ([slave], [], False)))
-        self.assertEqual(finding.message, "lists a slave that publishes 127.0.0.1:4000, which means this host, not its own")
+        self.assertEqual(finding.message, "lists a slave that publishes 127.0.0.1:4000, which means this "
+                                          "host, not its own")
         self.assertNotIn("restart", finding.remedy)
 
 
@@ -135,7 +172,9 @@ class Arrival(unittest.TestCase):
         def create_connection(address, seconds):
             given.append(seconds)
             raise ConnectionRefusedError(errno.ECONNREFUSED, "refused")
-        with mock.patch.object(addresses.socket, "create_connection", create_connection), self.assertRaises(errors.ConnectionRefused):
+        with mock.patch.object(addresses.socket, "create_connection", create_connection), self.assertRaises(
+            errors.ConnectionRefused
+        ):
             wait_for(addresses.connect(["198.51.100.1", "198.51.100.2"], 4000), 3.0)
         self.assertTrue(0 < given[1] <= given[0] <= 3.0, given)
 
@@ -153,7 +192,9 @@ class Arrival(unittest.TestCase):
         addresses.forget()
 
     def test_another_protocol(self):
-        """A server that waits for the end of a line is no hung process; one that hangs says nothing to that, either."""
+        """A server that waits for the end of a line is no hung process; one that hangs says nothing to that,
+        either.
+        """
         for line, found in ((b"HTTP/1.0 400 Bad request\r\n", True), (b"GIOP\1\2\1\4", False), (b"", False)):
             with socket.socket() as listening:
                 listening.bind(("127.0.0.1", 0))
@@ -174,7 +215,9 @@ class Arrival(unittest.TestCase):
                 connection.recv(1)  # until the other end has given up
 
     def test_large_packets_lost(self):
-        with mock.patch.object(addresses, "_unacknowledged", lambda connection: 1), socket.socket() as listening:
+        with mock.patch.object(
+            addresses, "_unacknowledged", lambda connection: 1
+        ), socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
             where = listening.getsockname()
@@ -184,8 +227,12 @@ class Arrival(unittest.TestCase):
         addresses.forget()
 
     def test_blame(self):
-        for e, name in ((errors.Unreachable("/a", "connection lost"), "network"), (errors.ConnectionRefused("/a"), "restart"),
-                        (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"), (errors.Silent("/a", session.NO_TIME), "more time")):
+        for e, name in (
+            (errors.Unreachable("/a", "connection lost"), "network"),
+            (errors.ConnectionRefused("/a"), "restart"),
+            (errors.Refused("/a", "CORBA.UNKNOWN"), "restart"),
+            (errors.Silent("/a", session.NO_TIME), "more time"),
+        ):
             self.assertEqual(wait_for(remedies.of_silence(e, ("198.51.100.1", 4000), "/a")).name, name, e)
 
 
@@ -196,7 +243,11 @@ class Shortages(unittest.TestCase):
         self.assertIn("out of threads here (can't start new thread)", finding.message)
 
     def test_a_connection_that_fails_here(self):
-        for number, what in ((errno.EMFILE, "files"), (errno.EADDRNOTAVAIL, "ports"), (errno.ENOBUFS, "memory")):
+        for number, what in (
+            (errno.EMFILE, "files"),
+            (errno.EADDRNOTAVAIL, "ports"),
+            (errno.ENOBUFS, "memory"),
+        ):
             now = session.Session()
             now.note_shortage(OSError(number, ""), "10.77.0.2")
             self.assertEqual(now.shortage.args[0], what)
@@ -213,7 +264,9 @@ class Waiting(unittest.TestCase):
                 each.bind(("127.0.0.1", 0))
                 each.listen(1)
             with socket.create_connection(called.getsockname()):
-                ends = {one[1] for one in waiting._called_by(wait_for(waiting._sockets(calling.getsockname())))}
+                ends = {
+                    one[1] for one in waiting._called_by(wait_for(waiting._sockets(calling.getsockname())))
+                }
             self.assertIn(called.getsockname()[1], ends)
             self.assertNotIn(other.getsockname()[1], ends)
 

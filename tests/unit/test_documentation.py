@@ -32,12 +32,22 @@ def below(top):
 
 def names(directory):
     """The commands that have files in a directory, with any extension."""
-    return sorted({re.match(r"rt\w+", name).group() for name in os.listdir(os.path.join(ROOT, directory)) if name.startswith("rt")})
+    return sorted(
+        {
+            re.match(r"rt\w+", name).group()
+            for name in os.listdir(os.path.join(ROOT, directory))
+            if name.startswith("rt")
+        }
+    )
 
 
 def documented(command):
     """What the docstring of a command says about its JSON; "" where it says nothing."""
-    return ast.get_docstring(ast.parse(read("bin", command))).partition("\nJSON:\n")[2].partition("\nexamples:\n")[0]
+    return (
+        ast.get_docstring(ast.parse(read("bin", command)))
+        .partition("\nJSON:\n")[2]
+        .partition("\nexamples:\n")[0]
+    )
 
 
 def printed():
@@ -45,7 +55,11 @@ def printed():
     for path in sorted(glob.glob(os.path.join(ROOT, "tests", "commands", "*.t"))):
         for step in transcripts.steps(transcripts.parse(read(path))):
             line = "\n".join(step.command)
-            commands = [name for name in re.findall(r"\brt\w+", line) if name in names("bin")] if "--json" in line else []
+            commands = (
+                [name for name in re.findall(r"\brt\w+", line) if name in names("bin")]
+                if "--json" in line
+                else []
+            )
             for expected in step.expected if commands else ():
                 try:
                     value = json.loads(expected)
@@ -57,10 +71,17 @@ def printed():
 
 class Help(unittest.TestCase):
     def test_it_fits_into_80_columns(self):
-        environment = dict(os.environ, PYTHONPATH=ROOT, COLUMNS="80", PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8")
+        environment = dict(
+            os.environ, PYTHONPATH=ROOT, COLUMNS="80", PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8"
+        )
         lines = [[os.path.join(ROOT, "bin", name), "--help"] for name in names("bin")]
-        for words in lines + [["-m", "rtshell_lite", "--help"], [os.path.join(ROOT, "bin", "rtsh"), "-c", "help"]]:
-            said = subprocess.check_output([sys.executable] + words, stdin=subprocess.DEVNULL, env=environment).decode("utf-8")
+        for words in lines + [
+            ["-m", "rtshell_lite", "--help"],
+            [os.path.join(ROOT, "bin", "rtsh"), "-c", "help"],
+        ]:
+            said = subprocess.check_output(
+                [sys.executable] + words, stdin=subprocess.DEVNULL, env=environment
+            ).decode("utf-8")
             self.assertEqual([line for line in said.splitlines() if len(line) > 80], [], words)
 
 
@@ -69,21 +90,30 @@ def generated(function, *arguments):
     environment = dict(os.environ, PYTHONPATH=ROOT, PYTHONDONTWRITEBYTECODE="1")
     program = "import json, sys; from rtshell_lite.shell import documentation as d; " \
               f"print(json.dumps(d.{function}(*json.loads(sys.argv[1]))))"
-    return json.loads(subprocess.check_output([sys.executable, "-c", program, json.dumps(arguments)], env=environment, cwd=ROOT).decode())
+    return json.loads(
+        subprocess.check_output(
+            [sys.executable, "-c", program, json.dumps(arguments)], env=environment, cwd=ROOT
+        ).decode()
+    )
 
 
 class Generated(unittest.TestCase):
     def test_up_to_date(self):
-        """The pages in man/, the whole command line in docs/ and the rows of README.ja.md agree with docstrings, parsers and READMEs."""
+        """The pages in man/, the whole command line in docs/ and the rows of README.ja.md agree with
+        docstrings, parsers and READMEs.
+        """
         made = generated("documents")
         there = {os.path.join("man", name): text for name, text in below("man").items()}
         for name in "README.ja.md", os.path.join("docs", "command-line.txt"):
             there[name] = read(name)
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
-        self.assertEqual(stale, [], "to bring them up to date, run: python3 -m rtshell_lite.shell.documentation")
+        self.assertEqual(stale, [], "to bring them up to date, run: python3 -m "
+                                    "rtshell_lite.shell.documentation")
 
     def test_rows_of_commands(self):
-        """A command without a row gets the English one, the row of a command that no longer exists goes; translations stay."""
+        """A command without a row gets the English one, the row of a command that no longer exists goes;
+        translations stay.
+        """
         english = "## Commands\n\n| command | does |\n|---|---|\n| `rta` | a |\n| `rtb`, `rtc`, `rtd` | b |\n"
         japanese = "## コマンド\n\n| コマンド | 働き |\n|---|---|\n| `rtc`, `rtold` | 日本 |\n| `rtgone` | 語 |\n\n本\n"
         self.assertEqual(generated("with_rows", japanese, english), "## コマンド\n\n| コマンド | 働き |\n|---|---|\n"
@@ -103,8 +133,13 @@ class Commands(unittest.TestCase):
         self.assertEqual(missing, [], "to be named by a line of CHANGELOG.md")
 
     def test_json(self):
-        missing = [name for name in names("bin") if ("options.json_output(" in read("bin", name)) != bool(documented(name))]
-        self.assertEqual(missing, [], "with --json, the docstring lists the fields between a line JSON: and the line examples:")
+        missing = [
+            name
+            for name in names("bin")
+            if ("options.json_output(" in read("bin", name)) != bool(documented(name))
+        ]
+        self.assertEqual(missing, [], "with --json, the docstring lists the fields between a line JSON: "
+                                      "and the line examples:")
 
     def test_fields_are_documented(self):
         """All that transcripts show, except those of parameters and modules, whose names vary."""
@@ -114,8 +149,11 @@ class Commands(unittest.TestCase):
                 known = set(re.findall(r"\w+", " ".join(map(documented, commands))))
                 seen += 1
                 with self.subTest(path):
-                    self.assertEqual([name for name in value if name.replace("_connected", "") not in known], [],
-                                     "to be listed under JSON: in the docstring of %s" % " or ".join(commands))
+                    self.assertEqual(
+                        [name for name in value if name.replace("_connected", "") not in known],
+                        [],
+                        "to be listed under JSON: in the docstring of %s" % " or ".join(commands),
+                    )
         self.assertGreater(seen, 50)
 
 
@@ -125,14 +163,19 @@ class Pages(unittest.TestCase):
         """No warning, and no line of code that begins with a dot is lost."""
         pages = sorted(glob.glob(os.path.join(ROOT, "man", "**", "*.[17]"), recursive=True))
         for options, chosen in ([], [page for page in pages if "/ja/" not in page]), (["-K", "utf8"], pages):
-            said = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8"] + options + chosen, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT)
+            said = subprocess.run(
+                ["groff", "-man", "-ww", "-z", "-Tutf8"] + options + chosen,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+            )
             self.assertEqual((said.returncode, said.stdout.decode()), (0, ""))
 
     @unittest.skipUnless(shutil.which("mandoc"), "mandoc is not installed")
     def test_mandoc_has_no_warning(self):
         pages = sorted(glob.glob(os.path.join(ROOT, "man", "**", "*.[17]"), recursive=True))
-        lint = subprocess.run(["mandoc", "-Tlint", "-Wwarning"] + pages, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        lint = subprocess.run(
+            ["mandoc", "-Tlint", "-Wwarning"] + pages, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+        )
         self.assertEqual(lint.stdout.decode(), "")
 
     def test_plain_ascii_but_for_japanese(self):
@@ -145,7 +188,9 @@ class Japanese(unittest.TestCase):
     """README.ja.md says what README.md says, as far as can be compared."""
 
     def section(self, readme, title):
-        found = re.search(r"^#+ %s\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)" % title, read(readme), re.MULTILINE)
+        found = re.search(
+            r"^#+ %s\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)" % title, read(readme), re.MULTILINE
+        )
         self.assertTrue(found, "%s has no section %s" % (readme, title))
         return found.group(1)
 

@@ -1,4 +1,5 @@
-"""Values of every type of IDL, in and out, through both ORBs to a provider with stubs of omniORBpy and back."""
+"""Values of every type of IDL, in and out, through both ORBs to a provider with stubs of omniORBpy and back.
+"""
 import json
 import os
 import random
@@ -30,9 +31,14 @@ class Echoes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.directory = tempfile.TemporaryDirectory()
-        subprocess.check_call([OMNIIDL, "-bpython", "-Wbinline", "-I" + os.path.dirname(IDL), "-C" + cls.directory.name, IDL])
-        cls.provider = subprocess.Popen([sys.executable, os.path.join(TESTS, "support", "echo_provider.py"), cls.directory.name],
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        subprocess.check_call(
+            [OMNIIDL, "-bpython", "-Wbinline", "-I" + os.path.dirname(IDL), "-C" + cls.directory.name, IDL]
+        )
+        cls.provider = subprocess.Popen(
+            [sys.executable, os.path.join(TESTS, "support", "echo_provider.py"), cls.directory.name],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+        )
         cls.reference = cls.provider.stdout.readline().decode().strip()
         cls.types = datatypes.Types(idl=[IDL]).load()
         cls.operations = cls.types.interface("IDL:Echoes/All:1.0").all_operations()
@@ -67,21 +73,29 @@ class Echoes(unittest.TestCase):
         """What an operation returns as JSON, for its arguments as JSON."""
         operation = self.operations[name]
         arguments = call_values.of_json(operation, json.dumps(given), self.find)
-        value = await orb.call("w", orb.from_text("w", self.reference), operation.schema(), *arguments, seconds=60)
+        value = await orb.call(
+            "w", orb.from_text("w", self.reference), operation.schema(), *arguments, seconds=60
+        )
         return call_values.as_dict(operation, value)
 
     def called(self, name, **given):
         return loops.wait_for(self.call(name, given), 60)
 
     def test_every_type(self):
-        echoing = [operation for operation in self.operations.values() if [each.name for each in operation.parameters] == ["a", "b", "c"]]
+        echoing = [
+            operation
+            for operation in self.operations.values()
+            if [each.name for each in operation.parameters] == ["a", "b", "c"]
+        ]
         self.assertGreater(len(echoing), 30)
         for name in self.both():
             for operation in echoing:
                 self.assertEqual(operation.why_not_callable(), "")
                 for one, other in self.samples(operation):
                     with self.subTest(orb=name, operation=operation.idl(), one=one, other=other):
-                        self.assertEqual(self.called(operation.name, a=one, b=other), {"result": one, "b": other, "c": one})
+                        self.assertEqual(
+                            self.called(operation.name, a=one, b=other), {"result": one, "b": other, "c": one}
+                        )
 
     def samples(self, operation):
         """Pairs of values as JSON: those of the template, and random ones."""
@@ -102,16 +116,34 @@ class Echoes(unittest.TestCase):
             with self.assertRaises(errors.Raised) as caught:
                 self.called("plainly")
             self.assertEqual((caught.exception.name, values.json(caught.exception.value)), ("Plain", {}))
-            members = {"what": json.loads(DEEP), "choice": {"_d": "BLUE", "words": "é"}, "value": {"_type": "wstring", "_value": "日"}}
+            members = {"what": json.loads(DEEP), "choice": {"_d": (
+                "BLUE"
+            ), "words": "é"}, "value": {"_type": "wstring", "_value": "日"}}
             with self.assertRaises(errors.Raised) as caught:
                 self.called("fully", **members)
-            self.assertEqual((caught.exception.name, values.json(caught.exception.value)), ("Full", dict(members, **{"class": 7})))
+            self.assertEqual(
+                (caught.exception.name, values.json(caught.exception.value)),
+                ("Full", dict(members, **{"class": 7})),
+            )
 
     def test_types_by_name(self):
-        for name in ("sequence<sequence<IDL:Echoes/Deep:1.0>, 3>", "string<4>", "wstring<4>", "fixed<4, 2>", "Object",
-                     "TypeCode", "any", "IDL:Echoes/Matrix:1.0", "IDL:Echoes/ByChar:1.0", "IDL:Echoes/Nodes:1.0", "sequence<Object>"):
+        for name in (
+            "sequence<sequence<IDL:Echoes/Deep:1.0>, 3>",
+            "string<4>",
+            "wstring<4>",
+            "fixed<4, 2>",
+            "Object",
+            "TypeCode",
+            "any",
+            "IDL:Echoes/Matrix:1.0",
+            "IDL:Echoes/ByChar:1.0",
+            "IDL:Echoes/Nodes:1.0",
+            "sequence<Object>",
+        ):
             for _ in self.both():
-                self.assertEqual(self.called("echo_type", a=name, b="long"), {"result": name, "b": "long", "c": name})
+                self.assertEqual(self.called("echo_type", a=name, b="long"), {"result": name, "b": (
+                    "long"
+                ), "c": name})
         with self.assertRaises(errors.NoSuch):
             self.called("echo_type", a="Nothing", b="long")
 
@@ -122,10 +154,14 @@ class Echoes(unittest.TestCase):
         inner = {"_type": "any", "_value": node}
         for _ in self.both():
             for one in (node, deep, choice, inner):
-                self.assertEqual(self.called("echo_anything", a=one, b=inner), {"result": one, "b": inner, "c": one})
+                self.assertEqual(
+                    self.called("echo_anything", a=one, b=inner), {"result": one, "b": inner, "c": one}
+                )
 
     def test_numbers_that_omniorbpy_does_not_send(self):
-        """In sequences and arrays, it sends 2**64 - 1 for each number above 2**63 - 1, or ends with an internal error."""
+        """In sequences and arrays, it sends 2**64 - 1 for each number above 2**63 - 1, or ends with an
+        internal error.
+        """
         for name in self.both():
             self.assertEqual(self.called("take_larger", a=[0, 2**63 - 1]), {})
             if name == "builtin":

@@ -1,5 +1,5 @@
-"""Commands that only ask work where there is no SIGHUP, fcntl, geteuid or termios: if these fail, rtls does not run on Windows.
-The others say in one line what they need.
+"""Commands that only ask work where there is no SIGHUP, fcntl, geteuid or termios: if these fail, rtls does
+not run on Windows. The others say in one line what they need.
 """
 import os
 import subprocess
@@ -43,10 +43,19 @@ class Elsewhere(unittest.TestCase):
         worlds.Server.stop()
 
     def run_command(self, name, *words):
-        environment = dict(worlds.ENVIRONMENT, RTCTREE_NAMESERVERS=self.server, RTSHELL_DEBUG="1", PYTHONPATH=processes.ROOT)
+        environment = dict(
+            worlds.ENVIRONMENT, RTCTREE_NAMESERVERS=self.server, RTSHELL_DEBUG="1", PYTHONPATH=processes.ROOT
+        )
         with tempfile.TemporaryDirectory() as directory:
-            done = subprocess.run([sys.executable, "-c", HIDING, os.path.join(BIN, name)] + list(words), env=environment, cwd=directory,
-                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=worlds.LIMIT)
+            done = subprocess.run(
+                [sys.executable, "-c", HIDING, os.path.join(BIN, name)] + list(words),
+                env=environment,
+                cwd=directory,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                timeout=worlds.LIMIT,
+            )
         return done.returncode, done.stdout.decode(), done.stderr.decode()
 
     def check(self, expected, name, *words, status=0):

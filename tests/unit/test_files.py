@@ -1,5 +1,7 @@
-"""Files: what is written is whole, goes where it was meant to go, and is never readable by more people than before; what is read
-by name has an end. If this fails, somebody else's link or FIFO decides what becomes of a file, or of a command."""
+"""Files: what is written is whole, goes where it was meant to go, and is never readable by more people than
+before; what is read by name has an end. If this fails, somebody else's link or FIFO decides what becomes of a
+file, or of a command.
+"""
 import os
 import stat
 import subprocess
@@ -133,7 +135,9 @@ class Writing(Case):
     def test_a_link_that_somebody_else_has_put_into_a_directory_for_all_is_refused(self):
         os.chmod(self.top, 0o1777)
         target = self.path("mine", "old")
-        for number, way in enumerate(list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]):
+        for number, way in enumerate(
+            list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]
+        ):
             link = self.path("link%d" % number)
             os.symlink(target, link)
             os.lchown(link, STRANGER, STRANGER)
@@ -159,7 +163,9 @@ class Writing(Case):
                     with self.assertRaises(OSError):
                         way(path)
             self.assertEqual((os.listdir(self.top), self.text("old")), (["old"], "old"))
-        with mock.patch("os.fsync", side_effect=OSError(28, "No space left on device")), self.assertRaises(OSError):
+        with mock.patch("os.fsync", side_effect=OSError(28, "No space left on device")), self.assertRaises(
+            OSError
+        ):
             record(self.path("new"))
         self.assertEqual(os.listdir(self.top), ["old"])
 
@@ -195,7 +201,9 @@ class Writing(Case):
             if file.mode == "rb":
                 os.rename(self.path("other", "another's"), path)
             real(file, name)
-        with mock.patch("rtshell_lite.datalog.writer.lock", late), self.assertRaisesRegex(errors.Failed, "another rtlog"):
+        with mock.patch("rtshell_lite.datalog.writer.lock", late), self.assertRaisesRegex(
+            errors.Failed, "another rtlog"
+        ):
             record(path)
         self.assertEqual(self.text("log"), "another's")
 
@@ -209,12 +217,19 @@ class Endless(Case):
 
     def readers(self):
         from rtshell_lite.datalog import logfile
-        return {"read": files.read, "opened": files.opened, "idl": lambda name: tokens.tokens(name), "log": logfile.load}
+        return {
+            "read": files.read,
+            "opened": files.opened,
+            "idl": lambda name: tokens.tokens(name),
+            "log": logfile.load,
+        }
 
     def test_devices_and_fifos_are_not_read(self):
         for path in (self.fifo(), "/dev/zero", "/dev/tty", "/dev/urandom"):
             for name, read in self.readers().items():
-                with self.subTest("%s %s" % (name, path)), self.assertRaises((errors.Failed, FileNotFoundError)):
+                with self.subTest("%s %s" % (name, path)), self.assertRaises(
+                    (errors.Failed, FileNotFoundError)
+                ):
                     read(path)
 
     def test_descriptors_from_a_shell_are_read(self):
@@ -239,7 +254,9 @@ class Endless(Case):
 
     def test_a_fifo_that_nobody_reads_is_not_waited_for(self):
         fifo = self.fifo()
-        for number, way in enumerate(list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]):
+        for number, way in enumerate(
+            list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]
+        ):
             with self.subTest(number), self.assertRaisesRegex(errors.Failed, "nobody reads"):
                 way(fifo)
 
@@ -259,8 +276,12 @@ class Shell(Case):
         with tempfile.TemporaryFile() as lines:
             lines.write(data)
             lines.seek(0)
-            ran = subprocess.run([sys.executable, "-m", "rtshell_lite", "rtsh"], stdin=lines, stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE)
+            ran = subprocess.run(
+                [sys.executable, "-m", "rtshell_lite", "rtsh"],
+                stdin=lines,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+            )
         return ran.returncode, ran.stdout, ran.stderr.decode()
 
     def test_a_line_without_end_ends_it(self):
@@ -276,13 +297,42 @@ class WorkingDirectory(Case):
     def test_nothing_is_imported_from_it(self):
         import rtshell_lite
         above = os.path.dirname(os.path.dirname(os.path.abspath(rtshell_lite.__file__)))
-        names = ["text", "argparse", "difflib", "shlex", "errno", "omniORB", "CosNaming", "struct", "socket", "rtls", "json", "ast",
-                 "readline", "glob", "zipfile", "unicodedata", "tempfile", "logging"]
+        names = [
+            "text",
+            "argparse",
+            "difflib",
+            "shlex",
+            "errno",
+            "omniORB",
+            "CosNaming",
+            "struct",
+            "socket",
+            "rtls",
+            "json",
+            "ast",
+            "readline",
+            "glob",
+            "zipfile",
+            "unicodedata",
+            "tempfile",
+            "logging",
+        ]
         for name in names:
             self.path(name + ".py", "open(%r, 'w').close()\n" % self.path("canary-" + name))
-        for words in (["rtpwd"], ["--help"], ["rtls", "--timeout", "0.1", "/127.0.0.1:1"], ["rtsh", "-c", "pwd"], ["rtpwd", "--help"]):
-            ran = subprocess.run([sys.executable, "-m", "rtshell_lite"] + words, cwd=self.top, stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=above))
+        for words in (
+            ["rtpwd"],
+            ["--help"],
+            ["rtls", "--timeout", "0.1", "/127.0.0.1:1"],
+            ["rtsh", "-c", "pwd"],
+            ["rtpwd", "--help"],
+        ):
+            ran = subprocess.run(
+                [sys.executable, "-m", "rtshell_lite"] + words,
+                cwd=self.top,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                env=dict(os.environ, PYTHONPATH=above),
+            )
             self.assertNotIn(b"Traceback", ran.stderr)
             self.assertEqual([name for name in os.listdir(self.top) if name.startswith("canary")], [], words)
 
@@ -291,11 +341,16 @@ class Wheels(unittest.TestCase):
     def test_which_fit(self):
         """A stable ABI of an older Python fits, one of a newer Python does not."""
         minor, machine = sys.version_info[1], sysconfig.get_platform().rpartition("-")[2]
-        for tags, fits in (("py3-none-any", True), ("cp3%d-cp3%d-linux_%s" % (minor, minor, machine), True),
-                           ("cp3%d-abi3-linux_%s" % (minor - 1, machine), True), ("cp32.cp3%d-abi3-any" % (minor + 1), True),
-                           ("cp3%d-cp3%d-linux_%s" % (minor - 1, minor - 1, machine), False),
-                           ("cp3%d-abi3-linux_%s" % (minor + 1, machine), False),
-                           ("cp3%d-cp3%d-linux_other" % (minor, minor), False), ("py3", False)):
+        for tags, fits in (
+            ("py3-none-any", True),
+            ("cp3%d-cp3%d-linux_%s" % (minor, minor, machine), True),
+            ("cp3%d-abi3-linux_%s" % (minor - 1, machine), True),
+            ("cp32.cp3%d-abi3-any" % (minor + 1), True),
+            ("cp3%d-cp3%d-linux_%s" % (minor - 1, minor - 1, machine), False),
+            ("cp3%d-abi3-linux_%s" % (minor + 1, machine), False),
+            ("cp3%d-cp3%d-linux_other" % (minor, minor), False),
+            ("py3", False),
+        ):
             with self.subTest(tags):
                 if fits:
                     unpack._check_tags("own-1.0-%s.whl" % tags)

@@ -1,4 +1,6 @@
-"""Logs in MessagePack, from anybody: whatever is sent, memory and time are bounded, and the next sender is served."""
+"""Logs in MessagePack, from anybody: whatever is sent, memory and time are bounded, and the next sender is
+served.
+"""
 import os
 import random
 import socket
@@ -21,14 +23,36 @@ class Messages(unittest.TestCase):
         return [forward.record_of(tag, when, fields, "10.0.0.1") for when, fields in pairs], options
 
     def test_values(self):
-        for octets, wanted in ((b"\x7f", 127), (b"\xff", -1), (b"\xcc\xff", 255), (b"\xcd\1\0", 256), (b"\xce\0\0\1\0", 256),
-                               (b"\xcf" + b"\xff" * 8, 2 ** 64 - 1), (b"\xd0\x80", -128), (b"\xd1\x80\0", -32768),
-                               (b"\xd2\x80\0\0\0", -2 ** 31), (b"\xd3" + b"\xff" * 8, -1), (b"\xca\x3f\x80\0\0", 1.0),
-                               (b"\xcb" + struct.pack(">d", 0.1), 0.1), (b"\xc0", None), (b"\xc2", False), (b"\xc3", True),
-                               (b"\xa3abc", "abc"), (b"\xd9\1a", "a"), (b"\xda\0\1\xff", "\udcff"), (b"\xc4\1a", b"a"),
-                               (b"\xc5\0\1a", b"a"), (b"\xdc\0\1\1", [1]), (b"\x92\1\2", [1, 2]), (b"\x81\xa1a\1", {"a": 1}),
-                               (b"\xde\0\1\xa1a\1", {"a": 1}), (b"\xd7\0\0\0\0\1\x1d\xcd\x65\0", 1.5),
-                               (b"\xc7\x08\0\0\0\0\1\x1d\xcd\x65\0", 1.5), (b"\xd4\5a", None), (b"\xc8\0\1\5a", None)):
+        for octets, wanted in (
+            (b"\x7f", 127),
+            (b"\xff", -1),
+            (b"\xcc\xff", 255),
+            (b"\xcd\1\0", 256),
+            (b"\xce\0\0\1\0", 256),
+            (b"\xcf" + b"\xff" * 8, 2**64 - 1),
+            (b"\xd0\x80", -128),
+            (b"\xd1\x80\0", -32768),
+            (b"\xd2\x80\0\0\0", -(2**31)),
+            (b"\xd3" + b"\xff" * 8, -1),
+            (b"\xca\x3f\x80\0\0", 1.0),
+            (b"\xcb" + struct.pack(">d", 0.1), 0.1),
+            (b"\xc0", None),
+            (b"\xc2", False),
+            (b"\xc3", True),
+            (b"\xa3abc", "abc"),
+            (b"\xd9\1a", "a"),
+            (b"\xda\0\1\xff", "\udcff"),
+            (b"\xc4\1a", b"a"),
+            (b"\xc5\0\1a", b"a"),
+            (b"\xdc\0\1\1", [1]),
+            (b"\x92\1\2", [1, 2]),
+            (b"\x81\xa1a\1", {"a": 1}),
+            (b"\xde\0\1\xa1a\1", {"a": 1}),
+            (b"\xd7\0\0\0\0\1\x1d\xcd\x65\0", 1.5),
+            (b"\xc7\x08\0\0\0\0\1\x1d\xcd\x65\0", 1.5),
+            (b"\xd4\5a", None),
+            (b"\xc8\0\1\5a", None),
+        ):
             with self.subTest(octets):
                 self.assertEqual(msgpack.value(octets, 0), (wanted, len(octets)))
                 scan = msgpack.Scan()
@@ -44,7 +68,9 @@ class Messages(unittest.TestCase):
                                         (1795247382.25, "Motor0", "INFO", "warm"))])
 
     def test_records_of_others(self):
-        for fields, wanted in (({"log": "hot"}, "hot"), ({"a": 1, "b": None}, "a=1 b=None"), ("hot", "hot"), ({}, "")):
+        for fields, wanted in (({"log": (
+            "hot"
+        )}, "hot"), ({"a": 1, "b": None}, "a=1 b=None"), ("hot", "hot"), ({}, "")):
             ((source, record),), _ = self.records(fluent.message("message", [[17, fields]]))
             self.assertEqual((source.where, record), ("10.0.0.1", (17, "rtclog", "NORMAL", wanted)))
         ((_, record),), _ = self.records(fluent.message("forward", [[[17.5, {}], {"log": "hot"}]]))
@@ -55,9 +81,18 @@ class Messages(unittest.TestCase):
     def test_malformed(self):
         deep = b"\x91" * 100 + b"\1"
         bomb = fluent.pack(["t", __import__("gzip").compress(b"\0" * (40 << 20)), {"compressed": "gzip"}])
-        for octets in (b"\xc1", b"\1", b"\x91\1", fluent.pack(["t", 1, {}, {}, 1]), deep, fluent.pack(["t", [1]]),
-                       fluent.pack(["t", [[1, 2, 3]]]), fluent.pack(["t", b"\x91"]), fluent.pack(["t", b"x", {"compressed": "gzip"}]),
-                       bomb):
+        for octets in (
+            b"\xc1",
+            b"\1",
+            b"\x91\1",
+            fluent.pack(["t", 1, {}, {}, 1]),
+            deep,
+            fluent.pack(["t", [1]]),
+            fluent.pack(["t", [[1, 2, 3]]]),
+            fluent.pack(["t", b"\x91"]),
+            fluent.pack(["t", b"x", {"compressed": ("gzip")}]),
+            bomb,
+        ):
             with self.subTest(octets[:20]), self.assertRaises((msgpack.Malformed, struct.error, IndexError)):
                 self.records(octets)
         with self.assertRaises(msgpack.Malformed):
@@ -80,7 +115,9 @@ class Messages(unittest.TestCase):
 
 class Doors(unittest.TestCase):
     def served(self, work, wanted, allowed=()):
-        """Run work(port) on a thread beside a Door, until `wanted` records have come: (those, what was reported)."""
+        """Run work(port) on a thread beside a Door, until `wanted` records have come: (those, what was
+        reported).
+        """
         records, reported = [], []
 
         async def main():
@@ -124,7 +161,10 @@ class Doors(unittest.TestCase):
 
     def test_silent_ones_give_way(self):
         def work(port):
-            idle = [socket.create_connection(("127.0.0.1", port), fluent.LIMIT) for _ in range(forward.MOST_SENDERS)]
+            idle = [
+                socket.create_connection(("127.0.0.1", port), fluent.LIMIT)
+                for _ in range(forward.MOST_SENDERS)
+            ]
             fluent.send(port, fluent.message("message", [PAIR]))
             self.assertEqual(idle[0].recv(1), b"")
             for connection in idle:

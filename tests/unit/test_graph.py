@@ -14,9 +14,11 @@ from rtshell_lite.xmlprofile import model, rtsprofile
 PART = 4  # a short run takes one in PART of its tests
 ID = r'(?:[A-Za-z_][A-Za-z_0-9]*|"(?:[^"\\]|\\.)*")'
 VALUE = r'(?:[a-z]+|"(?:[^"\\]|\\.)*")'
-STATEMENT = re.compile(r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];"
-                       r"|{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
-                       r"|subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE))
+STATEMENT = re.compile(
+    r"\s*(?:{id} \[[a-z]+={value}(?:, [a-z]+={value})*\];"
+    r"|{id}:{id} -> {id}:{id}(?: \[arrowhead=\"odot\"\])?;"
+    r"|subgraph {id} \{{|\}}|(?:label|bgcolor)={value};|{id};)\Z".format(id=ID, value=VALUE)
+)
 LABEL = re.compile(r'label="((?:[^"\\]|\\.)*)"')
 
 
@@ -25,8 +27,15 @@ def target(name, port, kind=model.TargetPort):
 
 
 def component(name, members=(), path=None):
-    return model.Component(id="RTC:" + name, path_uri=path or "localhost/%s.rtc" % name, instance_name=name, participants=[
-        model.Participant(component=model.TargetComponent(component_id="RTC:" + each, instance_name=each)) for each in members])
+    return model.Component(
+        id="RTC:" + name,
+        path_uri=path or "localhost/%s.rtc" % name,
+        instance_name=name,
+        participants=[
+            model.Participant(component=model.TargetComponent(component_id="RTC:" + each, instance_name=each))
+            for each in members
+        ],
+    )
 
 
 def data(*ends):
@@ -43,7 +52,9 @@ class Deep(unittest.TestCase):
     def test_composites_in_composites(self):
         """A chain that is longer than Python's stack is drawn."""
         count = 3000
-        profile = model.RtsProfile(components=[component("C%d" % i, ["C%d" % (i + 1)] * (i + 1 < count)) for i in range(count)])
+        profile = model.RtsProfile(
+            components=[component("C%d" % i, ["C%d" % (i + 1)] * (i + 1 < count)) for i in range(count)]
+        )
         picture = graph.of(profile)
         found = list(graph_dot.lines(picture))
         self.assertEqual(sum(line.endswith("  }") for line in found), count - 1)
@@ -54,7 +65,9 @@ class Deep(unittest.TestCase):
 
 class Dot(unittest.TestCase):
     def check(self, profile):
-        """Check that every line is valid, braces and records are balanced, and names in connections are declared."""
+        """Check that every line is valid, braces and records are balanced, and names in connections are
+        declared.
+        """
         found = lines(profile)
         self.assertEqual(found[:3], ["digraph rtsprofile {", "  rankdir=LR;", "  node [shape=Mrecord];"])
         self.assertEqual(found[-1], "}")
@@ -71,7 +84,9 @@ class Dot(unittest.TestCase):
                 self.assertNotIn(node.group(1), declared)
                 declared[node.group(1)] = self.record(LABEL.search(line).group(1))
         for line in found:
-            for node, port in re.findall(r"(%s):(%s)(?= ->|;| \[)" % (ID, ID), line) if " -> " in line else ():
+            for node, port in (
+                re.findall(r"(%s):(%s)(?= ->|;| \[)" % (ID, ID), line) if " -> " in line else ()
+            ):
                 self.assertIn(port, declared[node])
         return found
 
@@ -87,18 +102,42 @@ class Dot(unittest.TestCase):
     def test_as_rtshell_draws(self):
         profile = model.RtsProfile(components=[component("Snk0"), component("Src0")],
                                    data_port_connectors=[data(("Src0", "Src0.out"), ("Snk0", "Snk0.in"))])
-        self.assertEqual(self.check(profile)[3:-1], [
-            '  Snk0 [label="{{<in>in}|Snk0|{}}"];', '  Src0 [label="{{}|Src0|{<out>out}}"];', "  Src0:out -> Snk0:in;"])
+        self.assertEqual(
+            self.check(profile)[3:-1],
+            [
+                '  Snk0 [label="{{<in>in}|Snk0|{}}"];',
+                '  Src0 [label="{{}|Src0|{<out>out}}"];',
+                "  Src0:out -> Snk0:in;",
+            ],
+        )
 
     def test_names_that_mean_something_in_dot(self):
-        names = ["node", "n", "a b", 'q"', "back\\", "{x|<y>}", "\x1b[31m", "", "日本", "&amp;", "1", "a.b/(c)", "digraph"]
+        names = [
+            "node",
+            "n",
+            "a b",
+            'q"',
+            "back\\",
+            "{x|<y>}",
+            "\x1b[31m",
+            "",
+            "日本",
+            "&amp;",
+            "1",
+            "a.b/(c)",
+            "digraph",
+        ]
         ends = [(name, port) for name in names for port in names]
-        profile = model.RtsProfile(components=[component(name, path="h/x%d" % i) for i, name in enumerate(names)])
+        profile = model.RtsProfile(
+            components=[component(name, path="h/x%d" % i) for i, name in enumerate(names)]
+        )
         profile.data_port_connectors = [data(one, other) for one, other in zip(ends, ends[1:])]
         self.check(profile)
 
     def test_components_of_one_name(self):
-        profile = model.RtsProfile(components=[component("A", path="h1/A.rtc"), component("A", path="h2/A.rtc")])
+        profile = model.RtsProfile(
+            components=[component("A", path="h1/A.rtc"), component("A", path="h2/A.rtc")]
+        )
         self.assertEqual(self.check(profile)[3:5], ['  A [label="{{}|A|{}}"];', '  A_2 [label="{{}|A|{}}"];'])
 
     def test_more_than_two_ends(self):
@@ -111,15 +150,19 @@ class Dot(unittest.TestCase):
         self.assertEqual(self.check(profile)[3:-1], ['  A [label="{{}|A|{}}"];'])
 
     def test_a_component_that_the_profile_lacks(self):
-        profile = model.RtsProfile(components=[component("A")], data_port_connectors=[data(("A", "A.out"), ("Gone", "in"))])
+        profile = model.RtsProfile(
+            components=[component("A")], data_port_connectors=[data(("A", "A.out"), ("Gone", "in"))]
+        )
         self.assertIn('  Gone [label="{{<in>in}|Gone|{}}", style=dashed];', self.check(profile))
 
     def test_composites_of_composites_and_of_themselves(self):
         family = [component("A", "BCA"), component("B", "DA"), component("C"), component("D", "AC")]
         profile = model.RtsProfile(components=family)
         found = self.check(profile)
-        self.assertEqual([line.strip() for line in found if "subgraph" in line or line.strip() in ("C;", "D;")],
-                         ["subgraph cluster_A {", "subgraph cluster_B {", "D;", "C;"])
+        self.assertEqual(
+            [line.strip() for line in found if "subgraph" in line or line.strip() in ("C;", "D;")],
+            ["subgraph cluster_A {", "subgraph cluster_B {", "D;", "C;"],
+        )
 
     def test_states(self):
         profile = model.RtsProfile(components=[component("A"), component("B")])
@@ -141,13 +184,17 @@ class Dot(unittest.TestCase):
                     self.check(rtsprofile.load(file.read(), name))
 
 
-ARMS = {"─": "lr", "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud",
+ARMS = {"─": (
+    "lr"
+), "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud",
         "╣": "lud", "┬": "lrd", "╦": "lrd", "┴": "lru", "╩": "lru", "┼": "lrud", "╬": "lrud"}
 STEPS = {"l": (0, -1, "r"), "r": (0, 1, "l"), "u": (-1, 0, "d"), "d": (1, 0, "u")}
 
 
 def reached(lines, row, column):
-    """Rows where the line that starts at this border ends: out to its lane, up and down there, back to the left."""
+    """Rows where the line that starts at this border ends: out to its lane, up and down there, back to the
+    left.
+    """
     todo, rows = [(row, column, "r")], set()
     while todo:
         row, column, way = todo.pop()
@@ -159,7 +206,11 @@ def reached(lines, row, column):
         elif way == "l" or back not in ARMS[sign]:  # what only passes is stepped over
             todo.append((row, column, way))
         else:
-            todo += [(row, column, arm) for arm in ARMS[sign] if arm == way or arm in ("l" if way in "ud" else "ud")]
+            todo += [
+                (row, column, arm)
+                for arm in ARMS[sign]
+                if arm == way or arm in ("l" if way in "ud" else "ud")
+            ]
     return rows
 
 
@@ -197,8 +248,12 @@ class Text(unittest.TestCase):
             names = "ABCDEF"[:chance.randint(1, 6)]
             profile = model.RtsProfile(components=[component(name) for name in names])
             for _ in range(chance.randint(0, 9)):
-                ends = [(chance.choice(names), "in%d" % chance.randint(1, 2)) for _ in range(chance.randint(1, 3))]
-                profile.data_port_connectors.append(data((chance.choice(names), "out%d" % chance.randint(1, 2)), *ends))
+                ends = [
+                    (chance.choice(names), "in%d" % chance.randint(1, 2)) for _ in range(chance.randint(1, 3))
+                ]
+                profile.data_port_connectors.append(
+                    data((chance.choice(names), "out%d" % chance.randint(1, 2)), *ends)
+                )
             with self.subTest(seed):
                 self.check(graph.of(profile))
 

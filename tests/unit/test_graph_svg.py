@@ -28,14 +28,19 @@ class Picture:
             x, y, width, height = [int(rect.get(name)) for name in ("x", "y", "width", "height")]
             self.boxes.append((x, y, x + width, y + height))
         self.colours = [rect.get("fill") for rect in root.findall(SVG + "rect")[1:]]
-        self.texts = {(int(text.get("x")), int(text.get("y")), text.text or "") for text in root.findall(SVG + "text")}
+        self.texts = {
+            (int(text.get("x")), int(text.get("y")), text.text or "") for text in root.findall(SVG + "text")
+        }
         self.lines, self.turns = [], []
-        self.points, self.tracks = [], []  # (x, y); ("x" or "y", where, from, to) of straight lines beside and below the boxes
+        # (x, y); ("x" or "y", where, from, to) of straight lines beside and below the boxes
+        self.points, self.tracks = [], []
         for path in root.findall(SVG + "path"):
             x, y = re.match(r"M(-?\d+),(-?\d+)", path.get("d")).groups()
             around = re.search(r"V(-?\d+) H(-?\d+)\Z", path.get("d"))
             if around:  # it turns beside the boxes
-                turns = re.match(r"M(-?\d+),-?\d+ H(-?\d+) V-?\d+ H(-?\d+) V-?\d+ H(-?\d+)\Z", path.get("d")).groups()
+                turns = re.match(
+                    r"M(-?\d+),-?\d+ H(-?\d+) V-?\d+ H(-?\d+) V-?\d+ H(-?\d+)\Z", path.get("d")
+                ).groups()
                 self.turns.append(tuple(map(int, turns)))
                 lane = int(re.search(r"V(-?\d+) ", path.get("d")).group(1))
                 self.points += [(int(turns[1]), lane), (int(turns[2]), lane)]
@@ -44,7 +49,11 @@ class Picture:
                 self.tracks.append(("y", lane) + tuple(sorted(map(int, turns[1:3]))))
             else:
                 self.points += [(int(x), int(y)) for x, y in re.findall(r"(-?\d+),(-?\d+)", path.get("d"))]
-            end = (around.group(2), around.group(1)) if around else re.search(r"(-?\d+),(-?\d+)\Z", path.get("d")).groups()
+            end = (
+                (around.group(2), around.group(1))
+                if around
+                else re.search(r"(-?\d+),(-?\d+)\Z", path.get("d")).groups()
+            )
             self.lines.append(((int(x), int(y)), tuple(map(int, end))))
 
 
@@ -53,7 +62,10 @@ class Svg(unittest.TestCase):
         picture = Picture(found)
         self.assertEqual(len(picture.boxes), len(found.boxes))
         for one, other in itertools.combinations(picture.boxes, 2):
-            self.assertTrue(one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1], (one, other))
+            self.assertTrue(
+                one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1],
+                (one, other),
+            )
         for left, top, right, bottom in picture.boxes:
             self.assertTrue(0 <= left < right <= picture.size[0] and 0 <= top < bottom <= picture.size[1])
         self.assertEqual(len(picture.lines), len(found.edges))
@@ -77,9 +89,15 @@ class Svg(unittest.TestCase):
         self.assertEqual(self.check(graph.of(model.RtsProfile())).boxes, [])
 
     def test_data_flows_to_the_right(self):
-        profile = model.RtsProfile(components=[test_graph.component(name) for name in "ACBZ"], data_port_connectors=[
-            test_graph.data(("A", "out"), ("B", "in")), test_graph.data(("B", "out"), ("C", "in")),
-            test_graph.data(("A", "out"), ("C", "also")), test_graph.data(("C", "back"), ("A", "in"))])
+        profile = model.RtsProfile(
+            components=[test_graph.component(name) for name in "ACBZ"],
+            data_port_connectors=[
+                test_graph.data(("A", "out"), ("B", "in")),
+                test_graph.data(("B", "out"), ("C", "in")),
+                test_graph.data(("A", "out"), ("C", "also")),
+                test_graph.data(("C", "back"), ("A", "in")),
+            ],
+        )
         found = self.check(graph.of(profile, {"localhost/A.rtc": "Error"}))
         a, c, b, _ = found.boxes
         self.assertTrue(a[2] < b[0] and b[2] < c[0])
@@ -89,16 +107,22 @@ class Svg(unittest.TestCase):
         states = ["Inactive", "Active", "Error", "Created", "Unknown", "Strange"]
         profile = model.RtsProfile(components=[test_graph.component(state) for state in states])
         found = self.check(graph.of(profile, {"localhost/%s.rtc" % state: state for state in states}))
-        self.assertEqual(found.colours, ["lightblue", "palegreen", "salmon", "white", "lightgrey", "lightgrey"])
+        self.assertEqual(
+            found.colours, ["lightblue", "palegreen", "salmon", "white", "lightgrey", "lightgrey"]
+        )
         self.assertEqual(graph.COLOURS["Unknown"], "lightgrey")
 
     def test_random_ones(self):
         for seed in range(100):
             chance = random.Random(seed)
             names = [str(number) for number in range(chance.randint(1, 9))]
-            profile = model.RtsProfile(components=[test_graph.component(name, chance.sample(names, 1)) for name in names])
+            profile = model.RtsProfile(
+                components=[test_graph.component(name, chance.sample(names, 1)) for name in names]
+            )
             for _ in range(chance.randint(0, 12)):
-                ends = [(chance.choice(names), "in%d" % chance.randint(1, 2)) for _ in range(chance.randint(1, 3))]
+                ends = [
+                    (chance.choice(names), "in%d" % chance.randint(1, 2)) for _ in range(chance.randint(1, 3))
+                ]
                 profile.data_port_connectors.append(
                     test_graph.data((chance.choice(names + ["gone"]), "out%d" % chance.randint(1, 2)), *ends))
             with self.subTest(seed):
@@ -115,8 +139,14 @@ class Svg(unittest.TestCase):
     def test_big_ones(self):
         """Each component is connected to the next two, in a circle."""
         names = [str(number) for number in range(1000)]
-        profile = model.RtsProfile(components=[test_graph.component(name) for name in names], data_port_connectors=[
-            test_graph.data((name, "out"), (names[(int(name) + step) % 1000], "in")) for name in names for step in (1, 2)])
+        profile = model.RtsProfile(
+            components=[test_graph.component(name) for name in names],
+            data_port_connectors=[
+                test_graph.data((name, "out"), (names[(int(name) + step) % 1000], "in"))
+                for name in names
+                for step in (1, 2)
+            ],
+        )
         begun = time.process_time()
         found = graph.of(profile)
         self.assertEqual(sum(line.startswith("<path") for line in graph_svg.lines(found)), 2000)

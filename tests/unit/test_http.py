@@ -1,4 +1,6 @@
-"""The small HTTP server of rttop --serve: if one of these fails, a client that is slow or hostile costs others the page."""
+"""The small HTTP server of rttop --serve: if one of these fails, a client that is slow or hostile costs
+others the page.
+"""
 import socket
 import threading
 import time
@@ -13,7 +15,9 @@ LARGE = b"x" * 30000000  # more than sockets hold
 
 
 class Serving:
-    """The server on a thread: /page, /stream which sends three parts and goes on until the client leaves, else 404."""
+    """The server on a thread: /page, /stream which sends three parts and goes on until the client leaves,
+    else 404.
+    """
 
     def __init__(self):
         self.listener = http.listening(socket.AF_INET, ("127.0.0.1", 0))
@@ -129,17 +133,26 @@ class Requests(Answers):
             self.still_served()
 
     def test_refused(self):
-        for octets, status in ((b"GET /other HTTP/1.1\r\n\r\n", 404), (b"POST /page HTTP/1.1\r\n\r\n", 405),
-                               (b"PUT /page HTTP/1.1\r\n\r\n", 405), (b"GET /page HTTP/2.0\r\n\r\n", 505),
-                               (b"GET /page\r\n\r\n", 400), (b"GET page HTTP/1.1\r\n\r\n", 400), (b"\r\n\r\n", 400),
-                               (b"GET http://here/page HTTP/1.1\r\n\r\n", 400), (b"GET /pa ge HTTP/1.1\r\n\r\n", 400),
-                               (b"GET /page HTTP/1.1\r\nHost: a\r\nHOST: b\r\n\r\n", 400),
-                               (b"GET /page HTTP/1.1\r\nOrigin: a\r\nOrigin: a\r\n\r\n", 400),
-                               (b"GET /page HTTP/1.1\r\nfolded: a\r\n b\r\n\r\n", 400),
-                               (b"GET /page HTTP/1.1\r\nno colon\r\n\r\n", 400), (b"GET /page HTTP/1.1\r\na: \0\r\n\r\n", 400),
-                               (b"GET /page HTTP/1.1\nHost: a\r\n\r\n", 400), (b"GET /\xe9 HTTP/1.1\r\n\r\n", 400),
-                               (b"GET /page HTTP/1.1\r\nContent-Length: 3\r\n\r\nabc", 400),
-                               (b"GET /page HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n", 400)):
+        for octets, status in (
+            (b"GET /other HTTP/1.1\r\n\r\n", 404),
+            (b"POST /page HTTP/1.1\r\n\r\n", 405),
+            (b"PUT /page HTTP/1.1\r\n\r\n", 405),
+            (b"GET /page HTTP/2.0\r\n\r\n", 505),
+            (b"GET /page\r\n\r\n", 400),
+            (b"GET page HTTP/1.1\r\n\r\n", 400),
+            (b"\r\n\r\n", 400),
+            (b"GET http://here/page HTTP/1.1\r\n\r\n", 400),
+            (b"GET /pa ge HTTP/1.1\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\r\nHost: a\r\nHOST: b\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\r\nOrigin: a\r\nOrigin: a\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\r\nfolded: a\r\n b\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\r\nno colon\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\r\na: \0\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\nHost: a\r\n\r\n", 400),
+            (b"GET /\xe9 HTTP/1.1\r\n\r\n", 400),
+            (b"GET /page HTTP/1.1\r\nContent-Length: 3\r\n\r\nabc", 400),
+            (b"GET /page HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n", 400),
+        ):
             self.assertEqual(self.status(octets), status, octets)
         self.still_served()
 

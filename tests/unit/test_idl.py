@@ -1,7 +1,8 @@
-"""Our parser of IDL: it must see in a file the types that omniidl sees, and refuse with the place what is broken.
+"""Our parser of IDL: it must see in a file the types that omniidl sees, and refuse with the place what is
+broken.
 
-A file dropped into tests/data/idl/valid is read by both, and both must say the same; one dropped into tests/data/idl/invalid
-must be refused, with the message in NAME.error.
+A file dropped into tests/data/idl/valid is read by both, and both must say the same; one dropped into
+tests/data/idl/invalid must be refused, with the message in NAME.error.
 """
 import glob
 import json
@@ -43,7 +44,9 @@ def parse(text, include=()):
 
 
 def plain(types):
-    """Types in a form that can be compared: words of Python without the _ that stubs put before them, no label of a default."""
+    """Types in a form that can be compared: words of Python without the _ that stubs put before them, no
+    label of a default.
+    """
     return {type_id: compared(type_json.plain(descriptor)) for type_id, descriptor in types.items()}
 
 
@@ -58,11 +61,20 @@ def compared(part):
 
 def by_omniidl(path, directory):
     """The types in the stubs that omniidl makes of a file."""
-    subprocess.check_output([OMNIIDL, "-bpython", "-Wbinline", "-I" + OWN, "-I" + os.path.dirname(path), "-C" + directory, path],
-                            stderr=subprocess.STDOUT)
+    subprocess.check_output(
+        [OMNIIDL, "-bpython", "-Wbinline", "-I" + OWN, "-I" + os.path.dirname(path), "-C" + directory, path],
+        stderr=subprocess.STDOUT,
+    )
     root = os.path.dirname(os.path.dirname(rtshell_lite.__file__))
-    out = subprocess.check_output([sys.executable, os.path.join(TESTS, "support", "stub_types.py"), directory,
-                                   os.path.basename(path)[:-4] + "_idl"], env=dict(os.environ, PYTHONPATH=root))
+    out = subprocess.check_output(
+        [
+            sys.executable,
+            os.path.join(TESTS, "support", "stub_types.py"),
+            directory,
+            os.path.basename(path)[:-4] + "_idl",
+        ],
+        env=dict(os.environ, PYTHONPATH=root),
+    )
     return {type_id: compared(part) for type_id, part in json.loads(out.decode()).items()}
 
 
@@ -103,19 +115,25 @@ class Valid(unittest.TestCase):
 
     def test_members_named_as_types(self):
         """omniidl forbids it; other compilers do not, and the meaning is clear."""
-        found = parse("struct Point { double x; }; struct Line { Point point; Point POINT2; sequence<Point> Points; };")
+        found = parse("struct Point { double x; }; struct Line { Point point; Point POINT2; "
+                      "sequence<Point> Points; };")
         self.assertEqual(descriptors.words(found["IDL:Line:1.0"]), "Line")
 
     def test_files_that_come_along(self):
         for include in ('"BasicDataType.idl"', "<rtm/idl/BasicDataType.idl>", '"idl/ExtendedDataTypes.idl"'):
-            found = parse("#include %s\nmodule My { struct Stamped { RTC::Time tm; RTC::TimedLong l; }; };" % include)
+            found = parse(
+                "#include %s\nmodule My { struct Stamped { RTC::Time tm; RTC::TimedLong l; }; };" % include
+            )
             self.assertEqual(plain(found)["IDL:My/Stamped:1.0"][3][0][1][1], "IDL:RTC/Time:1.0")
 
     def test_other_spellings(self):
-        self.assertIn("IDL:S:1.0", parse("\ufeff".encode("utf-8").decode("latin-1") + "struct S { long a; };"))
+        self.assertIn(
+            "IDL:S:1.0", parse("\ufeff".encode("utf-8").decode("latin-1") + "struct S { long a; };")
+        )
         self.assertIn("IDL:S:1.0", parse("struct S\r\n{ long a; // \x95\x5c\r\n long b; };\r\n\x1a"))
         self.assertIn("IDL:S:1.0", parse("#include <orb.idl>\nstruct S { CORBA::TypeCode t; };;"))
-        self.assertIn("IDL:x/y:1.0", parse('struct S { long a; }; typeid S "IDL:x/y:1.0"; component C { provides S a; };'))
+        self.assertIn("IDL:x/y:1.0", parse('struct S { long a; }; typeid S "IDL:x/y:1.0"; component C { '
+                                           'provides S a; };'))
 
 
 class Invalid(unittest.TestCase):
@@ -134,16 +152,34 @@ class Invalid(unittest.TestCase):
             parser.parse_file(os.path.join(DATA, "missing.idl"))
 
     def test_types_in_log_files_that_cannot_be(self):
-        for text in ('["fixed", Infinity, 1]', '["fixed", 5, "2"]', '["string", Infinity]', '["array", "long", NaN]', '["string"]', "[]",
-                     '["union", "IDL:U:1.0", "U", "long", -1, [[1e400, "a", "long"]]]',
-                     union("long", 1, 1), union("long", -2, 1), union("long", 0.0, 1), union("char", -1, "ab"), union("char", -1, 1),
-                     " " * type_json.LARGEST + '"long"', nested(descriptors.DEEPEST + 1), wide(descriptors.LARGEST)):
+        for text in (
+            '["fixed", Infinity, 1]',
+            '["fixed", 5, "2"]',
+            '["string", Infinity]',
+            '["array", "long", NaN]',
+            '["string"]',
+            "[]",
+            '["union", "IDL:U:1.0", "U", "long", -1, [[1e400, "a", "long"]]]',
+            union("long", 1, 1),
+            union("long", -2, 1),
+            union("long", 0.0, 1),
+            union("char", -1, "ab"),
+            union("char", -1, 1),
+            " " * type_json.LARGEST + '"long"',
+            nested(descriptors.DEEPEST + 1),
+            wide(descriptors.LARGEST),
+        ):
             with self.assertRaises(errors.BadType, msg=text[:80]):
                 type_json.descriptor(text.encode())
 
     def test_types_in_log_files_that_can_just_be(self):
-        for text in (union("long", 0, 1), union("char", -1, "b"), " " * (type_json.LARGEST - 6) + '"long"', nested(descriptors.DEEPEST),
-                     wide(descriptors.LARGEST - 1)):
+        for text in (
+            union("long", 0, 1),
+            union("char", -1, "b"),
+            " " * (type_json.LARGEST - 6) + '"long"',
+            nested(descriptors.DEEPEST),
+            wide(descriptors.LARGEST - 1),
+        ):
             type_json.descriptor(text.encode())
 
     def bounded(self, text, reason):
@@ -154,7 +190,9 @@ class Invalid(unittest.TestCase):
         self.assertLess(time.process_time() - start, 20)
 
     def test_large_and_deep(self):
-        laughs = "struct S0 { long a; };" + "".join("struct S%d { S%d a, b; };" % (i + 1, i) for i in range(60))
+        laughs = "struct S0 { long a; };" + "".join(
+            "struct S%d { S%d a, b; };" % (i + 1, i) for i in range(60)
+        )
         self.bounded(laughs, "too large")
         self.bounded("typedef " + "sequence<" * 5000 + "long" + ">" * 5000 + " T;", "too deep")
         self.bounded("module A%s" % "".join("{ module A%d " % i for i in range(3000)), "too deep")
@@ -162,14 +200,19 @@ class Invalid(unittest.TestCase):
         self.bounded("const long A = %s1;" % ("-" * 5000), "too deep")
         self.bounded("typedef long T[100000][100000];", "out of bounds")
         self.bounded("const long A = 1 << 63 << 63 << 63;", "too large")
-        self.bounded("#define A B B\n#define B C C C C C C C C C C C C\n#define C D D D D D D D D D D D D D D D D D D\n"
-                     "#define D E E E E E E E E E E E E E E\nA", "grows too large")
+        self.bounded("#define A B B\n#define B C C C C C C C C C C C C\n#define C D D D D D D D D D D D D "
+                     "D D D D D D\n#define D E E E E E E E E E E E E E E\nA", "grows too large")
         self.bounded("#if " + "(" * 1000, "condition")
         self.bounded("#if 1\n" * 1000, "too deep")
         for directive in ("#pragma ", "#if 0\n"):
             self.bounded(directive + "/* " * 100000 + "\n", "a comment without its end")
-        self.bounded("union U switch (long) { " + "".join("case %d: " % i for i in range(50000)) + "long a; };", "too large")
-        self.bounded("\n".join("#define A%d" % i for i in range(10)) + '\n#include "case.idl"\n', "too many files")
+        self.bounded(
+            "union U switch (long) { " + "".join("case %d: " % i for i in range(50000)) + "long a; };",
+            "too large",
+        )
+        self.bounded(
+            "\n".join("#define A%d" % i for i in range(10)) + '\n#include "case.idl"\n', "too many files"
+        )
         self.bounded("struct S { %s };" % "".join("long a%d; " % i for i in range(100000)), "too long")
 
 

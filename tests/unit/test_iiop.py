@@ -1,4 +1,6 @@
-"""Our own ORB: what it writes is what omniORB reads, and the other way round; nothing that a peer sends costs more than one line."""
+"""Our own ORB: what it writes is what omniORB reads, and the other way round; nothing that a peer sends costs
+more than one line.
+"""
 import gc
 import select
 import socket
@@ -27,12 +29,23 @@ class Messages(unittest.TestCase):
 
     def test_request(self):
         found = bytes(messages.request(7, (1, 2), messages.KEY, b"\3\0\0\0key", "op", []))
-        self.assertEqual(found, b"GIOP\1\2\1\0" + struct.pack("<I", len(found) - 12) + struct.pack("<I", 7) + b"\3\0\0\0" + bytes(4)
-                         + b"\3\0\0\0key\0" + b"\3\0\0\0op\0\0" + struct.pack("<IIIBxxxII", 1, 1, 12, 1, 0x00010001, 0x00010109))
+        self.assertEqual(
+            found,
+            b"GIOP\1\2\1\0"
+            + struct.pack("<I", len(found) - 12)
+            + struct.pack("<I", 7)
+            + b"\3\0\0\0"
+            + bytes(4)
+            + b"\3\0\0\0key\0"
+            + b"\3\0\0\0op\0\0"
+            + struct.pack("<IIIBxxxII", 1, 1, 12, 1, 0x00010001, 0x00010109),
+        )
 
     def test_arguments_begin_at_a_multiple_of_8(self):
         written = []
-        messages.request(1, (1, 2), messages.KEY, b"k" * 5, "op", [(lambda out, value: written.append(len(out) % 8), None)])
+        messages.request(
+            1, (1, 2), messages.KEY, b"k" * 5, "op", [(lambda out, value: written.append(len(out) % 8), None)]
+        )
         self.assertEqual(written, [0])
 
     def test_versions(self):
@@ -48,11 +61,18 @@ class Messages(unittest.TestCase):
             self.assertEqual(messages.reply(head + struct.pack(order + "IIII", 5, 0, 0, 0)), (5, 0, flag, 24))
             old = b"GIOP\1\0" + bytes([flag, 1]) + struct.pack(order + "I", 28)
             contexts = struct.pack(order + "III", 1, 77, 3) + b"abc\0"
-            self.assertEqual(messages.reply(old + contexts + struct.pack(order + "II", 5, 2)), (5, 2, flag, 36))
+            self.assertEqual(
+                messages.reply(old + contexts + struct.pack(order + "II", 5, 2)), (5, 2, flag, 36)
+            )
 
     def test_garbage(self):
-        for data in (b"HTTP/1.1 200", b"GIOP\2\0\1\1\0\0\0\0", b"GIOP\1\3\1\1\0\0\0\0", b"GIOP\1\2\1\x09\0\0\0\0",
-                     b"GIOP\1\2\1\1\xff\xff\xff\x7f"):
+        for data in (
+            b"HTTP/1.1 200",
+            b"GIOP\2\0\1\1\0\0\0\0",
+            b"GIOP\1\3\1\1\0\0\0\0",
+            b"GIOP\1\2\1\x09\0\0\0\0",
+            b"GIOP\1\2\1\1\xff\xff\xff\x7f",
+        ):
             with self.assertRaises(messages.Garbled, msg=data):
                 messages.size(data)
         with self.assertRaises((messages.Garbled, struct.error)):
@@ -61,14 +81,23 @@ class Messages(unittest.TestCase):
 
 class References(unittest.TestCase):
     def test_addresses(self):
-        for url, wanted in (("corbaloc:iiop:1.2@host:2809/Name%20Service", ("host", 2809, b"Name Service")),
-                            ("corbaloc:iiop:1.0@[::1]:1/x", ("::1", 1, b"x")), ("corbaloc::a:5/", ("a", 5, b""))):
+        for url, wanted in (
+            ("corbaloc:iiop:1.2@host:2809/Name%20Service", ("host", 2809, b"Name Service")),
+            ("corbaloc:iiop:1.0@[::1]:1/x", ("::1", 1, b"x")),
+            ("corbaloc::a:5/", ("a", 5, b"")),
+        ):
             ref = client.from_url("w", url)
             self.assertEqual(ref.address[1:], wanted)
             again = references.from_text(ref.text())
             self.assertEqual((again.address, again.target()), (ref.address, ref.target()))
         self.assertEqual(client.from_url("w", "corbaloc:iiop:1.0@a:1/x").target()[0], (1, 0))
-        for url in ("corbaloc:shmiop:x/y", "https://a/b#c", "corbaloc:iiop:a", "corbaloc:iiop:1.3@a/x", "corbaloc:iiop:a:70000/x"):
+        for url in (
+            "corbaloc:shmiop:x/y",
+            "https://a/b#c",
+            "corbaloc:iiop:a",
+            "corbaloc:iiop:1.3@a/x",
+            "corbaloc:iiop:a:70000/x",
+        ):
             with self.assertRaises(errors.BadPath):
                 client.from_url("w", url)
 
@@ -99,7 +128,9 @@ class Calls(giop_peers.Calls):
         whole = answer(1, b"\1")
         for cut in (24, 25):
             first = whole[:6] + b"\3\1" + struct.pack("<I", cut - 12) + whole[12:cut]
-            rest = b"GIOP\1\2\1\7" + struct.pack("<I", 4 + len(whole) - cut) + struct.pack("<I", 1) + whole[cut:]
+            rest = (
+                b"GIOP\1\2\1\7" + struct.pack("<I", 4 + len(whole) - cut) + struct.pack("<I", 1) + whole[cut:]
+            )
             self.assertIs(self.ask(first + rest), True)
 
     def test_connections_that_are_closed(self):
@@ -111,7 +142,9 @@ class Calls(giop_peers.Calls):
             self.assertEqual(caught.exception.why, "connection lost")
 
     def test_several_profiles(self):
-        """Where nobody listens at the first address, the next one is asked, for the key that the object has there."""
+        """Where nobody listens at the first address, the next one is asked, for the key that the object has
+        there.
+        """
         peer, dead = Peer(answer(1), answer(2)), socket.socket()
         self.addCleanup(peer.close)
         self.addCleanup(dead.close)
@@ -145,10 +178,15 @@ class Calls(giop_peers.Calls):
         self.assertIsNone(connection.wanted()[0])
 
     def test_garbage(self):
-        for bad, why in ((b"HTTP/1.1 400 Bad Request\r\n\r\n", "not GIOP"), (answer(2) * 101, "replies to other requests"),
-                         (answer(1, b""), "it ends too early"), (b"GIOP\1\2\1\6" + bytes(4), "the peer did not understand us"),
-                         (answer(1, status=9), "a reply of status 9"), (b"GIOP\1\2\1\7" + bytes(4), "it ends too early"),
-                         (b"GIOP\1\2\1\1\xff\xff\xff\xff", "a message of 4294967295 octets")):
+        for bad, why in (
+            (b"HTTP/1.1 400 Bad Request\r\n\r\n", "not GIOP"),
+            (answer(2) * 101, "replies to other requests"),
+            (answer(1, b""), "it ends too early"),
+            (b"GIOP\1\2\1\6" + bytes(4), "the peer did not understand us"),
+            (answer(1, status=9), "a reply of status 9"),
+            (b"GIOP\1\2\1\7" + bytes(4), "it ends too early"),
+            (b"GIOP\1\2\1\1\xff\xff\xff\xff", "a message of 4294967295 octets"),
+        ):
             with self.assertRaises(errors.Unreachable, msg=bad) as caught:
                 self.ask(bad)
             self.assertEqual(caught.exception.why, f"garbled answer ({why})")
@@ -161,14 +199,25 @@ class Calls(giop_peers.Calls):
     def test_exceptions(self):
         def system(number, name, minor):
             type_id = f"IDL:omg.org/CORBA/{name}:1.0".encode() + b"\0"
-            return answer(number, struct.pack("<I", len(type_id)) + type_id + bytes(-len(type_id) % 4) + struct.pack("<II", minor, 1), 2)
+            return answer(
+                number,
+                struct.pack("<I", len(type_id))
+                + type_id
+                + bytes(-len(type_id) % 4)
+                + struct.pack("<II", minor, 1),
+                2,
+            )
 
         for name, minor, kind, why in (
-                ("OBJECT_NOT_EXIST", 0, errors.Gone, ""), ("TRANSIENT", 1, errors.Unreachable, "cannot be reached now"),
-                ("MARSHAL", 0, errors.Unreachable, "garbled answer"), ("COMM_FAILURE", 0, errors.Unreachable, "lost"),
-                ("BAD_PARAM", 0x41540015, errors.Refused, "BAD_PARAM_IndexOutOfRange"),
-                ("NO_PERMISSION", 0, errors.Refused, "CORBA.NO_PERMISSION"), ("TIMEOUT", 0, errors.Silent, ""),
-                ("N" * 100, 0, errors.Refused, "CORBA." + "N" * 60)):
+            ("OBJECT_NOT_EXIST", 0, errors.Gone, ""),
+            ("TRANSIENT", 1, errors.Unreachable, "cannot be reached now"),
+            ("MARSHAL", 0, errors.Unreachable, "garbled answer"),
+            ("COMM_FAILURE", 0, errors.Unreachable, "lost"),
+            ("BAD_PARAM", 0x41540015, errors.Refused, "BAD_PARAM_IndexOutOfRange"),
+            ("NO_PERMISSION", 0, errors.Refused, "CORBA.NO_PERMISSION"),
+            ("TIMEOUT", 0, errors.Silent, ""),
+            ("N" * 100, 0, errors.Refused, "CORBA." + "N" * 60),
+        ):
             with self.assertRaises(kind, msg=name) as caught:
                 self.ask(*[system(number, name, minor) for number in (1, 2)])  # some are asked once more
             self.assertIn(why, str(caught.exception))
@@ -178,7 +227,9 @@ class Calls(giop_peers.Calls):
         target = Peer(answer(1, b"\1"))
         self.addCleanup(target.close)
         body = bytearray(24)
-        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, client.from_url("w", f"corbaloc::127.0.0.1:{target.port}/x"))
+        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(
+            body, client.from_url("w", f"corbaloc::127.0.0.1:{target.port}/x")
+        )
         self.assertIs(self.ask(answer(1, bytes(body[24:]), messages.FORWARD)), True)
         self.assertEqual(target.asked, 1)
 
@@ -198,8 +249,11 @@ class Calls(giop_peers.Calls):
             self.assertIs(self.wait_for(orb.call("w", ref, "_non_existent")), True)
             self.assertEqual(peer.last[20:24], struct.pack("<HH", mode, 0))
             profile = ref.profiles[0][1]
-            where = 24 if mode == messages.PROFILE else 24 + 4 + 8 + 4  # after the index, the empty type, the count
-            self.assertEqual(peer.last[where:where + 8 + len(profile)], struct.pack("<II", 0, len(profile)) + profile)
+            # after the index, the empty type, the count
+            where = 24 if mode == messages.PROFILE else 24 + 4 + 8 + 4
+            self.assertEqual(
+                peer.last[where : where + 8 + len(profile)], struct.pack("<II", 0, len(profile)) + profile
+            )
 
     def test_other_addresses_of_a_reference(self):
         """The first is of another network, say."""
@@ -215,7 +269,13 @@ class Calls(giop_peers.Calls):
     def test_hostile_references(self):
         """Such that other ORBs end from are not taken, let alone sent on."""
         for type_id in (b"IDL:\xff\xfe:1.0\0", b"x" * 2000 + b"\0"):
-            data = struct.pack("<I", len(type_id)) + type_id + bytes(-len(type_id) % 4) + struct.pack("<III", 1, 0, 4) + b"\1\1\2\0"
+            data = (
+                struct.pack("<I", len(type_id))
+                + type_id
+                + bytes(-len(type_id) % 4)
+                + struct.pack("<III", 1, 0, 4)
+                + b"\1\1\2\0"
+            )
             with self.assertRaises(ValueError):
                 marshal.Maker("<").reader((descriptors.OBJECT, "", ""))(data, 0)
 
@@ -228,7 +288,9 @@ class Calls(giop_peers.Calls):
 
     def test_nothing_is_kept_of_a_failure(self):
         type_id = b"IDL:omg.org/CORBA/NO_PERMISSION:1.0\0"
-        refusal = struct.pack("<I", len(type_id)) + type_id + bytes(-len(type_id) % 4) + struct.pack("<II", 0, 1)
+        refusal = (
+            struct.pack("<I", len(type_id)) + type_id + bytes(-len(type_id) % 4) + struct.pack("<II", 0, 1)
+        )
         kept = []
         for number in range(3):
             with self.assertRaises(errors.Refused):
@@ -277,13 +339,18 @@ class Beside(giop_peers.Calls):
             self.assertEqual(getattr(ours, name), getattr(theirs, name))
         self.assertEqual(client.properties(ours.properties), omniorb.properties(theirs.properties))
         port = ours.port_profiles[0]
-        self.assertEqual(client.properties(port.properties), omniorb.properties(theirs.port_profiles[0].properties))
+        self.assertEqual(
+            client.properties(port.properties), omniorb.properties(theirs.port_profiles[0].properties)
+        )
         self.assertEqual(client.address(port.port_ref), omniorb.address(theirs.port_profiles[0].port_ref))
 
     def test_user_exceptions(self):
         world = worlds.World("two")
         self.addCleanup(world.close)
-        root = client.narrow(client.from_url("w", "corbaloc::127.0.0.1:%d/NameService" % worlds.Server.port), "CosNaming.NamingContext")
+        root = client.narrow(
+            client.from_url("w", "corbaloc::127.0.0.1:%d/NameService" % worlds.Server.port),
+            "CosNaming.NamingContext",
+        )
         name = [idl.struct("CosNaming.NameComponent")("nobody", "")]
         with self.assertRaises(errors.Refused) as caught:
             self.wait_for(orb.call("w", root, "resolve", name))

@@ -29,12 +29,26 @@ class Hostile(Served):
 
     def test_other_messages_are_no_requests(self):
         put = request(self.key, "put", block(b""))
-        for data in (b"GET / HTTP/1.1\r\n\r\n", b"GIOP\1\3" + put[6:], b"GIOP\2" + put[5:], whole(messages.REPLY, bytes(12)),
-                     whole(requests.LOCATED, bytes(8)), whole(messages.FRAGMENT, bytes(8)), whole(9, b""), whole(0, b""),
-                     whole(0, b"\xff" * 8 + bytes(4) + b"\xff" * 40),
-                     whole(3, b"\0"), whole(0, b"\xff" * 40, 0), put[:40] + b"\xff" * 40, whole(0, put[12:40] + b"\xff" * 8),
-                     whole(messages.FRAGMENT, b"", more=True), whole(0, b"", more=True), whole(0, b"12", 0, more=True),
-                     struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, messages.LARGEST + 1), b"GIOP\1\2\1\0\xff\xff\xff\xff"):
+        for data in (
+            b"GET / HTTP/1.1\r\n\r\n",
+            b"GIOP\1\3" + put[6:],
+            b"GIOP\2" + put[5:],
+            whole(messages.REPLY, bytes(12)),
+            whole(requests.LOCATED, bytes(8)),
+            whole(messages.FRAGMENT, bytes(8)),
+            whole(9, b""),
+            whole(0, b""),
+            whole(0, b"\xff" * 8 + bytes(4) + b"\xff" * 40),
+            whole(3, b"\0"),
+            whole(0, b"\xff" * 40, 0),
+            put[:40] + b"\xff" * 40,
+            whole(0, put[12:40] + b"\xff" * 8),
+            whole(messages.FRAGMENT, b"", more=True),
+            whole(0, b"", more=True),
+            whole(0, b"12", 0, more=True),
+            struct.pack("<4s4BI", b"GIOP", 1, 2, 1, 0, messages.LARGEST + 1),
+            b"GIOP\1\2\1\0\xff\xff\xff\xff",
+        ):
             self.assertRefused(data)
 
     def test_service_contexts_without_number(self):
@@ -47,9 +61,13 @@ class Hostile(Served):
         much = "x" * 65536
         remembered = self.remembered()
         clients = []
-        for message in (request(self.key, much), request(much.encode(), "put"), request(much.encode(), "", kind=requests.LOCATE),
-                        request(self.key, "put", block(b""), contexts=much.encode()),
-                        request(self.key, "put", block(b""), contexts=much.encode(), minor=0)):
+        for message in (
+            request(self.key, much),
+            request(much.encode(), "put"),
+            request(much.encode(), "", kind=requests.LOCATE),
+            request(self.key, "put", block(b""), contexts=much.encode()),
+            request(self.key, "put", block(b""), contexts=much.encode(), minor=0),
+        ):
             for _ in range(20):
                 clients.append(self.client())
                 self.assertTrue(clients[-1].ask(message))
@@ -88,7 +106,9 @@ class Hostile(Served):
         first, rest = fragments(request(self.key, "put", block(b"x" * 2000000)), 1000000)
         more = whole(messages.FRAGMENT, rest[12:], more=True)
         self.assertRefused(first, *[more] * (messages.LARGEST // 1000000 + 5))
-        self.assertRefused(*[fragments(request(self.key, "put", number=i, body=bytes(40)), 50)[0] for i in range(20)])
+        self.assertRefused(
+            *[fragments(request(self.key, "put", number=i, body=bytes(40)), 50)[0] for i in range(20)]
+        )
         self.assertRefused(fragments(request(self.key, "put", bytes(40), minor=0), 50)[0])
 
     def test_much_that_is_never_complete(self):
@@ -146,7 +166,11 @@ class Hostile(Served):
 
     def test_a_caller_that_has_delivered_keeps_its_place(self):
         """Others, who ask and ask, are turned away, which is noted."""
-        component, ask, before = self.client(), request(self.key, "_non_existent"), self.server.session.turned_away
+        component, ask, before = (
+            self.client(),
+            request(self.key, "_non_existent"),
+            self.server.session.turned_away,
+        )
         self.assertEqual(result(component.ask(request(self.key, "put", block(b"1")))), bytes(4))
         with mock.patch.object(server, "MOST", 40), mock.patch.object(server, "MOST_OF_ADDRESS", 20):
             for _ in range(60):
@@ -172,11 +196,14 @@ class Hostile(Served):
             first = self.client()
             for number in range(1000):
                 socket.create_connection(("127.0.0.1", self.at), LIMIT).close()
-                if number % 10 == 0:  # or a server that is behind closes it: it was not used for longer than they
+                # or a server that is behind closes it: it was not used for longer than they
+                if number % 10 == 0:
                     self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")
             for _ in range(60):
-                self.assertEqual(result(self.client().ask(request(self.key, "_non_existent"))), b"\0")  # the server is not behind
-                self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")  # it is used: it stays
+                # the server is not behind
+                self.assertEqual(result(self.client().ask(request(self.key, "_non_existent"))), b"\0")
+                # it is used: it stays
+                self.assertEqual(result(kept.ask(request(self.key, "_non_existent"))), b"\0")
             self.assertIn(first.last_words()[7:8], (bytes([messages.CLOSE]), b""))
 
     def test_idle_and_unfinished_connections_end(self):

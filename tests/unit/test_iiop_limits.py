@@ -1,4 +1,6 @@
-"""Our own ORB at its limits: time that is over, files that are used up, names that nobody resolves, connections that are stale."""
+"""Our own ORB at its limits: time that is over, files that are used up, names that nobody resolves,
+connections that are stale.
+"""
 import _socket
 import errno
 import socket
@@ -59,11 +61,16 @@ class Time(Calls):
         """A name server gets many questions at once, and each of its answers restarts the clock of all."""
         self.session.timeout = 0.5
         body = bytearray(24)
-        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, self.script_of(lambda number: answer(number)).ref)
+        marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(
+            body, self.script_of(lambda number: answer(number)).ref
+        )
         names = Slowly(lambda number: answer(number, bytes(body[24:]), messages.FORWARD))
         self.addCleanup(names.close)
         begun = time.monotonic()
-        self.assertEqual(self.run_tasks(*[self.asking(client.narrow(names.ref, "CosNaming.NamingContext"))] * 12), [False] * 12)
+        self.assertEqual(
+            self.run_tasks(*[self.asking(client.narrow(names.ref, "CosNaming.NamingContext"))] * 12),
+            [False] * 12,
+        )
         self.assertGreater(time.monotonic() - begun, 2 * self.session.timeout)
 
     def test_forwards_take_no_longer_than_three_answers(self):
@@ -118,7 +125,9 @@ class Connections(Calls):
             if connections._idle.get(first.ref.address[1:3]):
                 raise OSError(errno.EMFILE, "Too many open files")
             return _socket.socket(*args)
-        with mock.patch.object(connections, "_socket", types.SimpleNamespace(**dict(vars(_socket), socket=scarce))):
+        with mock.patch.object(
+            connections, "_socket", types.SimpleNamespace(**dict(vars(_socket), socket=scarce))
+        ):
             self.assertIs(self.wait_for(orb.call("w", second.ref, "_non_existent")), False)
         self.assertIsNone(self.session.shortage)
 

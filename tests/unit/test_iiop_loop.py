@@ -65,7 +65,9 @@ class Loop(Calls):
         def play(pending):
             if len(pending) < 2:
                 return None
-            (one, one_end), (other, other_end) = [cut(answer(number, bytes([number == 2]))) for number, _ in pending]
+            (one, one_end), (other, other_end) = [
+                cut(answer(number, bytes([number == 2]))) for number, _ in pending
+            ]
             pending.clear()
             return one + other + one_end + other_end
 
@@ -103,7 +105,12 @@ class Loop(Calls):
     def test_a_long_answer_of_data_beside_one_that_is_too_long(self):
         data = bytes(range(256)) * (messages.LARGE // 128)
         replies = [answer(2, struct.pack("<II", 0, len(data)) + data), answer(1, data), answer(3)]
-        found = self.outcomes(replies, ("RTC.RTObject", "_non_existent"), ("OpenRTM.OutPortCdr", "get"), ("RTC.RTObject", "_non_existent"))
+        found = self.outcomes(
+            replies,
+            ("RTC.RTObject", "_non_existent"),
+            ("OpenRTM.OutPortCdr", "get"),
+            ("RTC.RTObject", "_non_existent"),
+        )
         self.assertEqual(found[0], "garbled answer (more than 4194304 octets)")
         self.assertEqual((str(found[1][0]), found[1][1] == data), ("PORT_OK", True))
         self.assertIs(found[2], False)
@@ -111,12 +118,23 @@ class Loop(Calls):
     def test_replies_that_nobody_waits_for(self):
         """Some peers repeat a reply: those that are waited for count."""
         ask = ("RTC.RTObject", "_non_existent")
-        replies = [answer(1, b"\1"), answer(1), answer(7), answer(1), answer(2, b"\1"), answer(2), answer(3, b"\1")]
+        replies = [
+            answer(1, b"\1"),
+            answer(1),
+            answer(7),
+            answer(1),
+            answer(2, b"\1"),
+            answer(2),
+            answer(3, b"\1"),
+        ]
         self.assertEqual(self.outcomes(replies, ask, ask, ask), [True, True, True])
 
     def test_fragments_that_nobody_asked_for(self):
         replies = [answer(1)[:6] + b"\3" + answer(number)[7:] for number in range(1000, 3000)]
-        self.assertEqual(self.outcomes(replies, ("RTC.RTObject", "_non_existent")), ["garbled answer (a reply to another request)"])
+        self.assertEqual(
+            self.outcomes(replies, ("RTC.RTObject", "_non_existent")),
+            ["garbled answer (a reply to another request)"],
+        )
 
     def test_an_answer_in_fragments_that_is_too_long(self):
         """No more of it is kept than of one in a piece; the next one arrives."""
@@ -131,7 +149,9 @@ class Loop(Calls):
         self.assertLess(tracemalloc.get_traced_memory()[1], sum(map(len, replies)) + 4 * messages.LARGE)
 
     def test_answers_before_the_end_of_a_connection_count(self):
-        """Answers count, and what ends it shows at once, whoever else is under way: a last word, garbage, half a fragment."""
+        """Answers count, and what ends it shows at once, whoever else is under way: a last word, garbage,
+        half a fragment.
+        """
         def before(octets):
             def play(pending):
                 if len(pending) < 2 and peer.connections == 1 or not pending:
@@ -142,7 +162,9 @@ class Loop(Calls):
             peer = self.script(play)
             return peer
 
-        slow = self.script(lambda pending: time.sleep(0.5) or b"".join(answer(pending.pop()[0]) for _ in pending[:]) or None)
+        slow = self.script(
+            lambda pending: time.sleep(0.5) or b"".join(answer(pending.pop()[0]) for _ in pending[:]) or None
+        )
         for octets in (CLOSE, b"HTTP/1.1 400 Bad", b"GIOP\1\2\1\7" + bytes(4)):
             peer = before(octets)
             start, ended = time.monotonic(), []
@@ -205,7 +227,9 @@ class Loop(Calls):
 
     def test_requests_given_up_before_there_was_a_connection_are_not_sent(self):
         connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
-        request = calls.Request(orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None)
+        request = calls.Request(
+            orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None
+        )
         connection.send(request)
         connection.give_up(1)
         connection.send(request)
@@ -223,7 +247,9 @@ class Loop(Calls):
 
         async def ask(operation, *args):
             return await orb.call("w", peer.ref, operation, *args)
-        wrong, right = self.run_tasks((peer.ref, lambda: ask("_is_a", "a\0b")), (peer.ref, lambda: ask("_non_existent")))
+        wrong, right = self.run_tasks(
+            (peer.ref, lambda: ask("_is_a", "a\0b")), (peer.ref, lambda: ask("_non_existent"))
+        )
         self.assertIsInstance(wrong, errors.Refused)
         self.assertIs(right, False)
 
@@ -269,7 +295,10 @@ class Loop(Calls):
 
         real, hosts._socket = hosts._socket.getaddrinfo, FakeSockets(look_up)
         self.addCleanup(setattr, hosts, "_socket", hosts._socket.real)
-        slow, here = [client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x") for host in ("slow.example", "localhost")]
+        slow, here = [
+            client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x")
+            for host in ("slow.example", "localhost")
+        ]
 
         async def ask(ref):
             return await orb.call("w", ref, "_non_existent")

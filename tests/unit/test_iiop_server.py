@@ -46,8 +46,12 @@ class Answers(Served):
             self.assertTrue(self.port.taken.pop() == data, size)
 
     def test_operations_that_every_object_has(self):
-        for name, wanted in (("IDL:OpenRTM/ComponentObserver:1.0", 1), ("IDL:org.omg/SDOPackage/SDOService:1.0", 1),
-                             ("IDL:omg.org/CORBA/Object:1.0", 1), ("IDL:OpenRTM/Logger:1.0", 0)):
+        for name, wanted in (
+            ("IDL:OpenRTM/ComponentObserver:1.0", 1),
+            ("IDL:org.omg/SDOPackage/SDOService:1.0", 1),
+            ("IDL:omg.org/CORBA/Object:1.0", 1),
+            ("IDL:OpenRTM/Logger:1.0", 0),
+        ):
             self.assertEqual(self.ask(self.observed, "_is_a", text(name)), bytes([wanted]))
         self.assertEqual(self.ask(self.observed, "_non_existent"), b"\0")
 
@@ -62,15 +66,28 @@ class Answers(Served):
         self.assertEqual(result(here.ask(request(self.key, "_non_existent"))), b"\0")
         self.withdraw()
         for operation in ("put", "_non_existent", "_is_a"):
-            self.assertEqual(result(here.ask(request(self.key, operation, text("x")))), ("OBJECT_NOT_EXIST", requests.NO))
+            self.assertEqual(
+                result(here.ask(request(self.key, operation, text("x")))), ("OBJECT_NOT_EXIST", requests.NO)
+            )
 
     def test_garbled_arguments(self):
-        for body in (b"", b"\0\0\0", struct.pack("<I", 5) + b"1234", b"\xff" * 8, struct.pack("<I", 0x7fffffff)):
+        for body in (
+            b"",
+            b"\0\0\0",
+            struct.pack("<I", 5) + b"1234",
+            b"\xff" * 8,
+            struct.pack("<I", 0x7FFFFFFF),
+        ):
             self.assertEqual(self.ask(self.key, "put", body), ("MARSHAL", requests.NO), body)
         good = struct.pack("<I", 1) + text("ACTIVE:0")
         for cut in list(range(len(good))):
-            self.assertEqual(self.ask(self.observed, "update_status", good[:cut]), ("MARSHAL", requests.NO), cut)
-        self.assertEqual(self.ask(self.observed, "update_status", struct.pack("<I", 77) + text("x")), ("MARSHAL", requests.NO))
+            self.assertEqual(
+                self.ask(self.observed, "update_status", good[:cut]), ("MARSHAL", requests.NO), cut
+            )
+        self.assertEqual(
+            self.ask(self.observed, "update_status", struct.pack("<I", 77) + text("x")),
+            ("MARSHAL", requests.NO),
+        )
         self.assertEqual(self.ask(self.observed, "update_status", good), b"")
         self.assertEqual(self.observer.heard, [("RTC_STATUS", "ACTIVE:0")])
 
@@ -79,7 +96,10 @@ class Answers(Served):
         for minor in (0, 1, 2):
             body = struct.pack("<I", 5) + text("%d" % minor)
             here.send(request(self.observed, "update_status", body, minor=minor, is_answered=False))
-            here.send(request(self.observed, "nonsense", minor=minor, is_answered=False), request(b"none", "x", is_answered=False))
+            here.send(
+                request(self.observed, "nonsense", minor=minor, is_answered=False),
+                request(b"none", "x", is_answered=False),
+            )
             self.assertEqual(result(here.ask(request(self.key, "_non_existent", number=2))), b"\0")
         self.assertEqual(self.observer.heard, [("HEARTBEAT", "%d" % minor) for minor in (0, 1, 2)])
 
@@ -120,22 +140,44 @@ class Fragments(Served):
     def test_large(self):
         data = os.urandom(1000000)
         message = request(self.key, "put", block(data))
-        self.assertEqual(result(self.client().ask(*fragments(message, *range(8192, len(message), 8192)))), bytes(4))
+        self.assertEqual(
+            result(self.client().ask(*fragments(message, *range(8192, len(message), 8192)))), bytes(4)
+        )
         self.assertTrue(self.port.taken.pop() == data)
 
     def test_of_several_requests_at_once(self):
         here = self.client()
-        one, other = [fragments(request(self.key, "put", block(b"%d" % i * 50), number=i), 50, 70) for i in (1, 2)]
+        one, other = [
+            fragments(request(self.key, "put", block(b"%d" % i * 50), number=i), 50, 70) for i in (1, 2)
+        ]
         locate = fragments(request(self.key, "", number=3, kind=requests.LOCATE), 24)
-        here.send(one[0], other[0], locate[0], other[1], request(self.key, "_non_existent", number=4), one[1], other[2], locate[1], one[2])
+        here.send(
+            one[0],
+            other[0],
+            locate[0],
+            other[1],
+            request(self.key, "_non_existent", number=4),
+            one[1],
+            other[2],
+            locate[1],
+            one[2],
+        )
         self.assertEqual([struct.unpack_from("<I", here.answer(), 12)[0] for _ in range(4)], [4, 2, 3, 1])
         self.assertEqual(self.port.taken, [b"2" * 50, b"1" * 50])
 
     def test_cancelled(self):
         here = self.client()
         first = fragments(request(self.key, "put", block(b"x" * 50)), 50)[0]
-        self.assertEqual(result(here.ask(first, whole(requests.CANCEL, struct.pack("<I", 1)), request(self.key, "_non_existent"))), b"\0")
-        self.assertEqual(here.ask(fragments(request(self.key, "put", block(b"x" * 50)), 50)[1]), ERROR)  # of nothing, now
+        self.assertEqual(
+            result(
+                here.ask(
+                    first, whole(requests.CANCEL, struct.pack("<I", 1)), request(self.key, "_non_existent")
+                )
+            ),
+            b"\0",
+        )
+        # of nothing, now
+        self.assertEqual(here.ask(fragments(request(self.key, "put", block(b"x" * 50)), 50)[1]), ERROR)
         self.assertEqual(self.port.taken, [])
 
 
@@ -150,12 +192,20 @@ class Places(unittest.TestCase):
     def test_settings_of_omniorb(self):
         none = ("", 0)
         self.assertEqual(self.setting(), (none, none))
-        self.assertEqual(self.setting("-ORBendPoint;giop:tcp:10.0.0.1:2810;-ORBtraceLevel;0"), (("10.0.0.1", 2810), none))
-        self.assertEqual(self.setting("-ORBendPoint;giop:tcp::;-ORBendPointPublish;giop:tcp:robot:"), (none, ("robot", 0)))
-        self.assertEqual(self.setting(ORBendPoint="giop:tcp:[::1]:", ORBendPointPublish="giop:tcp:a:1,giop:tcp:b:2"),
-                         (("::1", 0), ("a", 1)))
+        self.assertEqual(
+            self.setting("-ORBendPoint;giop:tcp:10.0.0.1:2810;-ORBtraceLevel;0"), (("10.0.0.1", 2810), none)
+        )
+        self.assertEqual(
+            self.setting("-ORBendPoint;giop:tcp::;-ORBendPointPublish;giop:tcp:robot:"), (none, ("robot", 0))
+        )
+        self.assertEqual(
+            self.setting(ORBendPoint="giop:tcp:[::1]:", ORBendPointPublish="giop:tcp:a:1,giop:tcp:b:2"),
+            (("::1", 0), ("a", 1)),
+        )
         for ignored in ("giop:unix:/tmp/x", "addr", "all(addr)", "giop:tcp:", "", "nonsense"):
-            self.assertEqual(self.setting(ORBendPoint=ignored, ORBendPointPublish=ignored), (none, none), ignored)
+            self.assertEqual(
+                self.setting(ORBendPoint=ignored, ORBendPointPublish=ignored), (none, none), ignored
+            )
         self.assertEqual(self.setting("-ORBendPoint"), (none, none))
 
     def test_listening(self):

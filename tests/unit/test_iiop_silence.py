@@ -1,4 +1,6 @@
-"""Our own ORB, peers that do not answer: who hangs costs what was asked of him, once, and nobody else is taken for him."""
+"""Our own ORB, peers that do not answer: who hangs costs what was asked of him, once, and nobody else is
+taken for him.
+"""
 import struct
 import threading
 import time
@@ -25,7 +27,10 @@ class Silence(Calls):
         marshal.Maker("<").writer((descriptors.OBJECT, "", ""))(body, silent.ref)
         forwarding = self.script_of(lambda number: answer(number, bytes(body[24:]), messages.FORWARD))
         start = time.monotonic()
-        for found in (self.run_tasks(*[self.asking(forwarding.ref)] * 3), self.run_tasks(self.asking(forwarding.ref))):
+        for found in (
+            self.run_tasks(*[self.asking(forwarding.ref)] * 3),
+            self.run_tasks(self.asking(forwarding.ref)),
+        ):
             for value in found:
                 self.assertEqual((type(value), value.why), (errors.Unreachable, "no answer within 0.5s"))
         with self.assertRaises(errors.Unreachable) as caught:
@@ -35,7 +40,9 @@ class Silence(Calls):
         self.assertLess(time.monotonic() - start, 1.4)
 
     def test_questions_that_were_never_sent_show_no_silence(self):
-        """Those that wait for their turn behind a hung process fail, and do not take with them what was sent since."""
+        """Those that wait for their turn behind a hung process fail, and do not take with them what was sent
+        since.
+        """
         self.session = session.Session(1)
         begun = time.monotonic()
 
@@ -106,7 +113,9 @@ class Silence(Calls):
         self.session = session.Session(0.5)
 
         def play(pending):
-            replies = b"".join(answer(number) for number, operation in pending if operation == b"_non_existent")
+            replies = b"".join(
+                answer(number) for number, operation in pending if operation == b"_non_existent"
+            )
             pending.clear()
             return replies or None
 
@@ -128,7 +137,9 @@ class Silence(Calls):
 
     def test_a_hung_process_costs_one_timeout(self):
         self.session = session.Session(0.3)
-        silent, lively = self.script(lambda pending: None), self.script(lambda pending: answer(pending[-1][0]) if pending else None)
+        silent, lively = self.script(lambda pending: None), self.script(
+            lambda pending: answer(pending[-1][0]) if pending else None
+        )
 
         async def ask_silent():
             await orb.call("w", silent.ref, "_non_existent")
@@ -144,11 +155,13 @@ class Silence(Calls):
 
         start = time.monotonic()
         values = self.run_tasks(*[(silent.ref, ask_silent)] * 50, (lively.ref, ask), (lively.ref, ask_both))
-        self.assertLess(time.monotonic() - start, 3)  # it would be 3.9 s with one for each four of the questions
+        # it would be 3.9 s with one for each four of the questions
+        self.assertLess(time.monotonic() - start, 3)
         self.assertEqual({type(value) for value in values[:50]}, {errors.Silent})
         self.assertEqual(values[50:], [False, (errors.Unreachable, False)])
         self.assertIn(silent.ref.address[1:3], self.session.silent)
-        self.assertIsInstance(self.run_tasks((silent.ref, ask_silent))[0], errors.Silent)  # not asked again so soon
+        # not asked again so soon
+        self.assertIsInstance(self.run_tasks((silent.ref, ask_silent))[0], errors.Silent)
 
     def test_a_process_that_hangs_after_some_answers_costs_one_timeout(self):
         """Answers that came while a request waited for its turn are no sign of life after it was sent."""
@@ -169,7 +182,8 @@ class Silence(Calls):
 
         start = time.monotonic()
         values = self.run_tasks(*[(peer.ref, ask)] * 100)
-        self.assertLess(time.monotonic() - start, 5.9)  # 3.4 s, or 6.3 s if what was sent last had a timeout of its own
+        # 3.4 s, or 6.3 s if what was sent last had a timeout of its own
+        self.assertLess(time.monotonic() - start, 5.9)
         self.assertEqual([type(value) for value in values], [bool] + [errors.Silent] * 99)
 
     def test_the_end_of_the_session(self):
@@ -179,7 +193,9 @@ class Silence(Calls):
         async def ask():
             await orb.call("w", peer.ref, "_non_existent")
 
-        self.assertEqual([value.why for value in self.run_tasks((peer.ref, ask), (peer.ref, ask))], [session.NO_TIME] * 2)
+        self.assertEqual(
+            [value.why for value in self.run_tasks((peer.ref, ask), (peer.ref, ask))], [session.NO_TIME] * 2
+        )
         self.assertEqual(self.session.silent, {})
 
     def test_fragments_without_end(self):
@@ -187,7 +203,9 @@ class Silence(Calls):
         self.session = session.Session(0.5)
         whole = answer(1)
         crumb = b"GIOP\1\2\3\7" + struct.pack("<II", 6, 1) + b"ab"
-        endless, other = self.script(lambda pending: pending and (whole[:6] + b"\3" + whole[7:] + crumb * 2000000)), self.script_of(answer)
+        endless, other = self.script(
+            lambda pending: pending and (whole[:6] + b"\3" + whole[7:] + crumb * 2000000)
+        ), self.script_of(answer)
         values = self.run_tasks(self.asking(endless.ref), self.asking(other.ref))
         self.assertIsInstance(values[0], errors.Silent)
         self.assertIs(values[1], False)

@@ -1,4 +1,6 @@
-"""What our own ORB reads and writes: the types of the IDL, an any as omniORB writes it, and what only hostile peers send."""
+"""What our own ORB reads and writes: the types of the IDL, an any as omniORB writes it, and what only hostile
+peers send.
+"""
 import random
 import struct
 import time
@@ -39,7 +41,13 @@ class Tables(unittest.TestCase):
             self.assertEqual(idl.id_of(name), type_id)
 
     def test_inherited_operations(self):
-        for name in ("get_ports", "get_component_profile", "get_owned_contexts", "get_configuration", "_non_existent"):
+        for name in (
+            "get_ports",
+            "get_component_profile",
+            "get_owned_contexts",
+            "get_configuration",
+            "_non_existent",
+        ):
             operations.operation(COMPONENT, name)
         with self.assertRaises(KeyError):
             operations.operation(COMPONENT, "no_such")
@@ -67,30 +75,55 @@ class Values(unittest.TestCase):
             self.assertEqual(self.read(CORBA.TC_any, CORBA.Any(CORBA.TC_long, 3), little).content.content, 3)
 
     def test_structures(self):
-        inner = self.orb.create_struct_tc("IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)])
+        inner = self.orb.create_struct_tc(
+            "IDL:T/Inner:1.0", "Inner", [CORBA.StructMember("x", CORBA.TC_double, None)]
+        )
         many = self.orb.create_sequence_tc(0, inner)
         color = RTC._tc_LifeCycleState
         other = self.orb.create_alias_tc("IDL:T/Other:1.0", "Other", many)
-        whole = self.orb.create_struct_tc("IDL:T/Whole:1.0", "Whole", [
-            CORBA.StructMember(name, code, None) for name, code in (("a", other), ("b", color), ("c", inner), ("d", inner))])
+        whole = self.orb.create_struct_tc(
+            "IDL:T/Whole:1.0",
+            "Whole",
+            [
+                CORBA.StructMember(name, code, None)
+                for name, code in (("a", other), ("b", color), ("c", inner), ("d", inner))
+            ],
+        )
         for little in (True, False):
             descriptor = self.read(self.orb.create_sequence_tc(0, whole), [], little).descriptor
-            self.assertEqual([words for _, words in [(w, descriptors.words(p)) for w, p in descriptors.walk(descriptor, "")]][:2],
-                             ["sequence<Whole>", "Whole"])
+            self.assertEqual(
+                [
+                    words
+                    for _, words in [(w, descriptors.words(p)) for w, p in descriptors.walk(descriptor, "")]
+                ][:2],
+                ["sequence<Whole>", "Whole"],
+            )
             self.assertEqual(descriptors.members(descriptors.element(descriptor))[3][0], "d")
 
     def test_union(self):
-        for switch, labels in ((CORBA.TC_long, (5, -6)), (CORBA.TC_boolean, (1, 0)), (CORBA.TC_char, ("x", "y"))):
-            cases = [CORBA.UnionMember(name, CORBA.Any(switch, label), code, None)
-                     for name, label, code in (("a", labels[0], CORBA.TC_long), ("b", labels[1], CORBA.TC_string))]
+        for switch, labels in (
+            (CORBA.TC_long, (5, -6)),
+            (CORBA.TC_boolean, (1, 0)),
+            (CORBA.TC_char, ("x", "y")),
+        ):
+            cases = [
+                CORBA.UnionMember(name, CORBA.Any(switch, label), code, None)
+                for name, label, code in (("a", labels[0], CORBA.TC_long), ("b", labels[1], CORBA.TC_string))
+            ]
             made = self.orb.create_union_tc("IDL:T/U:1.0", "U", switch, cases)
             descriptor = self.read(self.orb.create_sequence_tc(0, made), []).descriptor
-            self.assertEqual([case.member for case in descriptors.cases(descriptors.element(descriptor))], ["a", "b"])
+            self.assertEqual(
+                [case.member for case in descriptors.cases(descriptors.element(descriptor))], ["a", "b"]
+            )
 
     def test_standard_types(self):
         """A random value of each standard data type, inside an any."""
         rng = random.Random(3)
-        for name in sorted(name for name in vars(RTC) if name.startswith("_tc_") and "WChar" not in name and "WString" not in name):
+        for name in sorted(
+            name
+            for name in vars(RTC)
+            if name.startswith("_tc_") and "WChar" not in name and "WString" not in name
+        ):
             descriptor, code = idl.known(f"IDL:RTC/{name[4:]}:1.0"), getattr(RTC, name)
             if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
                 continue
@@ -110,7 +143,9 @@ NAME = struct.pack("<I", 2) + b"x\0\0\0"
 
 
 class Rare(unittest.TestCase):
-    """Types that omniORBpy reads, or not, and robots hardly use: they must not cost the properties around them."""
+    """Types that omniORBpy reads, or not, and robots hardly use: they must not cost the properties around
+    them.
+    """
 
     def setUp(self):
         allowance.begin()
@@ -122,17 +157,30 @@ class Rare(unittest.TestCase):
         return client.properties([(b"name", found)])[0][1]
 
     def test_fixed(self):
-        for digits, scale, octets, expected in ((5, 2, b"\x12\x34\x5c", "123.45"), (4, 4, b"\x00\x01\x2d", "-0.0012"),
-                                                (1, 0, b"\x7c", "7"), (2, -3, b"\x04\x2d", "-42000")):
-            self.assertEqual(self.text(struct.pack("<IHh", descriptors.FIXED, digits, scale) + octets), expected)
+        for digits, scale, octets, expected in (
+            (5, 2, b"\x12\x34\x5c", "123.45"),
+            (4, 4, b"\x00\x01\x2d", "-0.0012"),
+            (1, 0, b"\x7c", "7"),
+            (2, -3, b"\x04\x2d", "-42000"),
+        ):
+            self.assertEqual(
+                self.text(struct.pack("<IHh", descriptors.FIXED, digits, scale) + octets), expected
+            )
         for digits, octets in ((32, bytes(17)), (0, b"\x0c"), (1, b"\x7a"), (1, b"\xac"), (3, b"\x12")):
             with self.assertRaises(Fault):
                 self.text(struct.pack("<IHh", descriptors.FIXED, digits, 0) + octets)
 
     def test_long_double(self):
         for order in "<>":
-            for high, low, expected in ((0x3fff << 48 | 1 << 47, 0, "1.5"), (0xc000 << 48, 0, "-2.0"), (0, 0, "0.0"), (0, 1, "0.0"),
-                                        (0x7fff << 48, 0, "inf"), (0x7fff << 48, 1, "nan"), (0x7ffe << 48, 0, "inf")):
+            for high, low, expected in (
+                (0x3FFF << 48 | 1 << 47, 0, "1.5"),
+                (0xC000 << 48, 0, "-2.0"),
+                (0, 0, "0.0"),
+                (0, 1, "0.0"),
+                (0x7FFF << 48, 0, "inf"),
+                (0x7FFF << 48, 1, "nan"),
+                (0x7FFE << 48, 0, "inf"),
+            ):
                 words = (low, high) if order == "<" else (high, low)
                 data = struct.pack(order + "IIQQ", descriptors.LONGDOUBLE, 0, *words)
                 self.assertEqual(self.text(data, order), expected)
@@ -141,7 +189,10 @@ class Rare(unittest.TestCase):
         self.assertEqual(self.text(struct.pack("<II", descriptors.PRINCIPAL, 2) + b"me"), "b'me'")
 
     def test_exceptions(self):
-        code = capsule(descriptors.EXCEPTION, NAME + NAME + struct.pack("<I", 1) + NAME + struct.pack("<I", descriptors.LONG))
+        code = capsule(
+            descriptors.EXCEPTION,
+            NAME + NAME + struct.pack("<I", 1) + NAME + struct.pack("<I", descriptors.LONG),
+        )
         self.assertEqual(self.text(code + NAME + struct.pack("<i", -5)), "<x>")
 
     def test_a_union_switched_by_another_name_of_char(self):
@@ -155,7 +206,9 @@ class Rare(unittest.TestCase):
         members = NAME + NAME + struct.pack("<I", 1) + NAME
         back = -(12 + len(members) + 16)  # from the indirection to the struct around it
         inner = struct.pack("<II4sIiI", descriptors.SEQUENCE, 16, b"\1\0\0\0", 0xffffffff, back, 0)
-        code = capsule(descriptors.SEQUENCE, capsule(descriptors.STRUCT, members + inner) + struct.pack("<I", 0))
+        code = capsule(
+            descriptors.SEQUENCE, capsule(descriptors.STRUCT, members + inner) + struct.pack("<I", 0)
+        )
         shown = set()
         for depth in range(0, 500, 5):
             try:
@@ -166,7 +219,10 @@ class Rare(unittest.TestCase):
 
     def test_sequences_of_structures(self):
         """Their texts name each type and member again: 94 kB became 360 MB."""
-        octet = capsule(descriptors.STRUCT, NAME + NAME + struct.pack("<I", 1) + NAME + struct.pack("<I", descriptors.OCTET))
+        octet = capsule(
+            descriptors.STRUCT,
+            NAME + NAME + struct.pack("<I", 1) + NAME + struct.pack("<I", descriptors.OCTET),
+        )
         code = capsule(descriptors.SEQUENCE, octet + struct.pack("<I", 0))
         self.assertEqual(self.text(code + struct.pack("<I", 3) + b"abc"), "<sequence<x>>")
         code = capsule(descriptors.SEQUENCE, struct.pack("<II", descriptors.LONG, 0))
@@ -174,7 +230,10 @@ class Rare(unittest.TestCase):
 
     def test_many_properties_that_are_no_texts(self):
         enum = capsule(descriptors.ENUM, NAME + NAME + struct.pack("<I", 2) + NAME + b"\2\0\0\0y\0\0\0")
-        for code, value in ((struct.pack("<I", descriptors.LONG), struct.pack("<i", 7)), (enum, struct.pack("<I", 1))):
+        for code, value in (
+            (struct.pack("<I", descriptors.LONG), struct.pack("<i", 7)),
+            (enum, struct.pack("<I", 1)),
+        ):
             data = struct.pack("<I", 10000) + (NAME + code + value) * 10000
             allowance.begin()
             found, _ = operations.reader(idl.descriptor("IDL:org.omg/SDOPackage/NVList:1.0"), 1)(data, 0)
@@ -210,8 +269,16 @@ class Hostile(unittest.TestCase):
         self.refuse(capsule(descriptors.UNION, name + name + struct.pack("<III", descriptors.DOUBLE, 0, 0)))
         self.refuse(capsule(descriptors.UNION, name + name + struct.pack("<III", descriptors.LONG, 3, 0)))
         self.refuse(capsule(descriptors.ARRAY, struct.pack("<II", descriptors.OCTET, 0xffffffff)))
-        self.refuse(capsule(descriptors.UNION, name + name + capsule(descriptors.ENUM, name + name + struct.pack("<I", 1) + name)
-                            + struct.pack("<iIIII", -1, 1, 7, 2, 0x78) + struct.pack("<I", descriptors.LONG)))
+        self.refuse(
+            capsule(
+                descriptors.UNION,
+                name
+                + name
+                + capsule(descriptors.ENUM, name + name + struct.pack("<I", 1) + name)
+                + struct.pack("<iIIII", -1, 1, 7, 2, 0x78)
+                + struct.pack("<I", descriptors.LONG),
+            )
+        )
         deep = struct.pack("<I", descriptors.LONG)
         for _ in range(200):
             deep = capsule(descriptors.SEQUENCE, deep + struct.pack("<I", 0))
@@ -220,11 +287,16 @@ class Hostile(unittest.TestCase):
     def test_small_answers_of_many_types_or_elements(self):
         """Each took megabytes and seconds."""
         def doubled(levels):
-            """A struct of two members of a struct of two members …, of which the second are the first once more."""
+            """A struct of two members of a struct of two members …, of which the second are the first once
+            more.
+            """
             code = struct.pack("<I", descriptors.LONG)
             for level in range(levels):
                 again = struct.pack("<Ii", 0xffffffff, -(len(code) + 12)) if level else code
-                code = capsule(descriptors.STRUCT, NAME + NAME + struct.pack("<I", 2) + NAME + code + b"\2\0\0\0y\0\0\0" + again)
+                code = capsule(
+                    descriptors.STRUCT,
+                    NAME + NAME + struct.pack("<I", 2) + NAME + code + b"\2\0\0\0y\0\0\0" + again,
+                )
             return code
 
         def empty(code):
@@ -232,11 +304,23 @@ class Hostile(unittest.TestCase):
             return capsule(descriptors.SEQUENCE, code + struct.pack("<I", 0)) + struct.pack("<I", 0)
 
         items = capsule(descriptors.ENUM, NAME + NAME + struct.pack("<I", 200000) + NAME * 200000)
-        octet = capsule(descriptors.STRUCT, NAME + NAME + struct.pack("<I", 1) + NAME + struct.pack("<I", descriptors.OCTET))
-        octets = capsule(descriptors.SEQUENCE, octet + struct.pack("<I", 0)) + struct.pack("<I", 4 << 20) + bytes(4 << 20)
+        octet = capsule(
+            descriptors.STRUCT,
+            NAME + NAME + struct.pack("<I", 1) + NAME + struct.pack("<I", descriptors.OCTET),
+        )
+        octets = (
+            capsule(descriptors.SEQUENCE, octet + struct.pack("<I", 0))
+            + struct.pack("<I", 4 << 20)
+            + bytes(4 << 20)
+        )
         nothing = struct.pack("<I", 400000) + bytes(12 * 400000)
-        for word, data in ((descriptors.ANY, empty(doubled(13))), (descriptors.ANY, empty(items)), (descriptors.ANY, octets),
-                           ("IDL:omg.org/CosNaming/BindingList:1.0", nothing), ("IDL:org.omg/SDOPackage/NVList:1.0", nothing)):
+        for word, data in (
+            (descriptors.ANY, empty(doubled(13))),
+            (descriptors.ANY, empty(items)),
+            (descriptors.ANY, octets),
+            ("IDL:omg.org/CosNaming/BindingList:1.0", nothing),
+            ("IDL:org.omg/SDOPackage/NVList:1.0", nothing),
+        ):
             allowance.begin()
             tracemalloc.start()
             with self.assertRaisesRegex(Fault, "parts|too deep or too large"):
@@ -258,7 +342,11 @@ class Hostile(unittest.TestCase):
 
     def test_values(self):
         read = marshal.Maker("<").reader(descriptors.ANY)
-        for data in (struct.pack("<III", 18, 0, 0xffffffff) + b"x", struct.pack("<III", 18, 0, 3) + b"abc", struct.pack("<II", 18, 0)):
+        for data in (
+            struct.pack("<III", 18, 0, 0xFFFFFFFF) + b"x",
+            struct.pack("<III", 18, 0, 3) + b"abc",
+            struct.pack("<II", 18, 0),
+        ):
             with self.assertRaises((Fault, struct.error)):
                 read(data, 0)
         with self.assertRaises(ior.BadReference):

@@ -74,31 +74,84 @@ class Interfaces(unittest.TestCase):
         return self.by_name["M::Bottom"].all_operations()[name].why_not_callable()
 
     def test_names(self):
-        self.assertEqual(sorted(self.by_name), ["M::Abstracted", "M::Base", "M::Bottom", "M::Later", "M::Left", "M::Localised", "M::Named",
-                                                "M::Reopened", "M::Right"])
-        self.assertEqual([self.by_name[name].kind for name in ("M::Abstracted", "M::Base", "M::Localised")], ["abstract", "", "local"])
+        self.assertEqual(
+            sorted(self.by_name),
+            [
+                "M::Abstracted",
+                "M::Base",
+                "M::Bottom",
+                "M::Later",
+                "M::Left",
+                "M::Localised",
+                "M::Named",
+                "M::Reopened",
+                "M::Right",
+            ],
+        )
+        self.assertEqual(
+            [self.by_name[name].kind for name in ("M::Abstracted", "M::Base", "M::Localised")],
+            ["abstract", "", "local"],
+        )
         self.assertEqual(self.by_name["M::Base"].repository_id, "IDL:M/Base:1.0")
         self.assertEqual(self.by_name["M::Bottom"].repository_id, "IDL:other/Bottom:2.3")
         self.assertIs(self.contents.interfaces["IDL:other/Bottom:2.3"], self.by_name["M::Bottom"])
 
     def test_as_idl_spells_them(self):
-        self.assertEqual(self.lines("M::Base"), [
-            "M::Base::Few get(in long which, out string<4> why, inout M::Base::Few values) raises (M::Broken);",
-            "oneway void stop();", "readonly attribute long current;", "attribute long a;", "attribute long b;",
-            "attribute string s getraises (M::Empty) setraises (M::Broken, M::Empty);",
-            "readonly attribute M::Base::Few few raises (M::Broken);"])
-        self.assertEqual(self.lines("M::Left"), ["M::Later take(in any x, in Object o, in TypeCode t, in sequence<string> q);"])
+        self.assertEqual(
+            self.lines("M::Base"),
+            [
+                "M::Base::Few get(in long which, out string<4> why, inout M::Base::Few values) raises "
+                "(M::Broken);",
+                "oneway void stop();",
+                "readonly attribute long current;",
+                "attribute long a;",
+                "attribute long b;",
+                "attribute string s getraises (M::Empty) setraises (M::Broken, M::Empty);",
+                "readonly attribute M::Base::Few few raises (M::Broken);",
+            ],
+        )
+        self.assertEqual(self.lines("M::Left"), ["M::Later take(in any x, in Object o, in TypeCode t, "
+                                                 "in sequence<string> q);"])
         self.assertIn('void asked(in long a) context ("A", "b*");', self.lines("M::Right"))
         self.assertIn("fixed<4, 2> price(in M::Base::Few f);", self.lines("M::Right"))
 
     def test_inherited_once(self):
         bottom = self.by_name["M::Bottom"]
-        self.assertEqual([each.name for each in bottom.ancestry()], ["M::Bottom", "M::Left", "M::Right", "M::Base"])
-        self.assertEqual(list(bottom.all_operations()), [
-            "own", "take", "value", "cookie", "abstracted", "localised", "undeclared", "asked", "price", "get", "stop", "_get_gone",
-            "_set_gone", "_get_lost", "_get_in", "_get_current", "_get_a", "_set_a", "_get_b", "_set_b", "_get_s", "_set_s", "_get_few"])
+        self.assertEqual(
+            [each.name for each in bottom.ancestry()], ["M::Bottom", "M::Left", "M::Right", "M::Base"]
+        )
+        self.assertEqual(
+            list(bottom.all_operations()),
+            [
+                "own",
+                "take",
+                "value",
+                "cookie",
+                "abstracted",
+                "localised",
+                "undeclared",
+                "asked",
+                "price",
+                "get",
+                "stop",
+                "_get_gone",
+                "_set_gone",
+                "_get_lost",
+                "_get_in",
+                "_get_current",
+                "_get_a",
+                "_set_a",
+                "_get_b",
+                "_set_b",
+                "_get_s",
+                "_set_s",
+                "_get_few",
+            ],
+        )
         operations = bottom.all_operations()
-        self.assertEqual([descriptors.words(each) for each in operations["_set_s"].raises], ["Broken", "Empty"])
+        self.assertEqual(
+            [descriptors.words(each) for each in operations["_set_s"].raises], ["Broken", "Empty"]
+        )
         self.assertEqual(operations["_get_few"].idl(), "M::Base::Few _get_few() raises (M::Broken);")
 
     def test_inherited_by_another_name(self):
@@ -110,11 +163,28 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(self.reason("abstracted"), "a is M::Abstracted, which cannot be sent")
         self.assertEqual(self.reason("localised"), "l is M::Localised, which cannot be sent")
         self.assertEqual(self.reason("asked"), "it has a context clause")
-        self.assertRegex(self.reason("undeclared"), r"cannot be read: .*case.idl:\d+:\d+: not declared: Nowhere")
+        self.assertRegex(
+            self.reason("undeclared"), r"cannot be read: .*case.idl:\d+:\d+: not declared: Nowhere"
+        )
         self.assertRegex(self.reason("_get_gone"), "not declared: Nothing")
-        self.assertEqual([name for name in self.by_name["M::Bottom"].all_operations() if not self.reason(name)],
-                         ["own", "take", "price", "get", "stop", "_get_current", "_get_a", "_set_a", "_get_b", "_set_b", "_get_s", "_set_s",
-                          "_get_few"])
+        self.assertEqual(
+            [name for name in self.by_name["M::Bottom"].all_operations() if not self.reason(name)],
+            [
+                "own",
+                "take",
+                "price",
+                "get",
+                "stop",
+                "_get_current",
+                "_get_a",
+                "_set_a",
+                "_get_b",
+                "_set_b",
+                "_get_s",
+                "_set_s",
+                "_get_few",
+            ],
+        )
         with self.assertRaisesRegex(errors.BadType, "value: v is M::Value, which cannot be sent"):
             self.by_name["M::Right"].all_operations()["value"].schema()
 
@@ -135,18 +205,47 @@ class Templates(unittest.TestCase):
 
     def test_of_arguments(self):
         types = """enum C { RED, GREEN }; struct S { C c; string name; sequence<S> more; octet raw[3]; double m[2][2]; char code[2]; };
-            union U switch (C) { case GREEN: long a; default: S s; }; union D switch (long) { default: string s; case 0: S t; };"""
-        self.assertEqual(self.template("in S s, out long gone, inout sequence<double> d, in U u, in D d2", types), {
-            "s": {"c": "RED", "name": "", "more": [], "raw": "AAAA", "m": [[0.0, 0.0], [0.0, 0.0]], "code": "  "}, "d": [],
-            "u": {"_d": "GREEN", "a": 0}, "d2": {"_d": 0, "t": {
-                "c": "RED", "name": "", "more": [], "raw": "AAAA", "m": [[0.0, 0.0], [0.0, 0.0]], "code": "  "}}})
-        self.assertEqual(self.template("in boolean b, in wchar w, in fixed<4,2> f, in long double l, in unsigned long long u"),
+            union U switch (C) { case GREEN: long a; default: S s; }; union D switch (long) { default: string s; case 0: S t; };"""  # noqa: E501
+        self.assertEqual(
+            self.template("in S s, out long gone, inout sequence<double> d, in U u, in D d2", types),
+            {
+                "s": {
+                    "c": ("RED"),
+                    "name": "",
+                    "more": [],
+                    "raw": "AAAA",
+                    "m": [[0.0, 0.0], [0.0, 0.0]],
+                    "code": "  ",
+                },
+                "d": [],
+                "u": {"_d": "GREEN", "a": 0},
+                "d2": {
+                    "_d": 0,
+                    "t": {
+                        "c": ("RED"),
+                        "name": "",
+                        "more": [],
+                        "raw": "AAAA",
+                        "m": [[0.0, 0.0], [0.0, 0.0]],
+                        "code": "  ",
+                    },
+                },
+            },
+        )
+        self.assertEqual(self.template("in boolean b, in wchar w, in fixed<4,2> f, in long double l, in "
+                                       "unsigned long long u"),
                          {"b": False, "w": " ", "f": "0.00", "l": 0.0, "u": 0})
         self.assertEqual(self.template(""), {})
 
     def test_decimal_numbers(self):
         price = (descriptors.FIXED, 5, 2)
-        for written, expected in (("-1.5", "-1.50"), (12, "12.00"), (0.25, "0.25"), ("-0", "0.00"), ("0999.990", "999.99")):
+        for written, expected in (
+            ("-1.5", "-1.50"),
+            (12, "12.00"),
+            (0.25, "0.25"),
+            ("-0", "0.00"),
+            ("0999.990", "999.99"),
+        ):
             self.assertEqual(build_value.build(price, written, "price"), expected)
         for written in ("1000", "0.001", "x", "", 1e-9, float("nan"), True, None, [1]):
             with self.assertRaises(errors.BadValue, msg=written):

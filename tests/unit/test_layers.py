@@ -13,13 +13,13 @@ ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """__init__ bytecode start errors notes text records files path idl_stubs giop net corba options
-           robot data xmlprofile datalog events system play views mount top doctor shell api cli anywhere __main__ commands bin""".split()
+           robot data xmlprofile datalog events system play views mount top doctor shell api cli anywhere __main__ commands bin""".split()  # noqa: E501
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "anywhere.py", "cli.py", "options.py", "system/reports.py")
-CATCH_ALL = ("cli.py", "api.py", "net/loop.py", "corba/omniorb.py", "corba/iiop/server.py", "mount/attempt.py",
+CATCH_ALL = ("cli.py", "api.py", "net/loop.py", "corba/omniorb.py", "corba/iiop/server.py", "mount/attempt.py",  # noqa: E501
              "mount/server.py")
 DOORS = ("cli.py", "api.py", "shell/prompt.py")  # where a loop is entered
-THREADS = ("net/loop.py", "corba/omniorb.py", "corba/answers.py")  # which may import threading; the last has data of each thread
+THREADS = ("net/loop.py", "corba/omniorb.py", "corba/answers.py")  # which may import threading; the last has data of each thread  # noqa: E501
 
 
 def below(directory):
@@ -78,7 +78,7 @@ class Layers(unittest.TestCase):
     def setUpClass(cls):
         cls.paths = below("rtshell_lite") + below("bin")
         cls.trees = {path: parsed(path) for path in cls.paths}
-        cls.arrows = [(path, dotted, inside) for path in cls.paths for dotted, inside in imports(cls.trees[path])]
+        cls.arrows = [(path, dotted, inside) for path in cls.paths for dotted, inside in imports(cls.trees[path])]  # noqa: E501
 
     def target(self, dotted):
         """The file of ours that an import names, or None."""
@@ -87,11 +87,11 @@ class Layers(unittest.TestCase):
             return None
         if "idl_stubs" in parts:
             return "rtshell_lite/idl_stubs/__init__.py"
-        names = ["/".join(parts[:size]) + end for size in range(len(parts), 0, -1) for end in (".py", "/__init__.py")]
+        names = ["/".join(parts[:size]) + end for size in range(len(parts), 0, -1) for end in (".py", "/__init__.py")]  # noqa: E501
         return next(name for name in names if name in self.trees)
 
     def test_every_file_has_its_place(self):
-        self.assertEqual([path for path in self.paths if place(path) is None], [], "to be put into a package, or into ORDER")
+        self.assertEqual([path for path in self.paths if place(path) is None], [], "to be put into a package, or into ORDER")  # noqa: E501
 
     def test_imports_go_down(self):
         wrong = [(path, dotted) for path, dotted, _ in self.arrows
@@ -110,26 +110,26 @@ class Layers(unittest.TestCase):
 
     def test_a_package_is_a_docstring(self):
         wrong = [path for path, tree in self.trees.items()
-                 if path.endswith("/__init__.py") and place(path) and not (len(tree.body) == 1 and ast.get_docstring(tree))]
+                 if path.endswith("/__init__.py") and place(path) and not (len(tree.body) == 1 and ast.get_docstring(tree))]  # noqa: E501
         self.assertEqual(wrong, [])
 
     def test_omniorb_and_stubs_have_one_home(self):
         wrong = [(path, dotted) for path, dotted, _ in self.arrows
-                 if (dotted.split(".")[0] in OMNIORB or ".idl_stubs" in dotted) and not is_in(path, ["corba", "giop"])]
+                 if (dotted.split(".")[0] in OMNIORB or ".idl_stubs" in dotted) and not is_in(path, ["corba", "giop"])]  # noqa: E501
         self.assertEqual(wrong, [])
 
-    @unittest.skipUnless(hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules")
+    @unittest.skipUnless(hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules")  # noqa: E501
     def test_nothing_foreign(self):
         known = set(sys.stdlib_module_names) | OMNIORB | {"rtshell_lite"}
-        self.assertEqual([(path, dotted) for path, dotted, _ in self.arrows if dotted.split(".")[0] not in known], [])
+        self.assertEqual([(path, dotted) for path, dotted, _ in self.arrows if dotted.split(".")[0] not in known], [])  # noqa: E501
 
     def test_a_command_imports_at_its_top_what_needs_no_omniorb(self):
-        wrong = [(path, dotted) for path, dotted, inside in self.arrows if path.startswith("bin") and not inside
+        wrong = [(path, dotted) for path, dotted, inside in self.arrows if path.startswith("bin") and not inside  # noqa: E501
                  and is_in(self.target(dotted) or "", ["corba", "robot"])]
         self.assertEqual(wrong, [], "to be imported inside run()")
 
     def test_few_files_print(self):
-        wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)]
+        wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)]  # noqa: E501
         self.assertEqual([(path, lines) for path, lines in wrong if lines], [])
 
 
@@ -143,7 +143,7 @@ class OneColour(unittest.TestCase):
     def uses(self, module, attribute):
         """(path, line) of each use of an attribute of a module."""
         return [(path, node.lineno) for path, tree in self.trees.items() for node in walk(tree)
-                if isinstance(node, ast.Attribute) and node.attr == attribute and isinstance(node.value, ast.Name)
+                if isinstance(node, ast.Attribute) and node.attr == attribute and isinstance(node.value, ast.Name)  # noqa: E501
                 and node.value.id == module]
 
     def test_nobody_sleeps(self):
@@ -151,11 +151,11 @@ class OneColour(unittest.TestCase):
 
     def test_threads_have_few_homes(self):
         wrong = [(path, dotted) for path, tree in self.trees.items() for dotted, _ in imports(tree)
-                 if dotted.split(".")[0] in ("threading", "queue", "asyncio", "concurrent") and not is_in(path, THREADS)]
+                 if dotted.split(".")[0] in ("threading", "queue", "asyncio", "concurrent") and not is_in(path, THREADS)]  # noqa: E501
         self.assertEqual(wrong, [])
         started = [path for path, _ in self.uses("loop", "start_thread")]
         self.assertLessEqual(set(started), {"rtshell_lite/" + path for path in (
-            "cli.py", "api.py", "corba/hosts.py", "corba/omniorb.py", "doctor/limits.py", "datalog/recorder.py")})
+            "cli.py", "api.py", "corba/hosts.py", "corba/omniorb.py", "doctor/limits.py", "datalog/recorder.py")})  # noqa: E501
 
     def test_loops_have_few_doors(self):
         wrong = [(path, line) for path, line in self.uses("loop", "run") if not is_in(path, DOORS)]
@@ -165,7 +165,7 @@ class OneColour(unittest.TestCase):
         """A call of a coroutine function of the same file that stands alone does nothing."""
         wrong = []
         for path, tree in self.trees.items():
-            own = {node.name for node in walk(tree) if isinstance(node, ast.AsyncFunctionDef) and not node.decorator_list}
+            own = {node.name for node in walk(tree) if isinstance(node, ast.AsyncFunctionDef) and not node.decorator_list}  # noqa: E501
             own -= {node.name for node in walk(tree) if isinstance(node, ast.FunctionDef)}
             for node in walk(tree):
                 value = node.value if isinstance(node, ast.Expr) else None
@@ -208,7 +208,7 @@ class PlainCode(unittest.TestCase):
                     yield "%s:%d" % (path, node.lineno), list(inner_nodes(node))
 
     def test_a_statement_has_one_choice(self):
-        wrong = [place for place, nodes in self.statements() if sum(isinstance(node, ast.IfExp) for node in nodes) > 1]
+        wrong = [place for place, nodes in self.statements() if sum(isinstance(node, ast.IfExp) for node in nodes) > 1]  # noqa: E501
         self.assertEqual(wrong, [])
 
     def test_filters_are_not_nested(self):
@@ -226,7 +226,7 @@ class PlainCode(unittest.TestCase):
         for path in self.paths:
             long = {number for number, line in enumerate(source(path).splitlines(), 1) if len(line) > WIDTH}
             for node in walk(parsed(path)):
-                if isinstance(node, ast.JoinedStr) or isinstance(node, ast.Constant) and isinstance(node.value, str):
+                if isinstance(node, ast.JoinedStr) or isinstance(node, ast.Constant) and isinstance(node.value, str):  # noqa: E501
                     long -= set(range(node.lineno, node.end_lineno + 1))
             wrong += ["%s:%d" % (path, number) for number in sorted(long)]
         self.assertEqual(wrong, [])
@@ -235,7 +235,7 @@ class PlainCode(unittest.TestCase):
 class Rules(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        paths = [path for directory in ("rtshell_lite", "bin", "mock_components", "tests") for path in below(directory)]
+        paths = [path for directory in ("rtshell_lite", "bin", "mock_components", "tests") for path in below(directory)]  # noqa: E501
         cls.trees = {path: parsed(path) for path in paths}
 
     def check(self, faults):
@@ -261,7 +261,7 @@ class Rules(unittest.TestCase):
             for node in walk(tree):
                 if isinstance(node, ast.ExceptHandler):
                     catch_all = node.type is not None and names(node.type) & {"Exception", "BaseException"}
-                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL) or raises_again(node)
+                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL) or raises_again(node)  # noqa: E501
                     if node.type is None or catch_all and not free:
                         yield node.lineno
         self.check(faults)
@@ -276,7 +276,7 @@ class Rules(unittest.TestCase):
 
 def own_name(function):
     """`name` of a call of name(…) or self.name(…), else None."""
-    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self":
+    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self":  # noqa: E501
         return function.attr
     return getattr(function, "id", None)
 

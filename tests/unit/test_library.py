@@ -63,7 +63,9 @@ def tree(**texts):
 
 class Found(unittest.TestCase):
     def test_an_interface_by_its_id(self):
-        with tree(a__service=SERVICE, other="module M { interface Other { void Service(in long part); }; };") as made:
+        with tree(
+            a__service=SERVICE, other="module M { interface Other { void Service(in long part); }; };"
+        ) as made:
             interface = datatypes.Types().interface("IDL:M/Service:1.0")
             self.assertEqual([each.idl() for each in interface.operations], ["M::Part get(in string name);"])
             self.assertEqual(notes.listener.of(notes.DETAIL),
@@ -74,7 +76,8 @@ class Found(unittest.TestCase):
             self.assertIsNone(datatypes.Types().interface(""))
 
     def test_types_by_their_names(self):
-        with tree(one="module A { struct S { long a; }; typedef sequence<S> Ss; }; module B { struct S { string b; }; enum E { X, Y }; };"):
+        with tree(one="module A { struct S { long a; }; typedef sequence<S> Ss; }; module B { struct S "
+                      "{ string b; }; enum E { X, Y }; };"):
             types = datatypes.Types()
             self.assertEqual(types.named("A.S").id, "IDL:A/S:1.0")
             self.assertEqual(types.named("IDL:B/S:1.0").name, "B.S")
@@ -86,7 +89,8 @@ class Found(unittest.TestCase):
 
     def test_by_another_id(self):
         text = 'module M { interface Own { void go(); };\n#pragma ID Own "IDL:com.example/Own:3.1"\n};'
-        with tree(one=text, two='#pragma prefix "org.example"\nmodule M { interface Own { void stop(); }; };'):
+        with tree(one=text, two='#pragma prefix "org.example"\nmodule M { interface Own { void stop(); '
+                                '}; };'):
             types = datatypes.Types()
             self.assertEqual(types.interface("IDL:com.example/Own:3.1").operations[0].name, "go")
             self.assertEqual(types.interface("IDL:org.example/M/Own:1.0").operations[0].name, "stop")
@@ -105,10 +109,15 @@ class Found(unittest.TestCase):
     def test_a_named_file_comes_first(self):
         with tree(one=SERVICE) as made:
             own = made.write("own.txt", SERVICE.replace("get(", "fetch("))
-            self.assertEqual(datatypes.Types(idl=[own]).interface("IDL:M/Service:1.0").operations[0].name, "fetch")
+            self.assertEqual(
+                datatypes.Types(idl=[own]).interface("IDL:M/Service:1.0").operations[0].name, "fetch"
+            )
 
     def test_one_name_in_many_files(self):
-        texts = {"a%d" % number: "module M%d { interface Same { void in_%d(); }; };" % (number, number) for number in range(30)}
+        texts = {
+            "a%d" % number: "module M%d { interface Same { void in_%d(); }; };" % (number, number)
+            for number in range(30)
+        }
         with tree(z="module other { module M { interface Same { void here(); }; }; };", **texts):
             types = datatypes.Types()
             self.assertEqual(types.interface("IDL:other/M/Same:1.0").operations[0].name, "here")
@@ -125,7 +134,9 @@ class Found(unittest.TestCase):
             self.assertEqual(descriptors.words(given.result), "Part")
 
     def test_what_is_read(self):
-        """Nothing, while no type of it is named; then the files are searched, and those that declare it are parsed."""
+        """Nothing, while no type of it is named; then the files are searched, and those that declare it are
+        parsed.
+        """
         texts = {"a%d" % number: SERVICE.replace("M", "M%d" % number) for number in range(50)}
         read, parsed = [], []
         own = library._text, library.parser.read_file
@@ -146,7 +157,9 @@ class Found(unittest.TestCase):
                 self.assertEqual([path for path in read if path.startswith(made.path)], [])
                 del parsed[:]
                 self.assertTrue(types.interface("IDL:N/Other:1.0"))
-                self.assertEqual((len([path for path in read if path.startswith(made.path)]), parsed), (51, ["b.idl"]))
+                self.assertEqual(
+                    (len([path for path in read if path.startswith(made.path)]), parsed), (51, ["b.idl"])
+                )
         finally:
             library._text, library.parser.read_file = own
 
@@ -169,21 +182,30 @@ class Hostile(unittest.TestCase):
             made.write("b0.idl", "\0module M { interface Service {" * 1000)
             self.assertTrue(datatypes.Types().interface("IDL:M/Service:1.0"))
             texts = library.Library(library.places()).texts()
-            self.assertEqual(sorted(os.path.basename(path) for path, text in texts.items() if text), ["b0.idl", "service.idl"])
+            self.assertEqual(
+                sorted(os.path.basename(path) for path, text in texts.items() if text),
+                ["b0.idl", "service.idl"],
+            )
             self.assertTrue([line for line in notes.listener.of(notes.DETAIL) if "b0.idl:1:1" in line])
 
     def test_one_that_is_broken(self):
         with tree(service=SERVICE.replace("long a", "lnog a")) as made:
             types = datatypes.Types()
             self.assertIsNone(types.interface("IDL:M/Service:1.0"))
-            with self.assertRaisesRegex(errors.NoSuch, r"M.Part: .*service.idl:1:\d+: not declared: lnog; name its IDL file"):
+            with self.assertRaisesRegex(
+                errors.NoSuch, r"M.Part: .*service.idl:1:\d+: not declared: lnog; name its IDL file"
+            ):
                 types.named("M.Part")
             made.write("z.idl", SERVICE)
             self.assertTrue(datatypes.Types().interface("IDL:M/Service:1.0"))
 
     def test_many(self):
-        with tree(**{"a%d" % number: SERVICE.replace("Part", "Part%d" % number).replace("Service", "S%d" % number)
-                     for number in range(60)}):
+        with tree(
+            **{
+                "a%d" % number: SERVICE.replace("Part", "Part%d" % number).replace("Service", "S%d" % number)
+                for number in range(60)
+            }
+        ):
             self.assertTrue(datatypes.Types().interface("IDL:M/S59:1.0"))
             before = library.MOST_FILES, library.LARGEST, library.CANDIDATES
             try:
@@ -210,7 +232,9 @@ class Hostile(unittest.TestCase):
             self.assertIn("includes too many files", " ".join(notes.listener.of(notes.DETAIL)))
 
     def test_an_interface_that_inherits_deeply(self):
-        text = "interface I0 { void a(); };" + "".join("interface I%d : I%d {};" % (i + 1, i) for i in range(3000))
+        text = "interface I0 { void a(); };" + "".join(
+            "interface I%d : I%d {};" % (i + 1, i) for i in range(3000)
+        )
         with tree(deep=text):
             self.assertEqual(list(datatypes.Types().interface("IDL:I3000:1.0").all_operations()), ["a"])
 

@@ -235,8 +235,12 @@ print(signal.getsignal(signal.SIGINT) is signal.default_int_handler, flush=True)
 class Signals(Case):
     def child(self, body, cleaning=0.0, patience=0.2):
         program = CHILD % (patience, body, cleaning)
-        child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, universal_newlines=True,
-                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
+        child = subprocess.Popen(
+            [sys.executable, "-c", program],
+            stdout=subprocess.PIPE,
+            universal_newlines=True,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+        )
         self.addCleanup(child.stdout.close)
         self.addCleanup(child.kill)
         self.assertEqual(child.stdout.readline(), "ready\n")
@@ -284,7 +288,9 @@ class Signals(Case):
         """A loop on another thread leaves the handlers as they are."""
         found = []
         before = signal.getsignal(signal.SIGINT)
-        thread = threading.Thread(target=lambda: found.append(loop.run(after(0.01, "x"), {signal.SIGINT: Struck})))
+        thread = threading.Thread(
+            target=lambda: found.append(loop.run(after(0.01, "x"), {signal.SIGINT: Struck}))
+        )
         thread.start()
         thread.join()
         self.assertEqual(found, ["x"])

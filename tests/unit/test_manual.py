@@ -1,4 +1,5 @@
-"""The manual that rtdoc prints: what a component's author adds, in the author's order, safe in every format."""
+"""The manual that rtdoc prints: what a component's author adds, in the author's order, safe in every format.
+"""
 import collections
 import types
 import unittest
@@ -14,7 +15,9 @@ class Sets:
 
     def __init__(self, **values):
         self.raw = {"default": {}}
-        self.raw.update(("__%s__" % name if name != "default" else name, dict(value)) for name, value in values.items())
+        self.raw.update(
+            ("__%s__" % name if name != "default" else name, dict(value)) for name, value in values.items()
+        )
 
     def set(self, set_id, with_hidden=False):
         return types.SimpleNamespace(values=collections.OrderedDict(self.raw[set_id]))
@@ -22,10 +25,14 @@ class Sets:
 
 class Order(unittest.TestCase):
     def test_without_a_word_from_the_author(self):
-        self.assertEqual(manual._order({}), ["intro", "reqs", "install", "usage", "ports", "config", "misc", "changelog"])
+        self.assertEqual(
+            manual._order({}), ["intro", "reqs", "install", "usage", "ports", "config", "misc", "changelog"]
+        )
 
     def test_sections_of_the_authors_own_follow(self):
-        self.assertEqual(manual._order({"history": "x", "intro": "y", "__url__": "z"})[-2:], ["changelog", "history"])
+        self.assertEqual(manual._order({"history": (
+            "x"
+        ), "intro": "y", "__url__": "z"})[-2:], ["changelog", "history"])
 
     def test_the_authors_order(self):
         said = {"__order__": "usage, intro,nothing", "intro": "a", "usage": "b", "extra": "c"}
@@ -43,9 +50,13 @@ class Configuration(unittest.TestCase):
 
     def test_types_constraints_and_widgets_get_columns(self):
         table, = manual._configuration_section(Sets(
-            default={"gain": "1", "mode": "a"}, type={"gain": "int"}, constraints={"gain": "x>0"}, widget={"mode": "radio"}))
+            default={"gain": (
+                "1"
+            ), "mode": "a"}, type={"gain": "int"}, constraints={"gain": "x>0"}, widget={"mode": "radio"}))
         self.assertEqual(table.header, ("Name", "Default", "Type", "Constraint", "Widget", "Description"))
-        self.assertEqual(table.rows, [("gain", "1", "int", "x>0", "", ""), ("mode", "a", "", "", "radio", "")])
+        self.assertEqual(
+            table.rows, [("gain", "1", "int", "x>0", "", ""), ("mode", "a", "", "", "radio", "")]
+        )
 
     def test_nothing_to_configure(self):
         self.assertEqual(manual._configuration_section(Sets()), [])
@@ -53,10 +64,23 @@ class Configuration(unittest.TestCase):
 
 class Formats(unittest.TestCase):
     def setUp(self):
-        self.manual = manual.Manual(HOSTILE, HOSTILE, [("Vendor", HOSTILE)], [
-            manual.Section("intro", HOSTILE, ["One paragraph.\n\nAnother: " + HOSTILE]),
-            manual.Section("ports", "Ports", [manual.Table("Ports", ("A", "B"), (8, 8), [(HOSTILE, "two\nlines")]),
-                                              manual.Graph(['x [label="%s"];' % manual._quoted(HOSTILE)])])], [])
+        self.manual = manual.Manual(
+            HOSTILE,
+            HOSTILE,
+            [("Vendor", HOSTILE)],
+            [
+                manual.Section("intro", HOSTILE, ["One paragraph.\n\nAnother: " + HOSTILE]),
+                manual.Section(
+                    "ports",
+                    "Ports",
+                    [
+                        manual.Table("Ports", ("A", "B"), (8, 8), [(HOSTILE, "two\nlines")]),
+                        manual.Graph(['x [label="%s"];' % manual._quoted(HOSTILE)]),
+                    ],
+                ),
+            ],
+            [],
+        )
 
     def test_nothing_harms_a_terminal(self):
         for name, write in manual_formats.FORMATS.items():
@@ -65,7 +89,11 @@ class Formats(unittest.TestCase):
                     self.assertTrue(part.isprintable(), (name, ascii(part)))
 
     def test_html_is_well_formed_and_text_stays_text(self):
-        page = "\n".join(manual_formats.html(self.manual)).replace('<meta charset="utf-8">', "").replace("<!DOCTYPE html>\n", "")
+        page = (
+            "\n".join(manual_formats.html(self.manual))
+            .replace('<meta charset="utf-8">', "")
+            .replace("<!DOCTYPE html>\n", "")
+        )
         root = xml.etree.ElementTree.fromstring(page)
         self.assertEqual(list(root.iter("b")), [])
         self.assertEqual(len([p for p in root.iter("p") if "paragraph" in p.text or "Another" in p.text]), 2)
@@ -76,12 +104,32 @@ class Formats(unittest.TestCase):
         self.assertNotIn(r"\end{document} {x", "\n".join(lines[:-1]).split(r"\begin{verbatim}")[0])
 
     def test_whole_documents(self):
-        short = manual.Manual("Arm", "Moves", [("Vendor", "us")], [manual.Section("usage", "Usage", ["Start it."])], [])
-        self.assertEqual(manual_formats.rst(short), ["Arm", "===", "Moves", "", ":Vendor: us", "", "Usage", "-----", "Start it.", ""])
-        self.assertEqual(manual_formats.latex(short), [
-            r"\documentclass{article}", r"\usepackage[utf8]{inputenc}", r"\usepackage[T1]{fontenc}", r"\usepackage{longtable}",
-            r"\begin{document}", r"\section*{Arm}", "Moves", "", r"\begin{description}", r"\item[Vendor] us", r"\end{description}",
-            r"\subsection*{Usage}", "Start it.", r"\end{document}"])
+        short = manual.Manual(
+            "Arm", "Moves", [("Vendor", "us")], [manual.Section("usage", "Usage", ["Start it."])], []
+        )
+        self.assertEqual(
+            manual_formats.rst(short),
+            ["Arm", "===", "Moves", "", ":Vendor: us", "", "Usage", "-----", "Start it.", ""],
+        )
+        self.assertEqual(
+            manual_formats.latex(short),
+            [
+                r"\documentclass{article}",
+                r"\usepackage[utf8]{inputenc}",
+                r"\usepackage[T1]{fontenc}",
+                r"\usepackage{longtable}",
+                r"\begin{document}",
+                r"\section*{Arm}",
+                "Moves",
+                "",
+                r"\begin{description}",
+                r"\item[Vendor] us",
+                r"\end{description}",
+                r"\subsection*{Usage}",
+                "Start it.",
+                r"\end{document}",
+            ],
+        )
 
     def test_rst_cells_stay_in_their_rows(self):
         row = [line for line in manual_formats.rst(self.manual) if "two lines" in line]

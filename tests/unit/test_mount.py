@@ -28,8 +28,15 @@ class Wire(unittest.TestCase):
 
     def test_sizes(self):
         attributes = wire.attributes(1, 0o100644, 0, 0, 0, 0)
-        for reply, size in ((attributes, 88), (wire.entry(1, attributes, 1), 128), (wire.attributes_reply(attributes, 1), 104),
-                            (wire.opened(1, 0), 16), (wire.written(1), 8), (wire.statfs(), 80), (wire.init_reply((7, 45), 0), 64)):
+        for reply, size in (
+            (attributes, 88),
+            (wire.entry(1, attributes, 1), 128),
+            (wire.attributes_reply(attributes, 1), 104),
+            (wire.opened(1, 0), 16),
+            (wire.written(1), 8),
+            (wire.statfs(), 80),
+            (wire.init_reply((7, 45), 0), 64),
+        ):
             self.assertEqual(len(reply), size)
         self.assertEqual(wire.ENTRY_SIZE, 128)
 
@@ -61,7 +68,9 @@ class Wire(unittest.TestCase):
 
     def test_forgetting(self):
         self.assertEqual(wire.forgotten(wire.FORGET, 9, struct.pack("=Q", 2)), [(9, 2)])
-        self.assertEqual(wire.forgotten(wire.BATCH_FORGET, 0, struct.pack("=IIQQQQ", 2, 0, 5, 1, 6, 3)), [(5, 1), (6, 3)])
+        self.assertEqual(
+            wire.forgotten(wire.BATCH_FORGET, 0, struct.pack("=IIQQQQ", 2, 0, 5, 1, 6, 3)), [(5, 1), (6, 3)]
+        )
 
     def test_entries_are_padded(self):
         for name in (b"a", b"12345678", "日".encode()):
@@ -69,7 +78,9 @@ class Wire(unittest.TestCase):
         self.assertEqual(struct.unpack_from("=QQII", wire.dirent(5, 6, b"abc", 0o120777)), (5, 6, 3, 10))
 
     def test_fractions_of_a_second(self):
-        self.assertEqual(struct.unpack_from("=QQQQII", wire.entry(1, b"", 0.25)), (1, 0, 0, 0, 250000000, 250000000))
+        self.assertEqual(
+            struct.unpack_from("=QQQQII", wire.entry(1, b"", 0.25)), (1, 0, 0, 0, 250000000, 250000000)
+        )
 
     def test_older_kernels_are_answered_by_their_own_version(self):
         self.assertEqual(struct.unpack_from("=II", wire.init_reply((7, 23), 0)), (7, 23))
@@ -80,9 +91,19 @@ class Names(unittest.TestCase):
     """Any name of a robot is one of a file, and different ones stay different."""
 
     def test_spelling(self):
-        for name, spelt in (("", "\\e"), (".", "\\."), ("..", "\\.\\."), ("a/b", "a\\x2fb"), ("a\\/b", "a\\\\\\x2fb"),
-                            ("a\nb", "a\\x0ab"), ("日本", "日本"), (Name("a.b", "rtc"), "a.b.rtc"), (Name("a/b", "r/c"), "a\\x2fb.r\\x2fc"),
-                            (Name("", ""), "\\e"), (Name(".", ""), "\\.")):
+        for name, spelt in (
+            ("", "\\e"),
+            (".", "\\."),
+            ("..", "\\.\\."),
+            ("a/b", "a\\x2fb"),
+            ("a\\/b", "a\\\\\\x2fb"),
+            ("a\nb", "a\\x0ab"),
+            ("日本", "日本"),
+            (Name("a.b", "rtc"), "a.b.rtc"),
+            (Name("a/b", "r/c"), "a\\x2fb.r\\x2fc"),
+            (Name("", ""), "\\e"),
+            (Name(".", ""), "\\."),
+        ):
             with self.subTest(name):
                 self.assertEqual(nodes.file_name(name), spelt)
 
@@ -243,7 +264,8 @@ class Streams(Case):
             for number in range(10):
                 stream.put(str(number) * (streams.ROOM // 4))
             self.assertEqual((await stream.read(0, 2)), b"77")
-            self.mount.complain.assert_called_once_with("values: lines are dropped: they come faster than they are read")
+            self.mount.complain.assert_called_once_with("values: lines are dropped: they come faster "
+                                                        "than they are read")
         self.run_in_group(check)
 
 
@@ -360,18 +382,24 @@ class Sessions(unittest.TestCase):
 
     def test_old_ones_are_forgotten(self):
         now = session.Session(0.01)
-        with mock.patch.object(session.Session, "answered", {}), mock.patch.object(session, "MOST_ANSWERED", 10):
+        with mock.patch.object(session.Session, "answered", {}), mock.patch.object(
+            session, "MOST_ANSWERED", 10
+        ):
             for port in range(100):
                 now.fall_silent(("host", port), "no answer", time.monotonic())
                 now.answered["host", port] = port
             self.assertEqual(len(now.silent), 100)
             time.sleep(0.02)
             now.sweep()
-            self.assertEqual((now.silent, sorted(now.answered)), ({}, [("host", port) for port in range(90, 100)]))
+            self.assertEqual(
+                (now.silent, sorted(now.answered)), ({}, [("host", port) for port in range(90, 100)])
+            )
 
 
 class Served(Case):
-    """A Server whose kernel is a pair of pipes: the requests are given to it, the replies kept in `self.replies`."""
+    """A Server whose kernel is a pair of pipes: the requests are given to it, the replies kept in
+    `self.replies`.
+    """
 
     def prepare(self):
         self.mount = nodes.Mount("/m", 1.0)
@@ -379,7 +407,10 @@ class Served(Case):
         self.replies, self.server = [], None
         self.root = Top(self.mount)
         self.server = server.Server(self.mount, self.root, None, lambda: None)
-        patch = mock.patch("os.write", lambda fd, data: self.replies.append(struct.unpack_from("=IiQ", data)[1:] + (data[16:],)))
+        patch = mock.patch(
+            "os.write",
+            lambda fd, data: self.replies.append(struct.unpack_from("=IiQ", data)[1:] + (data[16:],)),
+        )
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -443,8 +474,14 @@ class Served(Case):
             self.ask(9, wire.INTERRUPT, struct.pack("=Q", 10))
             self.root.file.gate.done()
             await settle()
-            self.assertEqual(self.root.file.stored, [f"{what} {number}" for number in range(10, 15) for what in ("begin", "end")])
-            self.assertEqual(self.replies, [(-errno.EINTR, 10, b"")] + [(0, number, wire.written(3)) for number in range(11, 15)])
+            self.assertEqual(
+                self.root.file.stored,
+                [f"{what} {number}" for number in range(10, 15) for what in ("begin", "end")],
+            )
+            self.assertEqual(
+                self.replies,
+                [(-errno.EINTR, 10, b"")] + [(0, number, wire.written(3)) for number in range(11, 15)],
+            )
             self.assertEqual(self.mount._changes, {})
         self.run_in_group(check)
 
@@ -517,9 +554,18 @@ class Failures(unittest.TestCase):
             mount.hear(notes.NOTE, "polled")
             mount.hear(notes.FAILURE, errors.Failed("port", "gone\n"))
             mount.fail(ValueError("a bug"))
-            self.assertEqual(list(mount.errors), ["polled\n", "port: gone\\x0a\n", "internal error: ValueError: a bug\n"])
-            self.assertEqual(heard, [(notes.DETAIL, "deleted"), (notes.NOTE, "polled"), (notes.FAILURE, "port: gone\\x0a"),
-                                     (notes.FAILURE, "internal error: ValueError: a bug")])
+            self.assertEqual(
+                list(mount.errors), ["polled\n", "port: gone\\x0a\n", "internal error: ValueError: a bug\n"]
+            )
+            self.assertEqual(
+                heard,
+                [
+                    (notes.DETAIL, "deleted"),
+                    (notes.NOTE, "polled"),
+                    (notes.FAILURE, "port: gone\\x0a"),
+                    (notes.FAILURE, "internal error: ValueError: a bug"),
+                ],
+            )
         loop.run(check())
 
 

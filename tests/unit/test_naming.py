@@ -1,4 +1,6 @@
-"""What name servers hold, by its references, and what they refuse: if this fails, a command asks the wrong objects, or none."""
+"""What name servers hold, by its references, and what they refuse: if this fails, a command asks the wrong
+objects, or none.
+"""
 import unittest
 from unittest import mock
 
@@ -39,7 +41,9 @@ class Unbinding(unittest.TestCase):
 class Listing(unittest.TestCase):
     def failure(self, refusal):
         server = node.Node(path.parse("/localhost"), "server", None)
-        with mock.patch.object(node.Node, "call", Server(refusal).call), self.assertRaises(errors.Error) as caught:
+        with mock.patch.object(node.Node, "call", Server(refusal).call), self.assertRaises(
+            errors.Error
+        ) as caught:
             loop.run(node.bound(server))
         return type(caught.exception)
 
@@ -62,17 +66,29 @@ class Kinds(unittest.TestCase):
             return node.classified(path.parse("/localhost/" + name), "reference", is_context).kind
 
     def test_by_type(self):
-        for type_id, kind in (("omg.org/CosNaming/NamingContext", "directory"), ("omg.org/CosNaming/NamingContextExt", "directory"),
-                              ("openrtm.aist.go.jp/OpenRTM/DataFlowComponent", "component"), ("omg.org/RTC/RTObject", "component"),
-                              ("RTM/Manager", "manager"), ("omg.org/CosEventChannelAdmin/EventChannel", "unknown")):
+        for type_id, kind in (
+            ("omg.org/CosNaming/NamingContext", "directory"),
+            ("omg.org/CosNaming/NamingContextExt", "directory"),
+            ("openrtm.aist.go.jp/OpenRTM/DataFlowComponent", "component"),
+            ("omg.org/RTC/RTObject", "component"),
+            ("RTM/Manager", "manager"),
+            ("omg.org/CosEventChannelAdmin/EventChannel", "unknown"),
+        ):
             self.assertEqual(self.kind("x.y", "IDL:%s:1.0" % type_id), kind)
 
     def test_by_name_where_the_type_does_not_say(self):
-        self.assertEqual([self.kind(name, "IDL:Own:1.0") for name in ("a.rtc", "a.mgr", "a.obj")], ["unsure", "unsure", "unknown"])
-        self.assertEqual((self.kind("a.obj", ""), self.kind("a.obj", "", is_context=True)), ("unsure", "directory"))
+        self.assertEqual(
+            [self.kind(name, "IDL:Own:1.0") for name in ("a.rtc", "a.mgr", "a.obj")],
+            ["unsure", "unsure", "unknown"],
+        )
+        self.assertEqual(
+            (self.kind("a.obj", ""), self.kind("a.obj", "", is_context=True)), ("unsure", "directory")
+        )
 
     def test_the_names_of_roots(self):
-        self.assertEqual([node.Node(path.parse(word), "root").name for word in ("/", "/localhost")], ["/", "localhost"])
+        self.assertEqual(
+            [node.Node(path.parse(word), "root").name for word in ("/", "/localhost")], ["/", "localhost"]
+        )
 
 
 if __name__ == "__main__":

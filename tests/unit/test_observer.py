@@ -1,4 +1,6 @@
-"""What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or the wrong ones."""
+"""What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or
+the wrong ones.
+"""
 import time
 import unittest
 from unittest import mock
@@ -29,9 +31,14 @@ class Hints(unittest.TestCase):
 
     def test_configuration(self):
         """With a blank, and words of its own."""
-        for word, ours in (("UPDATE_CONFIG_SET", "UPDATE_SET"), ("UPDATE_CONFIG_PARAM", "UPDATE_PARAM"),
-                           ("SET_CONFIG_SET", "SET_SET"), ("ADD_CONFIG_SET", "ADD_SET"), ("REMOVE_CONFIG_SET", "REMOVE_SET"),
-                           ("ACTIVATE_CONFIG_SET", "ACTIVATE_SET")):
+        for word, ours in (
+            ("UPDATE_CONFIG_SET", "UPDATE_SET"),
+            ("UPDATE_CONFIG_PARAM", "UPDATE_PARAM"),
+            ("SET_CONFIG_SET", "SET_SET"),
+            ("ADD_CONFIG_SET", "ADD_SET"),
+            ("REMOVE_CONFIG_SET", "REMOVE_SET"),
+            ("ACTIVATE_CONFIG_SET", "ACTIVATE_SET"),
+        ):
             self.check("CONFIGURATION", word + ": default", "CONFIG_EVENT", "default", "CFG_" + ours)
         self.check("CONFIGURATION", "NEWS: x", "CONFIG_EVENT", "x", "NEWS")
 
@@ -48,8 +55,14 @@ class Names(unittest.TestCase):
     def names(self, *paths):
         """What lines of these components begin with; None for one that is not there."""
         async def on_components(wanted, begin):
-            return [await begin(mock.Mock(path=each, endpoint=("h", 1))) if each.names else errors.NotFound(str(each))
-                    for each in wanted]
+            return [
+                (
+                    await begin(mock.Mock(path=each, endpoint=("h", 1)))
+                    if each.names
+                    else errors.NotFound(str(each))
+                )
+                for each in wanted
+            ]
 
         async def begin(watched, node):
             watched.node = node
@@ -57,7 +70,9 @@ class Names(unittest.TestCase):
         async def start():
             async with watch.Watch(watch.Events(watch.KINDS)) as watching:
                 return await watching.start([path.parse(each) for each in paths])
-        with mock.patch.object(watch.tree, "on_components", on_components), mock.patch.object(watch.Watched, "begin", begin):
+        with mock.patch.object(watch.tree, "on_components", on_components), mock.patch.object(
+            watch.Watched, "begin", begin
+        ):
             return [getattr(result, "name", None) for result in loop.run(start())]
 
     def test_those_that_share_one_are_called_by_their_paths(self):
@@ -98,7 +113,9 @@ class Waiting(unittest.TestCase):
 
 class Ending(unittest.TestCase):
     def end(self, detach, endpoints, silent=()):
-        """End a watch of components in these processes, of which some are known to be silent, as Ctrl-C does; returns what is noted."""
+        """End a watch of components in these processes, of which some are known to be silent, as Ctrl-C does;
+        returns what is noted.
+        """
         notes, session = [], Session(60)
         session.silent.update((endpoint, (time.monotonic(), "no answer within 60s")) for endpoint in silent)
 
@@ -106,7 +123,9 @@ class Ending(unittest.TestCase):
             async with watch.Watch(watch.Events(watch.KINDS), notes.append) as watching:
                 for endpoint in endpoints:
                     node = mock.Mock(endpoint=endpoint)
-                    watching.subscriptions.append(mock.Mock(node=node, where="/h", detach=lambda node=node: detach(node)))
+                    watching.subscriptions.append(
+                        mock.Mock(node=node, where="/h", detach=lambda node=node: detach(node))
+                    )
                 raise KeyboardInterrupt
         with self.assertRaises(KeyboardInterrupt):
             loop.run(watched(), session=session)

@@ -15,7 +15,9 @@ from rtshell_lite.net import loop
 
 class Missing(unittest.TestCase):
     def test_omniorb_that_is_not_installed_has_no_version(self):
-        with mock.patch.dict(sys.modules, {"omniORB": None}), mock.patch.dict("os.environ", {"RTSHELL_ORB": "omniorb"}), \
+        with mock.patch.dict(sys.modules, {"omniORB": None}), mock.patch.dict("os.environ", {"RTSHELL_ORB": (
+            "omniorb"
+        )}), \
                 self.assertRaises(errors.MissingOmniORB):
             orb.version()
 
@@ -26,10 +28,19 @@ class Failures(unittest.TestCase):
         from omniORB import CORBA
         raised = getattr(CORBA, failure)(0, CORBA.COMPLETED_NO)
         address = mock.Mock(return_value=("IDL:x:1.0", "robot", 1, b"x"))
-        with mock.patch.object(omniorb.answers, "invoke", side_effect=raised), mock.patch.object(omniORB, "setClientCallTimeout"), \
-                mock.patch.object(omniorb, "address", address), mock.patch.object(omniorb, "_deadline", 3.0), \
-                mock.patch.object(orb, "_orb", omniorb), self.assertRaises(errors.Error) as caught:
-            loop.run(orb.call("/robot/a.rtc", mock.Mock(), "get_profile", seconds=seconds), session=session.Session(3.0))
+        with mock.patch.object(omniorb.answers, "invoke", side_effect=raised), mock.patch.object(
+            omniORB, "setClientCallTimeout"
+        ), mock.patch.object(omniorb, "address", address), mock.patch.object(
+            omniorb, "_deadline", 3.0
+        ), mock.patch.object(
+            orb, "_orb", omniorb
+        ), self.assertRaises(
+            errors.Error
+        ) as caught:
+            loop.run(
+                orb.call("/robot/a.rtc", mock.Mock(), "get_profile", seconds=seconds),
+                session=session.Session(3.0),
+            )
         return str(caught.exception)
 
     def test_silence_is_as_long_as_was_waited(self):
@@ -37,11 +48,13 @@ class Failures(unittest.TestCase):
             self.assertEqual(self.reason("TIMEOUT", seconds), "/robot/a.rtc: no answer within " + waited)
 
     def test_nothing_is_asked_of_nothing(self):
-        with self.assertRaisesRegex(errors.Garbled, "^/robot/a.rtc: garbled answer .nothing in place of the object that has get_profile"):
+        with self.assertRaisesRegex(errors.Garbled, "^/robot/a.rtc: garbled answer .nothing in place of "
+                                                    "the object that has get_profile"):
             loop.run(orb.call("/robot/a.rtc", None, "get_profile"))
 
     def test_kinds(self):
-        self.assertEqual(self.reason("OBJECT_NOT_EXIST"), "/robot/a.rtc: zombie (the name is bound, but its object is gone)")
+        self.assertEqual(self.reason("OBJECT_NOT_EXIST"), "/robot/a.rtc: zombie (the name is bound, but "
+                                                          "its object is gone)")
         self.assertEqual(self.reason("COMM_FAILURE"), "/robot/a.rtc: connection lost")
         self.assertIn("cannot be reached now (CORBA.TRANSIENT", self.reason("TRANSIENT"))
         for failure in ("MARSHAL", "INV_OBJREF"):

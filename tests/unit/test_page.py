@@ -1,4 +1,6 @@
-"""Pages of systems, without a browser: if this fails, a page says what is not so, or lets a system's texts become markup."""
+"""Pages of systems, without a browser: if this fails, a page says what is not so, or lets a system's texts
+become markup.
+"""
 import base64
 import hashlib
 import json
@@ -16,9 +18,12 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 WEB = os.path.join(ROOT, "rtshell_lite", "views", "web")
 LONGEST = 700  # lines of the scripts
 # What would read text as markup or as a script, or ask for something from elsewhere.
-DANGEROUS = (r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\b|Function\(|fetch|XMLHttp|import|WebSocket|href|"
-             r"src\b(?!: `data:)")
-YOUNG = r"\?\.\w|\?\?|replaceAll|replaceChildren|Object\.fromEntries|\.flat\b|structuredClone|#\w+ ?="  # of after 2018
+DANGEROUS = (
+    r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\b|Function\(|fetch|XMLHttp|import|WebSocket|href|"  # noqa: E501
+    r"src\b(?!: `data:)"
+)
+# of after 2018
+YOUNG = r"\?\.\w|\?\?|replaceAll|replaceChildren|Object\.fromEntries|\.flat\b|structuredClone|#\w+ ?="
 
 
 def read(name):
@@ -28,7 +33,9 @@ def read(name):
 
 def data_of(html):
     """The JSON in a page."""
-    data = json.loads(re.search(r'<script type="application/json" id="system">([^<]*)</script>', html).group(1))
+    data = json.loads(
+        re.search(r'<script type="application/json" id="system">([^<]*)</script>', html).group(1)
+    )
     data["rows"] = [[data["pairs"][pair] for pair in rows] for rows in data["rows"]]
     return data
 
@@ -48,7 +55,9 @@ class Data(unittest.TestCase):
     def test_what_is_in_it(self):
         profile = large_robots.profile(8)
         data = data_of(page_of(profile, large_robots.picture(profile, {2})))
-        self.assertEqual([box["name"] for box in data["boxes"]], [each.instance_name for each in profile.components])
+        self.assertEqual(
+            [box["name"] for box in data["boxes"]], [each.instance_name for each in profile.components]
+        )
         self.assertEqual([box["state"] for box in data["boxes"]].count("Error"), 1)
         box = data["boxes"][2]
         self.assertEqual(box["path"], "/localhost/robot2.host_cxt/group0/Filter2.rtc")
@@ -62,7 +71,9 @@ class Data(unittest.TestCase):
         for made, connector in zip(data["connections"], profile.connectors):
             self.assertEqual([data["boxes"][number]["name"] for number, _ in made["ends"]],
                              [end.instance_name for end in connector.ends])
-            self.assertEqual([port for _, port in made["ends"]], [end.port_name.split(".")[1] for end in connector.ends])
+            self.assertEqual(
+                [port for _, port in made["ends"]], [end.port_name.split(".")[1] for end in connector.ends]
+            )
             self.assertIn(["dataport.buffer.length", "8"], data["rows"][made["rows"]])
 
     def test_a_part_has_what_connects_it(self):

@@ -1,4 +1,6 @@
-"""Pages of systems in a real browser, a headless Chromium: if one of these fails, a person sees or does something wrong there."""
+"""Pages of systems in a real browser, a headless Chromium: if one of these fails, a person sees or does
+something wrong there.
+"""
 import base64
 import os
 import re
@@ -23,8 +25,10 @@ LIST = "[...document.querySelectorAll('#list button')].map(each => each.textCont
 NAMES = "[...document.querySelectorAll('.box .name')].map(each => each.textContent)"
 DETAILS = "document.getElementById('details').textContent"
 # tries what a picture may not do
-SVG = (b'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20" onload="parent.owned=1"><script>parent.owned=1</script>'
-       b'<rect width="40" height="20"/></svg>')
+SVG = (
+    b'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20" onload="parent.owned=1"><script>parent.owned=1</script>'  # noqa: E501
+    b'<rect width="40" height="20"/></svg>'
+)
 
 
 def setUpModule():
@@ -54,10 +58,13 @@ def write(name, profile, picture):
 
 class Pages(unittest.TestCase):
     def open(self, name, **view):
-        """The page of that name; at the end of the test it must have complained of nothing and asked nobody."""
+        """The page of that name; at the end of the test it must have complained of nothing and asked nobody.
+        """
         address = os.path.join(self.directory, name + ".html")
         shown = self.browser.open(address, **view)
-        self.addCleanup(lambda: self.assertEqual((shown.complaints(), shown.requests()), ([], ["file://" + address])))
+        self.addCleanup(
+            lambda: self.assertEqual((shown.complaints(), shown.requests()), ([], ["file://" + address]))
+        )
         return shown
 
     def click(self, shown, words, within="#details"):
@@ -69,16 +76,19 @@ class Pages(unittest.TestCase):
     def point(self, shown, find):
         """Click into the middle of an element that an expression gives."""
         shown.run("window.found = %s; found.scrollIntoView({block: 'center', inline: 'center'})" % find)
-        x, y = shown.run("(({left, top, width, height}) => [left + width / 2, top + height / 2])(found.getBoundingClientRect())")
+        x, y = shown.run("(({left, top, width, height}) => [left + width / 2, top + height / "
+                         "2])(found.getBoundingClientRect())")
         shown.click(x, y)
 
     def box(self, name):
         """An expression for the box of that name on the map."""
-        return ("[...document.querySelectorAll('.box')].find(each => each.querySelector('.name').textContent === %s)"
+        return ("[...document.querySelectorAll('.box')].find(each => "
+                "each.querySelector('.name').textContent === %s)"
                 % page_file.as_json(name))
 
     def choose(self, shown, name, value):
-        shown.run("{const chosen = document.getElementById('%s'); chosen.value = '%s'; chosen.dispatchEvent(new Event('change'))}"
+        shown.run("{const chosen = document.getElementById('%s'); chosen.value = '%s'; "
+                  "chosen.dispatchEvent(new Event('change'))}"
                   % (name, value))
 
     def names(self, numbers, profile):
@@ -96,7 +106,8 @@ class Map(Pages):
         for name, components in (("middle", 120), ("large", 1000)):
             shown = self.open(name)
             self.assertLessEqual(shown.run("document.querySelectorAll('.box').length"), part.MOST)
-            words = shown.run("[...document.querySelectorAll('.box')].map(each => each.getAttribute('aria-label'))")
+            words = shown.run("[...document.querySelectorAll('.box')].map(each => "
+                              "each.getAttribute('aria-label'))")
             sizes = [re.search(r", (\d+) components", each) for each in words]
             self.assertEqual(sum(int(size.group(1)) if size else 1 for size in sizes), components)
 
@@ -105,7 +116,8 @@ class Map(Pages):
         for name, kind in (("small", "auto"), ("middle", "auto"), ("middle", "none"), ("large", "process")):
             shown = self.open(name)
             self.choose(shown, "kind", kind)
-            self.assertEqual(shown.run("""(() => {
+            self.assertEqual(
+                shown.run("""(() => {
                 const boxes = [...document.querySelectorAll('.box rect')].map((each) => each.getBBox());
                 const {width, height} = document.querySelector('svg').viewBox.baseVal;
                 const outside = [...document.querySelectorAll('.box, .line')].map((each) => each.getBBox()).filter(
@@ -113,7 +125,10 @@ class Map(Pages):
                 const over = boxes.filter((one, place) => boxes.some((other, at) => at > place && one.x < other.x + other.width &&
                     other.x < one.x + one.width && one.y < other.y + other.height && other.y < one.y + one.height));
                 return outside.length + over.length;
-                })()"""), 0, (name, kind))
+                })()"""),  # noqa: E501
+                0,
+                (name, kind),
+            )
 
     def test_open_and_fold(self):
         shown = self.open("middle")
@@ -135,8 +150,11 @@ class Map(Pages):
         shown.run("document.getElementById('broken').click()")
         self.choose(shown, "kind", "none")
         picture = graph.of(self.large)
-        self.assertEqual(sorted(shown.run(NAMES)), self.names(part.neighbours(picture, {3, 5, 500, 997}), self.large))
-        broken = shown.run("[...document.querySelectorAll('.box.broken .name')].map(each => each.textContent)")
+        self.assertEqual(
+            sorted(shown.run(NAMES)), self.names(part.neighbours(picture, {3, 5, 500, 997}), self.large)
+        )
+        broken = shown.run("[...document.querySelectorAll('.box.broken .name')].map(each => "
+                           "each.textContent)")
         self.assertEqual(sorted(broken), self.names({3, 5, 500, 997}, self.large))
 
     def test_around(self):
@@ -168,8 +186,10 @@ class Search(Pages):
         shown = self.open("large")
         shown.press("/")
         shown.type("motor99")
-        self.assertEqual(sorted(each.split()[1] for each in shown.run(LIST)),
-                         sorted(each.instance_name for each in self.large.components if "Motor99" in each.instance_name))
+        self.assertEqual(
+            sorted(each.split()[1] for each in shown.run(LIST)),
+            sorted(each.instance_name for each in self.large.components if "Motor99" in each.instance_name),
+        )
         dim = shown.run("document.querySelectorAll('.box.dim').length")
         self.assertTrue(0 < dim < shown.run("document.querySelectorAll('.box').length"))
         shown.press("Enter", "\r")
@@ -178,8 +198,15 @@ class Search(Pages):
 
     def test_values_and_states(self):
         shown = self.open("middle")
-        for words, count in (("error", 3), ("192.0.2.1:40001", 7), ("group16", 7), ("gain perception", 30), ("nothing of this", 0)):
-            shown.run("document.getElementById('search').value = ''; document.getElementById('search').focus()")
+        for words, count in (
+            ("error", 3),
+            ("192.0.2.1:40001", 7),
+            ("group16", 7),
+            ("gain perception", 30),
+            ("nothing of this", 0),
+        ):
+            shown.run("document.getElementById('search').value = ''; "
+                      "document.getElementById('search').focus()")
             shown.type(words)
             self.assertEqual(len(shown.run(LIST)), count, words)
 
@@ -195,7 +222,13 @@ class Details(Pages):
         shown = self.open("small")
         self.point(shown, self.box("Filter2"))
         found = shown.run(DETAILS)
-        for words in ("/localhost/robot2.host_cxt/group0/Filter2.rtc", "Error", "perception", "gain", "Configuration set fast"):
+        for words in (
+            "/localhost/robot2.host_cxt/group0/Filter2.rtc",
+            "Error",
+            "perception",
+            "gain",
+            "Configuration set fast",
+        ):
             self.assertIn(words, found)
         connector = next(each for each in self.small.connectors if "Filter2" in each.name)
         for words in (connector.connector_id, "dataport.buffer.length"):
@@ -254,7 +287,11 @@ class Everybody(Pages):
         shown = self.open("middle")
         shown.run("select(5)")
         nodes = shown.call("Accessibility.getFullAXTree")["nodes"]
-        controls = [node for node in nodes if node["role"]["value"] in ("button", "textbox", "searchbox", "checkbox", "combobox")]
+        controls = [
+            node
+            for node in nodes
+            if node["role"]["value"] in ("button", "textbox", "searchbox", "checkbox", "combobox")
+        ]
         self.assertGreater(len(controls), 50)
         self.assertEqual([node for node in controls if not node["name"].get("value", "").strip()], [])
 
@@ -274,7 +311,10 @@ class Everybody(Pages):
         self.assertIn("Controller5", shown.run(DETAILS))
 
     def test_dark(self):
-        colours = {self.open("small", dark=dark).run("getComputedStyle(document.body).backgroundColor") for dark in (False, True)}
+        colours = {
+            self.open("small", dark=dark).run("getComputedStyle(document.body).backgroundColor")
+            for dark in (False, True)
+        }
         self.assertEqual(len(colours), 2)
 
 
@@ -292,14 +332,19 @@ class Hostile(Pages):
             shown.run("select(%d)" % number)
             self.assertIn("<script>window.owned=1</script>", shown.run(DETAILS))
         shown.run("clear()")
-        self.assertEqual(shown.run("[typeof window.owned, document.querySelectorAll('script').length, document.images.length]"),
+        self.assertEqual(shown.run("[typeof window.owned, document.querySelectorAll('script').length, "
+                                   "document.images.length]"),
                          ["undefined", 2, 0])
         self.assertEqual(shown.run("document.querySelectorAll('b').length"), 1)  # our own, in the header
 
     def test_report(self):
         """Of rtdoctor: with a plot, sections, and a hostile log's name."""
-        found = [Finding("fail", "reference", large_robots.MARKUP, large_robots.MARKUP, "rtdel " + large_robots.MARKUP),
-                 Finding("ok", "host name", "here", "all is well", "")]
+        found = [
+            Finding(
+                "fail", "reference", large_robots.MARKUP, large_robots.MARKUP, "rtdel " + large_robots.MARKUP
+            ),
+            Finding("ok", "host name", "here", "all is well", ""),
+        ]
         log = os.path.join(self.directory, "a<b>.csv")
         with mock.patch.object(report, "_plot", return_value=base64.b64encode(SVG).decode()):
             html = report.html(None, found, large_robots.MARKUP, log)
@@ -310,10 +355,16 @@ class Hostile(Pages):
         for words in ("It contains the findings", "Routes", "Max open files", "<script>window.owned=1"):
             self.assertIn(words, shown.run(DETAILS))
         self.assertNotIn("all is well", shown.run(DETAILS))
-        self.assertEqual(shown.run("document.images[0].decode().then(() => document.images[0].naturalWidth)"), 40)
-        self.assertEqual(shown.run("[typeof window.owned, document.querySelectorAll('script').length]"), ["undefined", 2])
+        self.assertEqual(
+            shown.run("document.images[0].decode().then(() => document.images[0].naturalWidth)"), 40
+        )
+        self.assertEqual(
+            shown.run("[typeof window.owned, document.querySelectorAll('script').length]"), ["undefined", 2]
+        )
         self.assertEqual(shown.complaints(), [])
-        self.assertEqual([each for each in shown.requests() if not each.startswith("data:image/svg")], [address])
+        self.assertEqual(
+            [each for each in shown.requests() if not each.startswith("data:image/svg")], [address]
+        )
 
 
 if __name__ == "__main__":

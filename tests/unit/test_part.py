@@ -1,4 +1,5 @@
-"""Parts and groups of pictures: if this fails, rtstodot draws another part of a system than it was asked for."""
+"""Parts and groups of pictures: if this fails, rtstodot draws another part of a system than it was asked for.
+"""
 import random
 import unittest
 
@@ -41,7 +42,12 @@ class Parts(unittest.TestCase):
 
     def test_below_a_path(self):
         found = picture(["a.host_cxt/X", "a.host_cxt/b.cxt/Y", "ab.host_cxt/Z"])
-        for word, wanted in (("/h", {0, 1, 2}), ("/h/a.host_cxt", {0, 1}), ("/h/a.host_cxt/b.cxt/Y.rtc", {1}), ("/h2", set())):
+        for word, wanted in (
+            ("/h", {0, 1, 2}),
+            ("/h/a.host_cxt", {0, 1}),
+            ("/h/a.host_cxt/b.cxt/Y.rtc", {1}),
+            ("/h2", set()),
+        ):
             self.assertEqual(part.below(found, [path.parse(word)]), wanted, word)
 
     def test_by_name_or_path(self):
@@ -53,20 +59,34 @@ class Parts(unittest.TestCase):
         profile = model.RtsProfile(components=[test_graph.component("M0"), test_graph.component("M1"),
                                                test_graph.component("Comp", ["M0", "M1"])])
         found = part.keep(graph.of(profile), {1, 2})
-        self.assertEqual([(box.name, box.members, box.composite) for box in found.boxes], [("M1", [], 1), ("Comp", [0], None)])
+        self.assertEqual(
+            [(box.name, box.members, box.composite) for box in found.boxes],
+            [("M1", [], 1), ("Comp", [0], None)],
+        )
         self.assertEqual(found.tops, [1])
 
 
 class Groups(unittest.TestCase):
     def setUp(self):
-        self.found = picture(["a.host_cxt/X0", "a.host_cxt/X1", "b.host_cxt/Y0", "b.host_cxt/Y1", "c.host_cxt/Z0"],
-                             (0, 1), (0, 2), (1, 2), (0, 3), (2, 4), (3, 4), (4, 0),
-                             states=["Active", "Active", "Error", "Active", "Inactive"])
+        self.found = picture(
+            ["a.host_cxt/X0", "a.host_cxt/X1", "b.host_cxt/Y0", "b.host_cxt/Y1", "c.host_cxt/Z0"],
+            (0, 1),
+            (0, 2),
+            (1, 2),
+            (0, 3),
+            (2, 4),
+            (3, 4),
+            (4, 0),
+            states=["Active", "Active", "Error", "Active", "Inactive"],
+        )
 
     def test_a_group_is_one_box_and_parallel_connections_one_line(self):
         folded = part.fold(self.found, "directory")
         self.assertEqual(names(folded), ["/h/a.host_cxt", "/h/b.host_cxt", "Z0"])
-        self.assertEqual(sorted(ends(folded)), [("/h/a.host_cxt", "/h/b.host_cxt"), ("/h/b.host_cxt", "Z0"), ("Z0", "/h/a.host_cxt")])
+        self.assertEqual(
+            sorted(ends(folded)),
+            [("/h/a.host_cxt", "/h/b.host_cxt"), ("/h/b.host_cxt", "Z0"), ("Z0", "/h/a.host_cxt")],
+        )
         self.assertEqual([box.state for box in folded.boxes], ["Active", "Error", "Inactive"])
         self.assertEqual(graph.heads(folded, 1), ["/h/b.host_cxt", "2 components", "1 Active, 1 Error"])
         self.assertIn(" from /h/a.host_cxt ×3 ", "\n".join(graph_text.lines(folded)))
@@ -84,8 +104,14 @@ class Groups(unittest.TestCase):
             box.process = process
         self.assertEqual(names(part.fold(self.found, "process")), ["X0", "h:2", "Z0"])
         self.assertEqual(part.groups(self.found, "process"), ["h:2"])
-        profile = model.RtsProfile(components=[test_graph.component("M0"), test_graph.component("In", ["M0"]),
-                                               test_graph.component("Out", ["In"]), test_graph.component("Else")])
+        profile = model.RtsProfile(
+            components=[
+                test_graph.component("M0"),
+                test_graph.component("In", ["M0"]),
+                test_graph.component("Out", ["In"]),
+                test_graph.component("Else"),
+            ]
+        )
         self.assertEqual(names(part.fold(graph.of(profile), "composite")), ["Out", "Else"])
 
     def test_the_finest_kind_that_can_be_overlooked(self):
@@ -99,9 +125,14 @@ class Groups(unittest.TestCase):
         for _ in range(60):
             count = chance.randint(1, 30)
             places = ["d%d.host_cxt/C%d" % (chance.randrange(4), number) for number in range(count)]
-            found = picture(places, *[(chance.randrange(count), chance.randrange(count)) for _ in range(chance.randrange(40))])
+            found = picture(
+                places,
+                *[(chance.randrange(count), chance.randrange(count)) for _ in range(chance.randrange(40))]
+            )
             folded = part.fold(found, chance.choice(part.KINDS))
-            self.assertEqual(sum(sum(box.counts.values()) if box.counts else 1 for box in folded.boxes), count)
+            self.assertEqual(
+                sum(sum(box.counts.values()) if box.counts else 1 for box in folded.boxes), count
+            )
             self.assertEqual(len(set(names(folded))), len(folded.boxes))
             for edge in folded.edges:
                 self.assertIn(edge[1], folded.boxes[edge[0]].right + folded.boxes[edge[0]].left)

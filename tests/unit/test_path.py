@@ -11,7 +11,9 @@ PIECES = "ab./:\\e x\x1b\udcff日\n*\u3164\u0301\ufe0f"
 
 class Parsing(unittest.TestCase):
     def setUp(self):
-        self.addCleanup(os.environ.update, {name: os.environ.pop(name) for name in ["RTCSH_CWD"] if name in os.environ})
+        self.addCleanup(
+            os.environ.update, {name: os.environ.pop(name) for name in ["RTCSH_CWD"] if name in os.environ}
+        )
 
     def check(self, typed, expected, cwd="/"):
         self.assertEqual(str(parse(typed, cwd)), expected)
@@ -68,7 +70,17 @@ class Parsing(unittest.TestCase):
         self.assertFalse(parse("/h/a").directory)
 
     def test_malformed_paths_are_refused_before_any_network(self):
-        for typed in ("/h/a:b:c", "/h/a:", "/h/a.rtc:in/", "/h:x/a", "/:1/a", "/h:0", "/h:65536", "/h/\\q", "/h/a\\"):
+        for typed in (
+            "/h/a:b:c",
+            "/h/a:",
+            "/h/a.rtc:in/",
+            "/h:x/a",
+            "/:1/a",
+            "/h:0",
+            "/h:65536",
+            "/h/\\q",
+            "/h/a\\",
+        ):
             with self.assertRaises(errors.BadPath, msg=typed) as caught:
                 parse(typed, "/")
             self.assertEqual(caught.exception.status, 2)

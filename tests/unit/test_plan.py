@@ -1,4 +1,6 @@
-"""Plans of starting and stopping, without components: if this fails, systems start in another order than their files say."""
+"""Plans of starting and stopping, without components: if this fails, systems start in another order than
+their files say.
+"""
 import heapq
 import os
 import random
@@ -16,10 +18,18 @@ PART = 2  # a short run takes one in PART of its tests
 
 def component(name, required=True, contexts=("0",), members=(), type_name="T"):
     return model.Component(
-        id="RTC:A:b:%s:1" % type_name, path_uri="h/%s.rtc" % name, instance_name=name, is_required=required,
+        id="RTC:A:b:%s:1" % type_name,
+        path_uri="h/%s.rtc" % name,
+        instance_name=name,
+        is_required=required,
         execution_contexts=[model.ExecutionContext(id=context) for context in contexts],
-        participants=[model.Participant(component=model.TargetComponent(component_id="RTC:A:b:T:1", instance_name=member))
-                      for member in members])
+        participants=[
+            model.Participant(
+                component=model.TargetComponent(component_id="RTC:A:b:T:1", instance_name=member)
+            )
+            for member in members
+        ],
+    )
 
 
 def target(name, context="0", **more):
@@ -60,7 +70,9 @@ class Making(unittest.TestCase):
         self.assertEqual(str(caught.exception), "a.xml: Activation: " + message)
 
     def test_without_conditions(self):
-        self.assertEqual(plan.lines(plan.make(model.RtsProfile(), "activation", "a.xml").actions, "Activate"), [""])
+        self.assertEqual(
+            plan.lines(plan.make(model.RtsProfile(), "activation", "a.xml").actions, "Activate"), [""]
+        )
         two = [component("A", False), component("B", contexts=("0", "1")), component("C", contexts=())]
         bare = model.RtsProfile(components=two)
         self.assertEqual(plan.lines(plan.make(bare, "activation", "a.xml").actions, "Activate"), [
@@ -73,18 +85,33 @@ class Making(unittest.TestCase):
             "{2} Deactivate /h/B.rtc in execution context 0",
             "{3} Deactivate /h/B.rtc in execution context 1",
             "{4} Deactivate /h/C.rtc in execution context 0"])
-        self.assertEqual(plan.checks(bare), [
-            'Check for required component "RTC:A:b:T:1", "%s" at path /h/%s.rtc (Required)' % (name, name) for name in "BC"])
+        self.assertEqual(
+            plan.checks(bare),
+            [
+                'Check for required component "RTC:A:b:T:1", "%s" at path /h/%s.rtc (Required)' % (name, name)
+                for name in "BC"
+            ],
+        )
 
     def test_form_of_conditions(self):
-        self.assertEqual(self.lines(
-            "ABCDE", after("A", "B", sequence=3, sync=True), after("A", "C", sequence=3), wait("B", 500, 2), order("D", 7),
-            after("E", sequence=8)), [
-            "{3} Activate /h/C.rtc in execution context 0 (Required)",
-            "{4} [Order 7] Activate /h/D.rtc in execution context 0 (Required)",
-            "{5} [Order 8] Activate /h/E.rtc in execution context 0 (Required)",
-            "{2} [Order 2/Wait 500ms] Activate /h/B.rtc in execution context 0 (Required)",
-            "{1} [Order 3/Sync to B, Order 3/After C's action] Activate /h/A.rtc in execution context 0 (Required)"])
+        self.assertEqual(
+            self.lines(
+                "ABCDE",
+                after("A", "B", sequence=3, sync=True),
+                after("A", "C", sequence=3),
+                wait("B", 500, 2),
+                order("D", 7),
+                after("E", sequence=8),
+            ),
+            [
+                "{3} Activate /h/C.rtc in execution context 0 (Required)",
+                "{4} [Order 7] Activate /h/D.rtc in execution context 0 (Required)",
+                "{5} [Order 8] Activate /h/E.rtc in execution context 0 (Required)",
+                "{2} [Order 2/Wait 500ms] Activate /h/B.rtc in execution context 0 (Required)",
+                "{1} [Order 3/Sync to B, Order 3/After C's action] Activate /h/A.rtc in execution context 0 "
+                "(Required)",
+            ],
+        )
 
     def test_a_composite_before_its_members(self):
         lines = self.lines([component("A"), component("C", members=["A"]), component("B")])
@@ -95,35 +122,48 @@ class Making(unittest.TestCase):
         self.assertEqual([line[:3] for line in lines if "Order 4" in line], ["{1}", "{2}"])
 
     def test_names_of_contexts_and_targets(self):
-        lines = self.lines([component("A", contexts=("Ec1", ""))], order("A", 4, context="Ec1"), order("A", 5, context="1"))
+        lines = self.lines(
+            [component("A", contexts=("Ec1", ""))], order("A", 4, context="Ec1"), order("A", 5, context="1")
+        )
         self.assertEqual([line.split(" Activate")[0] for line in lines], ["{1} [Order 4]", "{2} [Order 5]"])
 
     def test_the_property_tells_which(self):
         twins = [component("A"), component("A")]
         twins[1].path_uri = "other/A.rtc"
-        self.refused("A (RTC:A:b:T:1) may be /h/A.rtc or /other/A.rtc (the property COMPONENT_PATH_ID decides)",
+        self.refused("A (RTC:A:b:T:1) may be /h/A.rtc or /other/A.rtc (the property COMPONENT_PATH_ID "
+                     "decides)",
                      twins, order("A"))
         condition = order("A")
         condition.target.properties = [model.Property(name=capture.PATH_ID, value="other/A.rtc")]
         self.assertEqual([bool(action.texts) for action in make(twins, condition).actions], [False, True])
 
     def test_what_is_not_there(self):
-        self.refused("Ghost (RTC:A:b:T:1) is not in the file; /h/A.rtc has no execution context 7 in the file",
+        self.refused("Ghost (RTC:A:b:T:1) is not in the file; /h/A.rtc has no execution context 7 in the "
+                     "file",
                      "AB", after("A", "Ghost"), order("Ghost"), order("A", context="7"))
 
     def test_contradictions(self):
-        self.refused("/h/A.rtc in execution context 0: Order 1 contradicts Order 2", "A", order("A", 2), order("A", 1))
-        self.refused("/h/A.rtc in execution context 0: Wait 1ms contradicts Wait 2ms", "A", wait("A", 2), wait("A", 1))
-        self.refused("/h/A.rtc in execution context 0: After B's action within 0ms contradicts Sync to B within 5ms", "AB",
+        self.refused(
+            "/h/A.rtc in execution context 0: Order 1 contradicts Order 2", "A", order("A", 2), order("A", 1)
+        )
+        self.refused(
+            "/h/A.rtc in execution context 0: Wait 1ms contradicts Wait 2ms", "A", wait("A", 2), wait("A", 1)
+        )
+        self.refused("/h/A.rtc in execution context 0: After B's action within 0ms contradicts "
+                     "Sync to B within 5ms", "AB",
                      after("A", "B"), after("A", "B", sync=True, timeout=5))
-        self.refused("/h/A.rtc in execution context 0: -2ms is no time; /h/B.rtc in execution context 0: -1ms is no time",
+        self.refused("/h/A.rtc in execution context 0: -2ms is no time; /h/B.rtc in execution context 0: "
+                     "-1ms is no time",
                      "AB", wait("A", -2), after("B", "A", timeout=-1))
 
     def test_said_twice(self):
         made = make("AB", order("A", 2), order("A", 2), after("B", "A"), after("B", "A"))
         self.assertEqual(made.notes, ["/h/A.rtc in execution context 0 has a condition twice: Order 2",
-                                      "/h/B.rtc in execution context 0 has a condition twice: Order 1/After A's action"])
-        self.assertEqual([action.texts for action in made.actions], [("Order 2",), ("Order 1/After A's action",)])
+                                      "/h/B.rtc in execution context 0 has a condition twice: Order "
+                                      "1/After A's action"])
+        self.assertEqual(
+            [action.texts for action in made.actions], [("Order 2",), ("Order 1/After A's action",)]
+        )
 
     def test_required_after_optional(self):
         made = make(["A", component("B", False)], after("A", "B"))
@@ -132,17 +172,28 @@ class Making(unittest.TestCase):
 
     def test_circles(self):
         self.refused("these wait for each other: /h/A.rtc for /h/A.rtc", "A", after("A", "A"))
-        self.refused("these wait for each other: /h/A.rtc for /h/B.rtc for /h/A.rtc; "
-                     "these wait for each other: /h/D.rtc for /h/E.rtc for /h/D.rtc", "ABCDEF",
-                     after("A", "B"), after("B", "A"), after("C", "A"), after("D", "E"), after("E", "D", sync=True),
-                     after("A", "F"))
+        self.refused(
+            "these wait for each other: /h/A.rtc for /h/B.rtc for /h/A.rtc; "
+            "these wait for each other: /h/D.rtc for /h/E.rtc for /h/D.rtc",
+            "ABCDEF",
+            after("A", "B"),
+            after("B", "A"),
+            after("C", "A"),
+            after("D", "E"),
+            after("E", "D", sync=True),
+            after("A", "F"),
+        )
 
     def test_a_long_chain(self):
         names = ["C%d" % number for number in range(3000)]
         made = make(names, *[after(name, other) for name, other in zip(names[1:], names)])
         self.assertEqual(len(made.actions), 3000)
         with self.assertRaises(errors.Failed):
-            make(names, after(names[0], names[-1]), *[after(name, other) for name, other in zip(names[1:], names)])
+            make(
+                names,
+                after(names[0], names[-1]),
+                *[after(name, other) for name, other in zip(names[1:], names)]
+            )
 
     def test_random_circles(self):
         for seed in range(300):
@@ -152,7 +203,9 @@ class Making(unittest.TestCase):
             conditions = [after(name, other, sync=rng.random() < 0.5) for name, other in sorted(edges)]
             reached = set(edges)
             for middle in names:
-                reached |= {(a, b) for a in names for b in names if (a, middle) in reached and (middle, b) in reached}
+                reached |= {
+                    (a, b) for a in names for b in names if (a, middle) in reached and (middle, b) in reached
+                }
             if not any((name, name) in reached for name in names):
                 make(names, *conditions)
                 continue
@@ -216,31 +269,59 @@ class Playing(unittest.TestCase):
         self.assertEqual(play("ABC").started, {"A": 0, "B": 0, "C": 0})
 
     def test_in_order(self):
-        world = play("ABCD", order("A", 5), order("B", 2), order("C", 2), B=(1, plan.DONE), C=(2, plan.ALREADY))
+        world = play(
+            "ABCD", order("A", 5), order("B", 2), order("C", 2), B=(1, plan.DONE), C=(2, plan.ALREADY)
+        )
         self.assertEqual(world.started, {"D": 0, "B": 0.1, "C": 0.1, "A": 2.1})
 
     def test_the_clock_starts_for_those_that_wait(self):
-        world = play("ABCDE", order("A", 9), wait("B", 500), after("C", "A"), after("D", "B", sync=True), after("E", "B"),
-                     B=(1, plan.DONE))
+        world = play(
+            "ABCDE",
+            order("A", 9),
+            wait("B", 500),
+            after("C", "A"),
+            after("D", "B", sync=True),
+            after("E", "B"),
+            B=(1, plan.DONE),
+        )
         self.assertEqual(world.started, {"A": 0, "C": 0.1, "B": 0.6, "E": 1.1, "D": 1.6})
 
     def test_both_conditions(self):
-        world = play("ABC", wait("A", 300), after("A", "B", sync=True), wait("C", 300), after("C", "B", sync=True))
+        world = play(
+            "ABC", wait("A", 300), after("A", "B", sync=True), wait("C", 300), after("C", "B", sync=True)
+        )
         self.assertEqual(world.started, {"B": 0, "A": 0.4, "C": 0.4})
 
     def test_timeouts(self):
-        world = play("ABCDE", wait("B", 1000), after("A", "B", sync=True, timeout=1500), after("C", "B", timeout=999),
-                     after("D", "C"), after("E", "B", timeout=1600), B=(1, plan.DONE))
+        world = play(
+            "ABCDE",
+            wait("B", 1000),
+            after("A", "B", sync=True, timeout=1500),
+            after("C", "B", timeout=999),
+            after("D", "C"),
+            after("E", "B", timeout=1600),
+            B=(1, plan.DONE),
+        )
         self.assertEqual(world.reasons, {"A": "Sync to B: not Active within 1500ms",
                                          "C": "After B's action: not told within 999ms",
                                          "D": "it waits for /h/C.rtc, which was not tried"})
         self.assertEqual(world.ended["D"], 0.999)
-        world = play("ABC", wait("A", 1599), wait("C", 1), after("B", "C", sync=True, timeout=1600), C=(2, plan.DONE))
+        world = play(
+            "ABC", wait("A", 1599), wait("C", 1), after("B", "C", sync=True, timeout=1600), C=(2, plan.DONE)
+        )
         self.assertEqual(world.ended["B"], 1.6)  # and not when A is due, shortly before
 
     def test_a_failure_stops_what_depends_on_it(self):
         failed = (0.1, plan.FAILED)
-        world = play("ABCDEF", order("A", 1), order("B", 2), after("C", "B"), wait("D", 10, 1), wait("E", 10, 2), A=failed)
+        world = play(
+            "ABCDEF",
+            order("A", 1),
+            order("B", 2),
+            after("C", "B"),
+            wait("D", 10, 1),
+            wait("E", 10, 2),
+            A=failed,
+        )
         self.assertEqual(world.reasons, {"B": "it comes after /h/A.rtc, which failed",
                                          "C": "it waits for /h/B.rtc, which was not tried",
                                          "E": "it comes after /h/A.rtc, which failed"})
@@ -285,7 +366,8 @@ class Random:
                 conditions.append(wait(name, self.wait[name], self.order[name]))
             others = names[:number] if kind in ("after", "both") else []
             for other in rng.sample(others, min(len(others), 2)):
-                sync, timeout = rng.random() < 0.5, rng.choice([0, 0, 313, 1009])  # never just when something ends
+                # never just when something ends
+                sync, timeout = rng.random() < 0.5, rng.choice([0, 0, 313, 1009])
                 self.after.setdefault(name, []).append((other, sync, timeout))
                 conditions.append(after(name, other, sync=sync, timeout=timeout, sequence=self.order[name]))
             if kind == "after" and not others:
@@ -295,19 +377,27 @@ class Random:
         outcomes = [plan.DONE] * 6 + [plan.ALREADY, plan.FAILED, plan.UNCERTAIN]
         self.fate = {name: (rng.choice([0.0, 0.05, 0.3, 1.0]), rng.choice(outcomes)) for name in names}
         shuffled = rng.sample(names, len(names))
-        self.world = play([component(name, self.required[name]) for name in shuffled], *conditions, **self.fate)
+        self.world = play(
+            [component(name, self.required[name]) for name in shuffled], *conditions, **self.fate
+        )
         self.names, self.message = names, "seed %d" % seed
 
     def check(self):
-        self.case.assertEqual(set(self.world.started) | set(self.world.reasons), set(self.names), self.message)
+        self.case.assertEqual(
+            set(self.world.started) | set(self.world.reasons), set(self.names), self.message
+        )
         self.case.assertFalse(set(self.world.started) & set(self.world.reasons), self.message)
         steps = [name for name in self.names if name not in self.delayed]
         armed = max([self.world.ended[name] for name in steps] or [0])
         for name in self.names:
             reasons = list(self.reasons_against(name, steps, armed))
-            self.case.assertEqual(name in self.world.reasons, bool(reasons), "%s: %s: %s" % (self.message, name, reasons))
+            self.case.assertEqual(
+                name in self.world.reasons, bool(reasons), "%s: %s: %s" % (self.message, name, reasons)
+            )
             if name in self.world.started:
-                self.case.assertAlmostEqual(self.world.started[name], self.earliest(name, steps, armed), msg=self.message)
+                self.case.assertAlmostEqual(
+                    self.world.started[name], self.earliest(name, steps, armed), msg=self.message
+                )
 
     def failed(self, name):
         return name in self.world.reasons or self.fate[name][1] not in plan.REACHED
@@ -332,7 +422,9 @@ class Random:
         """The earliest time for an action that was started."""
         if name not in self.delayed:
             rank = self.order.get(name, -1)
-            return max([self.world.ended[other] for other in steps if self.order.get(other, -1) < rank] or [0])
+            return max(
+                [self.world.ended[other] for other in steps if self.order.get(other, -1) < rank] or [0]
+            )
         held = [self.holds_from(other, sync) for other, sync, _ in self.after.get(name, [])]
         return max([armed, armed + self.wait.get(name, 0) / 1000] + held)
 

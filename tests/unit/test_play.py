@@ -14,7 +14,11 @@ from rtshell_lite.views import playing
 from rtshell_lite.xmlprofile import model
 
 HOST = "127.0.0.1"
-PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"), ("dataport.subscription_type", "flush")]
+PUSH = [
+    ("dataport.dataflow_type", "push"),
+    ("dataport.interface_type", "corba_cdr"),
+    ("dataport.subscription_type", "flush"),
+]
 PULL = [("dataport.dataflow_type", "pull"), ("dataport.interface_type", "corba_cdr")]
 
 
@@ -50,12 +54,19 @@ class Names(unittest.TestCase):
             self.assertTrue(orb.same(found, root))
             inner = orb.context(await ask("resolve", name("a.cxt")))
             listed, more = await ask("list", 10, of=inner)
-            self.assertEqual([(one.binding_name[0].id, one.binding_name[0].kind, one.binding_type._n) for one in listed],
-                             [("x", "rtc", "nobject")])
+            self.assertEqual(
+                [(one.binding_name[0].id, one.binding_name[0].kind, one.binding_type._n) for one in listed],
+                [("x", "rtc", "nobject")],
+            )
             self.assertIsNone(more)
-            for operation, names, why in (("resolve", ("b",), "NotFound"), ("resolve", ("a.cxt", "y"), "NotFound"),
-                                          ("resolve", ("a.cxt", "x.rtc", "z"), "NotFound"), ("resolve", (), "InvalidName"),
-                                          ("unbind", ("q",), "NotFound"), ("bind_new_context", ("a.cxt",), "AlreadyBound")):
+            for operation, names, why in (
+                ("resolve", ("b",), "NotFound"),
+                ("resolve", ("a.cxt", "y"), "NotFound"),
+                ("resolve", ("a.cxt", "x.rtc", "z"), "NotFound"),
+                ("resolve", (), "InvalidName"),
+                ("unbind", ("q",), "NotFound"),
+                ("bind_new_context", ("a.cxt",), "AlreadyBound"),
+            ):
                 with self.refused(why):
                     await ask(operation, name(*names))
             with self.refused("NotFound"):  # a context is no object
@@ -98,8 +109,13 @@ class Names(unittest.TestCase):
         self.run_with_server(work)
 
     def test_spelling(self):
-        for text, pairs in (("a.b/c", [("a", "b"), ("c", "")]), (r"a\.b", [("a.b", "")]), (".b", [("", "b")]), (".", [("", "")]),
-                            (r"x\/y.z\\", [("x/y", "z\\")])):
+        for text, pairs in (
+            ("a.b/c", [("a", "b"), ("c", "")]),
+            (r"a\.b", [("a.b", "")]),
+            (".b", [("", "b")]),
+            (".", [("", "")]),
+            (r"x\/y.z\\", [("x/y", "z\\")]),
+        ):
             self.assertEqual(nameserver.parsed(text), pairs)
         for text in ("", "a/", "/a", "a.b.c", "a\\", "a.", "\\x"):
             with self.assertRaises(Thrown, msg=text):
@@ -127,7 +143,9 @@ class Connecting(unittest.TestCase):
 
     @staticmethod
     def profile(ends, properties, connector_id="i"):
-        return orb.struct("RTC.ConnectorProfile")("n", connector_id, [port.reference for port in ends], orb.nvlist(properties))
+        return orb.struct("RTC.ConnectorProfile")(
+            "n", connector_id, [port.reference for port in ends], orb.nvlist(properties)
+        )
 
     @staticmethod
     async def ask(port, operation, *args):
@@ -149,7 +167,9 @@ class Connecting(unittest.TestCase):
                 result, _ = await self.ask(out, "connect", self.profile(ends, PUSH))
                 self.assertEqual(result._n, "PRECONDITION_NOT_MET")  # a double
                 self.assertEqual((await self.ask(ends[1], "disconnect", made.connector_id))._n, "RTC_OK")
-                self.assertEqual((out.connectors, into.connectors, out.carriers, into.carriers), ({}, {}, {}, {}))
+                self.assertEqual(
+                    (out.connectors, into.connectors, out.carriers, into.carriers), ({}, {}, {}, {})
+                )
         self.run_with_components(work)
 
     def test_pull(self):
@@ -167,11 +187,15 @@ class Connecting(unittest.TestCase):
     def test_what_cannot_be(self):
         async def work(out, into):
             for ends, properties, result in (
-                    ([], PUSH, "BAD_PARAMETER"), ([out, out], PUSH, "BAD_PARAMETER"), ([into], PUSH, "BAD_PARAMETER"),
-                    ([out], PUSH, "BAD_PARAMETER"), ([out, into], [], "BAD_PARAMETER"),
-                    ([out, into], PUSH[:1] + [("dataport.interface_type", "shared_memory")], "BAD_PARAMETER"),
-                    ([out, into], PUSH + [("dataport.serializer.cdr.endian", "middle")], "UNSUPPORTED"),
-                    ([out, into], PUSH + [("dataport.marshaling_type", "x")], "RTC_ERROR")):
+                ([], PUSH, "BAD_PARAMETER"),
+                ([out, out], PUSH, "BAD_PARAMETER"),
+                ([into], PUSH, "BAD_PARAMETER"),
+                ([out], PUSH, "BAD_PARAMETER"),
+                ([out, into], [], "BAD_PARAMETER"),
+                ([out, into], PUSH[:1] + [("dataport.interface_type", "shared_memory")], "BAD_PARAMETER"),
+                ([out, into], PUSH + [("dataport.serializer.cdr.endian", "middle")], "UNSUPPORTED"),
+                ([out, into], PUSH + [("dataport.marshaling_type", "x")], "RTC_ERROR"),
+            ):
                 found, _ = await self.ask(out, "connect", self.profile(ends, properties))
                 self.assertEqual(found._n, result, properties)
             for operation in ("disconnect", "notify_disconnect"):
@@ -218,14 +242,19 @@ class Connecting(unittest.TestCase):
                                    ("Error", ["PRECONDITION_NOT_MET"] * 2 + ["RTC_ERROR"])):
                 owner.contexts[0].set_state(owner, state)
                 self.assertEqual(await ask("get_component_state", owner.reference), state.upper() + "_STATE")
-                found = [await ask(word + "_component", owner.reference) for word in ("activate", "deactivate", "reset")]
+                found = [
+                    await ask(word + "_component", owner.reference)
+                    for word in ("activate", "deactivate", "reset")
+                ]
                 self.assertEqual(found, answers)
             self.assertEqual(await ask("get_component_state", other), "CREATED_STATE")
             self.assertEqual(await ask("activate_component", other), "BAD_PARAMETER")
             node = orb.narrow(owner.reference, "OpenRTM.DataFlowComponent")
             with self.assertRaisesRegex(errors.Refused, "NotAvailable"):
                 configuration = await orb.call("w", node, "get_configuration")
-                await orb.call("w", orb.narrow(configuration, "SDOPackage.Configuration"), "get_active_configuration_set")
+                await orb.call(
+                    "w", orb.narrow(configuration, "SDOPackage.Configuration"), "get_active_configuration_set"
+                )
             for operation in ("get_status", "get_service_profile"):
                 with self.assertRaisesRegex(errors.Refused, "InvalidParameter"):
                     await orb.call("w", node, operation, "x")
@@ -235,23 +264,59 @@ class Connecting(unittest.TestCase):
 class Hostile(unittest.TestCase):
     def test_details_of_any_form(self):
         """What is not of the form is left out."""
-        junk = (None, 1, "x", [], {}, [1], [[1, 2]], [[1, 2, "Provided"]], [{"name": 1}], [None], [["a", "b", "c"]])
-        profile = model.RtsProfile(components=[model.Component(
-            id="a", path_uri="h/a.rtc", instance_name="a", data_ports=[model.DataPort(name="d")],
-            service_ports=[model.ServicePort(name="s")], execution_contexts=[model.ExecutionContext(id="0", kind="?", rate=1.0)])])
+        junk = (
+            None,
+            1,
+            "x",
+            [],
+            {},
+            [1],
+            [[1, 2]],
+            [[1, 2, "Provided"]],
+            [{"name": 1}],
+            [None],
+            [["a", "b", "c"]],
+        )
+        profile = model.RtsProfile(
+            components=[
+                model.Component(
+                    id="a",
+                    path_uri="h/a.rtc",
+                    instance_name="a",
+                    data_ports=[model.DataPort(name="d")],
+                    service_ports=[model.ServicePort(name="s")],
+                    execution_contexts=[model.ExecutionContext(id="0", kind="?", rate=1.0)],
+                )
+            ]
+        )
 
         async def main():
             orb.listen(HOST, 0)
             async with loop.Group() as tasks:
                 for value in junk:
                     port = {"name": "s", "type": value, "properties": value, "interfaces": value}
-                    for details in ({"ports": value, "contexts": value, "properties": value, "states": value, "type_name": value},
-                                    {"ports": [port], "contexts": [{"handle": 0, "kind": value, "running": value, "properties": value}],
-                                     "states": {"0": value}}):
+                    for details in (
+                        {
+                            "ports": value,
+                            "contexts": value,
+                            "properties": value,
+                            "states": value,
+                            "type_name": value,
+                        },
+                        {
+                            "ports": [port],
+                            "contexts": [{"handle": 0, "kind": value, "running": value, "properties": value}],
+                            "states": {"0": value},
+                        },
+                    ):
                         scene = recording.Scene(0, profile, {"/h/a.rtc": details})
-                        shown = stage.Stage(mock.Mock(scenes=[scene], channels={}, log=mock.Mock(where="f")), HOST, tasks)
+                        shown = stage.Stage(
+                            mock.Mock(scenes=[scene], channels={}, log=mock.Mock(where="f")), HOST, tasks
+                        )
                         shown.show(scene)
-                        owner = orb.narrow(shown.components["/h/a.rtc"].reference, "OpenRTM.DataFlowComponent")
+                        owner = orb.narrow(
+                            shown.components["/h/a.rtc"].reference, "OpenRTM.DataFlowComponent"
+                        )
                         found = await orb.call("w", owner, "get_component_profile")
                         self.assertEqual([each.name for each in found.port_profiles], ["a.d", "a.s"])
                         shown.close()
@@ -263,10 +328,17 @@ class Coming(unittest.TestCase):
         """Its object, and its connections at the other end; what comes later is not there before."""
         def described(name):
             context = model.ExecutionContext(id="0", kind="PERIODIC", rate=1.0)
-            return model.Component(id="a", path_uri=f"h/{name}.rtc", instance_name=name,
-                                   data_ports=[model.DataPort(name=f"{name}.p")], execution_contexts=[context])
+            return model.Component(
+                id="a",
+                path_uri=f"h/{name}.rtc",
+                instance_name=name,
+                data_ports=[model.DataPort(name=f"{name}.p")],
+                execution_contexts=[context],
+            )
 
-        both, all_three = [model.RtsProfile(components=list(map(described, names))) for names in ("ab", "abc")]
+        both, all_three = [
+            model.RtsProfile(components=list(map(described, names))) for names in ("ab", "abc")
+        ]
         scenes = [recording.Scene(0, both, {}), recording.Scene(9, all_three, {})]
 
         async def is_there(shown, where):
@@ -279,16 +351,27 @@ class Coming(unittest.TestCase):
         async def main():
             orb.listen(HOST, 0)
             async with loop.Group() as tasks:
-                shown = stage.Stage(mock.Mock(scenes=scenes, channels={}, log=mock.Mock(where="f")), HOST, tasks)
+                shown = stage.Stage(
+                    mock.Mock(scenes=scenes, channels={}, log=mock.Mock(where="f")), HOST, tasks
+                )
                 shown.show(scenes[0], is_jump=True)
                 ends = [shown.components[f"/h/{one}.rtc"].ports[0] for one in "ab"]
                 connector = model.DataPortConnector(connector_id="i", name="n")
                 shown._join("i", connector, ends)
-                self.assertEqual([await is_there(shown, f"/h/{one}.rtc") for one in "abc"], [True, True, False])
+                self.assertEqual(
+                    [await is_there(shown, f"/h/{one}.rtc") for one in "abc"], [True, True, False]
+                )
                 shown.changed.clear()
-                for event, expected in (("DIED", False), ("BACK", True), ("EXITED", False), ("APPEARED", True)):
+                for event, expected in (
+                    ("DIED", False),
+                    ("BACK", True),
+                    ("EXITED", False),
+                    ("APPEARED", True),
+                ):
                     shown.take(recording.Report("/h/a.rtc", "LIFE_EVENT", "", event), None)
-                    self.assertEqual((shown.changed, await is_there(shown, "/h/a.rtc")), ({"/h/a.rtc"}, expected), event)
+                    self.assertEqual(
+                        (shown.changed, await is_there(shown, "/h/a.rtc")), ({"/h/a.rtc"}, expected), event
+                    )
                     self.assertEqual(ends[1].connectors, {})
                     shown.changed.clear()
                 shown.show(scenes[1])
@@ -323,7 +406,9 @@ class Keys(unittest.TestCase):
                 while len(done) < 4:
                     await loop.sleep(0.01)
 
-        with mock.patch.object(playing, "_is_ours", lambda: True), mock.patch("sys.stdin", mock.Mock(fileno=lambda: terminal)):
+        with mock.patch.object(playing, "_is_ours", lambda: True), mock.patch(
+            "sys.stdin", mock.Mock(fileno=lambda: terminal)
+        ):
             wait_for(main(), timeout=30)
         self.assertEqual(done, ["pause", "step", -5.0, 5.0])
         self.assertRegex(written[0], r"\(1700000000\.000000000\)  7 entries  x2  paused\x1b\[K\r\Z")

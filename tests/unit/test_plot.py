@@ -1,4 +1,6 @@
-"""Plots: what is thinned out, where lines end, which numbers stand at axes, and that nothing hostile is drawn."""
+"""Plots: what is thinned out, where lines end, which numbers stand at axes, and that nothing hostile is
+drawn.
+"""
 import math
 import re
 import types
@@ -32,12 +34,27 @@ class Fields(unittest.TestCase):
 
     def test_parts_of_values(self):
         item = value(_n="RED", _v=1)
-        of = value(tm=value(sec=1, nsec=2), data=[1.5, 2.5, 3.5], inner=[value(x=True), value(x=False)], octets=b"\1\2",
-                   word="no", colour=item)
-        for path, expected in (("data", [1.5, 2.5, 3.5]), ("data[1]", [2.5]), ("data[1:3]", [2.5, 3.5]),
-                               ("data[2:9]", [3.5]), ("data[7]", []),
-                               ("inner[0:2].x", [True, False]), ("octets[0:1]", [1]), ("tm.sec", [1]), ("word", []), ("colour", [1]),
-                               ("", [1.5, 2.5, 3.5, True, False, 1, 2, 1])):
+        of = value(
+            tm=value(sec=1, nsec=2),
+            data=[1.5, 2.5, 3.5],
+            inner=[value(x=True), value(x=False)],
+            octets=b"\1\2",
+            word="no",
+            colour=item,
+        )
+        for path, expected in (
+            ("data", [1.5, 2.5, 3.5]),
+            ("data[1]", [2.5]),
+            ("data[1:3]", [2.5, 3.5]),
+            ("data[2:9]", [3.5]),
+            ("data[7]", []),
+            ("inner[0:2].x", [True, False]),
+            ("octets[0:1]", [1]),
+            ("tm.sec", [1]),
+            ("word", []),
+            ("colour", [1]),
+            ("", [1.5, 2.5, 3.5, True, False, 1, 2, 1]),
+        ):
             self.assertEqual(self.numbers(path, of), expected, path)
         self.assertEqual(plot.Field("colour").numbers(of), [("colour", 1, "RED")])
         self.assertEqual(self.numbers("a.b[0]", {"a": {"b": [7, "x"]}}), [7])
@@ -59,7 +76,9 @@ class Series(unittest.TestCase):
         count = 100000
         series = plot.Series("a", (START, START + count))
         for number in range(count):
-            series.add(START + number, 100.0 if number == 77777 else -100.0 if number == 3 else math.sin(number))
+            series.add(
+                START + number, 100.0 if number == 77777 else -100.0 if number == 3 else math.sin(number)
+            )
         series.flush()
         self.assertLessEqual(len(series.points), 4 * plot.COLUMNS + 4)
         found = [number for _, number, _ in series.points]
@@ -105,15 +124,20 @@ class Series(unittest.TestCase):
         measured = [("fast", fast, START, START + 10 * SECOND), ("slow", slow, START, START + 10 * SECOND)]
         drawn = plot_sources.of_counts(measured + [("none", statistics.Counts(), START, START + 10 * SECOND)])
         rates = [[round(point[1]) for point in panel.series["rate"].points] for panel in drawn.panels]
-        self.assertEqual((len(rates[0]), set(rates[0])), (30, {99, 102}))  # 33 or 34 values in a third of a second
+        # 33 or 34 values in a third of a second
+        self.assertEqual((len(rates[0]), set(rates[0])), (30, {99, 102}))
         self.assertEqual(rates[1:], [[10, 10, 5, 0, 0], [0, 0, 0]])
-        self.assertEqual([panel.axis for panel in drawn.panels], [(0, drawn.panels[0].series["rate"].greatest)] * 3)
+        self.assertEqual(
+            [panel.axis for panel in drawn.panels], [(0, drawn.panels[0].series["rate"].greatest)] * 3
+        )
         self.assertEqual(drawn.last, START + 10 * SECOND)
 
 
 class Axes(unittest.TestCase):
     def test_values_are_round(self):
-        self.assertEqual([words for _, words in plot.ticks(0, 1, 5)], ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"])
+        self.assertEqual(
+            [words for _, words in plot.ticks(0, 1, 5)], ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+        )
         self.assertEqual([words for _, words in plot.ticks(-3.2, 7.9, 5)], ["0", "5"])
         for low, high in ((0, 1e-9), (1e9, 1e9 + 1), (-1e30, 1e30), (5, 5), (float("-inf"), 1)):
             found = plot.ticks(low, high, 5)
@@ -121,8 +145,13 @@ class Axes(unittest.TestCase):
             self.assertEqual(len({words for _, words in found}), len(found))
 
     def test_times_are_round(self):
-        for span, unit, words in ((10 ** 6, "µs", "200"), (SECOND, "ms", "200"), (10 * SECOND, "s", "2"), (600 * SECOND, "min:s", "2:00"),
-                                  (86400 * SECOND, "h:min", "6:00")):
+        for span, unit, words in (
+            (10**6, "µs", "200"),
+            (SECOND, "ms", "200"),
+            (10 * SECOND, "s", "2"),
+            (600 * SECOND, "min:s", "2:00"),
+            (86400 * SECOND, "h:min", "6:00"),
+        ):
             found, known = plot.time_ticks(START, START + span, 6)
             self.assertEqual((known, found[1][1]), (unit, words))
             self.assertLess(len(found), 9)
@@ -162,14 +191,18 @@ class Drawn(unittest.TestCase):
         self.assertLess(len(made), 200000)
 
     def test_lines_differ_without_colours(self):
-        """As many as an arm has joints and more, also where noise makes a line much longer than it is wide."""
+        """As many as an arm has joints and more, also where noise makes a line much longer than it is wide.
+        """
         panel = plot.Panel("joints")
         for joint in range(12):
             for number in range(2000):
                 panel.named(str(joint)).add(START + number * SECOND, joint + number % 2 * 5)
         made = plot.Picture([panel])
         made.fit()
-        drawn = re.findall(r'<path class="series s\d( wide)?" d="(M[^"]*)"( stroke-dasharray="[^"]*")?', "\n".join(plot_svg.lines(made)))
+        drawn = re.findall(
+            r'<path class="series s\d( wide)?" d="(M[^"]*)"( stroke-dasharray="[^"]*")?',
+            "\n".join(plot_svg.lines(made)),
+        )
         legend = [(wide, dashes) for wide, data, dashes in drawn if "h34" in data]
         curves = [dashes for _, data, dashes in drawn if "h34" not in data]
         self.assertEqual((len(set(legend)), len(curves)), (12, 12))
@@ -178,8 +211,14 @@ class Drawn(unittest.TestCase):
 
     def test_words_of_marks_do_not_overlap(self):
         made = picture(100)
-        made.marks = [(START + number * SECOND, "a word of some length %d" % number) for number in (0, 50, 60, 97, 98, 99)]
-        found = re.findall(r'<text x="([\d.]+)"[^>]*class="words">a word of some length (\d+)', "\n".join(plot_svg.lines(made)))
+        made.marks = [
+            (START + number * SECOND, "a word of some length %d" % number)
+            for number in (0, 50, 60, 97, 98, 99)
+        ]
+        found = re.findall(
+            r'<text x="([\d.]+)"[^>]*class="words">a word of some length (\d+)',
+            "\n".join(plot_svg.lines(made)),
+        )
         self.assertEqual([number for _, number in found], ["0", "50", "97"])
         places = [float(x) for x, _ in found] + [plot_svg.WIDTH + plot_svg.WORD]
         for this, following in zip(places, places[1:]):

@@ -1,4 +1,6 @@
-"""How often what fails is tried again, and Procfiles: if this fails, a robot is restarted too often, or not at all."""
+"""How often what fails is tried again, and Procfiles: if this fails, a robot is restarted too often, or not
+at all.
+"""
 import os
 import tempfile
 import time
@@ -16,7 +18,9 @@ class Words(unittest.TestCase):
     def test_words(self):
         self.assertEqual(policy.parse(), policy.USUAL)
         self.assertEqual(policy.parse("no", "3/10", "1-8"), policy.Policy("no", 3, 10.0, 1.0, 8.0))
-        for words in ({"restart": "never"}, {"burst": "5"}, {"burst": "0/5"}, {"burst": "a/b"}, {"delay": "1"}, {"delay": "1-x"},
+        for words in ({"restart": (
+            "never"
+        )}, {"burst": "5"}, {"burst": "0/5"}, {"burst": "a/b"}, {"delay": "1"}, {"delay": "1-x"},
                       {"delay": "1-nan"}, {"burst": "5/1e9"}):
             with self.subTest(words), self.assertRaisesRegex(ValueError, "^%s: not" % list(words)[0]):
                 policy.parse(**words)
@@ -76,9 +80,9 @@ class Procfiles(unittest.TestCase):
 
     def test_all_keys(self):
         with mock.patch.dict(os.environ, PLACE="/here"):
-            two, one = self.read("# comment\n\none: run 'two words' $PLACE/x\none.after: two\none.ready: localhost/A0.rtc\n"
-                                 "one.env: A=1 'B=x y'\none.cwd: /tmp\none.stop: INT 2.5\none.restart: no\none.burst: 1/2\n"
-                                 "one.delay: 3-4\ntwo: true\n")
+            two, one = self.read("# comment\n\none: run 'two words' $PLACE/x\none.after: two\none.ready: "
+                                 "localhost/A0.rtc\none.env: A=1 'B=x y'\none.cwd: /tmp\none.stop: INT "
+                                 "2.5\none.restart: no\none.burst: 1/2\none.delay: 3-4\ntwo: true\n")
         self.assertEqual(one.command, ["run", "two words", "/here/x"])
         self.assertEqual((one.after, one.env, one.cwd), (["two"], {"A": "1", "B": "x y"}, "/tmp"))
         self.assertEqual((one.stop[0].name, one.stop[1]), ("SIGINT", 2.5))
@@ -86,10 +90,17 @@ class Procfiles(unittest.TestCase):
         self.assertEqual((two.name, two.after, two.ready, two.stop[0].name), ("two", [], None, "SIGTERM"))
 
     def test_what_is_wrong(self):
-        for text, said in (("x", ":1: not NAME"), ("a: b\na.after: c", "a: after c"), ("a: b\na.after: a", "wait for each other: a"),
-                           ("a: 'b", "a: No closing quotation"), ("a: b\na.stop: NOW", "no such signal: NOW"),
-                           ("a: b\na.stop: INT soon", "a: could not"), ("a: b\na.restart: x", "a: restart: not one of"),
-                           ("a.cwd: /", "a: no command"), ("a: b\na.env: C", "a: ")):
+        for text, said in (
+            ("x", ":1: not NAME"),
+            ("a: b\na.after: c", "a: after c"),
+            ("a: b\na.after: a", "wait for each other: a"),
+            ("a: 'b", "a: No closing quotation"),
+            ("a: b\na.stop: NOW", "no such signal: NOW"),
+            ("a: b\na.stop: INT soon", "a: could not"),
+            ("a: b\na.restart: x", "a: restart: not one of"),
+            ("a.cwd: /", "a: no command"),
+            ("a: b\na.env: C", "a: "),
+        ):
             with self.subTest(text), self.assertRaisesRegex(errors.Failed, said):
                 self.read(text)
 

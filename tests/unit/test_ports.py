@@ -10,7 +10,9 @@ PY2 = {"dataport.dataflow_type": "push,pull,duplex", "dataport.interface_type": 
        "dataport.subscription_type": "flush, new ,periodic"}
 OLD = {"dataport.dataflow_type": "Push,Pull", "dataport.interface_type": "CORBA_Any",  # OpenRTM 1.0
        "dataport.subscription_type": "Flush,New,Periodic"}
-RTORB = {"dataport.dataflow_type": "push", "dataport.interface_type": "corba_cdr", "dataport.subscription_type": "flush"}
+RTORB = {"dataport.dataflow_type": (
+    "push"
+), "dataport.interface_type": "corba_cdr", "dataport.subscription_type": "flush"}
 
 
 class Node:
@@ -30,7 +32,9 @@ def out(data_type="IDL:RTC/TimedLong:1.0", offers=PY2, name="A.out"):
 
 
 def into(data_type="IDL:RTC/TimedLong:1.0", offers=PY2, name="B.in"):
-    return port(name, "DataInPort", dict(offers, **{"dataport.subscription_type": "Any"}), dataport__data_type=data_type)
+    return port(name, "DataInPort", dict(offers, **{"dataport.subscription_type": (
+        "Any"
+    )}), dataport__data_type=data_type)
 
 
 def service(name, *interfaces):
@@ -38,7 +42,9 @@ def service(name, *interfaces):
 
 
 class Tools(unittest.TestCase):
-    """Connectors of tools are no part of a system: they are known by their names, others by what carries their data."""
+    """Connectors of tools are no part of a system: they are known by their names, others by what carries
+    their data.
+    """
 
     def is_of_tool(self, name, interface, ends):
         made = ports.Connector("id", name, ["A.out", "B.in"][:ends], [("dataport.interface_type", interface)])
@@ -49,7 +55,12 @@ class Tools(unittest.TestCase):
             self.assertTrue(self.is_of_tool(name, "fast-rtps", 1), name)
 
     def test_rtshells(self):
-        for name in ("rtprint_reader0_out", "rtinject_writer12_in", "rtlog_recorder0_out", "rtlog_player3_in"):
+        for name in (
+            "rtprint_reader0_out",
+            "rtinject_writer12_in",
+            "rtlog_recorder0_out",
+            "rtlog_player3_in",
+        ):
             self.assertTrue(self.is_of_tool(name, "corba_cdr", 2), name)
 
     def test_other_tools_that_connect_one_port_by_corba(self):
@@ -57,8 +68,14 @@ class Tools(unittest.TestCase):
             self.assertTrue(self.is_of_tool("viewer", interface, 1), interface)
 
     def test_parts_of_a_system(self):
-        for name, interface, ends in (("chatter", "ros", 1), ("", "fast-rtps", 1), ("rtlog_out", "ssm", 1), ("outin", "corba_cdr", 2),
-                                      ("rtprinter", "corba_cdr", 2), ("rtlog_reader", "corba_cdr", 2)):
+        for name, interface, ends in (
+            ("chatter", "ros", 1),
+            ("", "fast-rtps", 1),
+            ("rtlog_out", "ssm", 1),
+            ("outin", "corba_cdr", 2),
+            ("rtprinter", "corba_cdr", 2),
+            ("rtlog_reader", "corba_cdr", 2),
+        ):
             self.assertFalse(self.is_of_tool(name, interface, ends), name)
 
 
@@ -77,24 +94,38 @@ class Case(unittest.TestCase):
 
     def chosen(self, *found, **given):
         properties = ports.connection_properties(list(found), given)
-        return [properties.get("dataport." + key) for key in ("dataflow_type", "interface_type", "subscription_type")]
+        return [
+            properties.get("dataport." + key)
+            for key in ("dataflow_type", "interface_type", "subscription_type")
+        ]
 
 
 class DataTypes(Case):
     def test_spellings_of_one_type(self):
-        for one, other in (("IDL:RTC/TimedLong:1.0", "IDL:RTC/TimedLong:1.0"), ("TimedLong", "IDL:RTC/TimedLong:1.0"),
-                           ("TimedLong", "TimedLong"), ("", "IDL:RTC/TimedLong:1.0"), ("any", "TimedLong"),
-                           ("IDL:RTC/TimedLong:1.0", "Any"), ("IDL:Img/TimedCameraImage:1.0", "TimedCameraImage")):
+        for one, other in (
+            ("IDL:RTC/TimedLong:1.0", "IDL:RTC/TimedLong:1.0"),
+            ("TimedLong", "IDL:RTC/TimedLong:1.0"),
+            ("TimedLong", "TimedLong"),
+            ("", "IDL:RTC/TimedLong:1.0"),
+            ("any", "TimedLong"),
+            ("IDL:RTC/TimedLong:1.0", "Any"),
+            ("IDL:Img/TimedCameraImage:1.0", "TimedCameraImage"),
+        ):
             self.matching(out(one), into(other))
             self.matching(into(one), out(other))
 
     def test_types_that_differ(self):
-        for one, other in (("TimedLong", "TimedShort"), ("IDL:RTC/TimedLong:1.0", "TimedULong"),
-                           ("IDL:RTC/TimedLong:1.0", "IDL:Mine/TimedLong:1.0"), ("TimedLongSeq", "TimedLong")):
+        for one, other in (
+            ("TimedLong", "TimedShort"),
+            ("IDL:RTC/TimedLong:1.0", "TimedULong"),
+            ("IDL:RTC/TimedLong:1.0", "IDL:Mine/TimedLong:1.0"),
+            ("TimedLongSeq", "TimedLong"),
+        ):
             self.assertEqual(len(self.reasons(out(one), into(other))), 1, (one, other))
 
     def test_the_reason_is_readable(self):
-        self.assertEqual(self.reasons(out(), into("TimedDouble")), ["data types differ (RTC/TimedLong, TimedDouble)"])
+        self.assertEqual(self.reasons(out(), into("TimedDouble")), ["data types differ (RTC/TimedLong, "
+                                                                    "TimedDouble)"])
         self.assertEqual(self.reasons(out(), into("\x1b")), ["data types differ (RTC/TimedLong, \\x1b)"])
 
     def test_any_is_a_word_of_its_own(self):
@@ -131,7 +162,8 @@ class Lists(Case):
         self.assertEqual(self.reasons(out(), into(), dataport__dataflow_type="Pull"),
                          ["no port has dataflow_type Pull (all have: push, pull, duplex)"])
         self.assertEqual(self.reasons(out(), into(), dataport__subscription_type="x\n"),
-                         ["/localhost/A.rtc:out has no subscription_type x\\x0a (it has: flush, new, periodic)"])
+                         ["/localhost/A.rtc:out has no subscription_type x\\x0a (it has: flush, new, "
+                          "periodic)"])
 
     def test_unknown_keys_pass(self):
         self.matching(out(), into(), dataport__buffer__length="3", anything="x")
@@ -141,7 +173,10 @@ class Lists(Case):
         self.assertEqual(self.chosen(out(), into(offers=RTORB)), ["push", "corba_cdr", "new"])
         self.assertEqual(self.chosen(out(offers=RTORB), into()), ["push", "corba_cdr", "flush"])
         self.assertEqual(self.chosen(out(offers=OLD), into(offers=OLD)), ["push", "CORBA_Any", "new"])
-        self.assertEqual(self.chosen(port("A.out", "DataOutPort"), port("B.in", "DataInPort")), ["push", "corba_cdr", "new"])
+        self.assertEqual(
+            self.chosen(port("A.out", "DataOutPort"), port("B.in", "DataInPort")),
+            ["push", "corba_cdr", "new"],
+        )
 
     def test_the_capitals_of_openrtm_1_0(self):
         old = dict(OLD, **{"dataport.interface_type": "corba_cdr"})
@@ -150,7 +185,9 @@ class Lists(Case):
         self.assertEqual(len(self.reasons(out(), into(), dataport__interface_type="CORBA_CDR")), 1)
 
     def test_nothing_in_common(self):
-        self.assertEqual(self.reasons(out(), into(offers=dict(PY2, **{"dataport.interface_type": "shared_memory"}))),
+        self.assertEqual(self.reasons(out(), into(offers=dict(PY2, **{"dataport.interface_type": (
+            "shared_memory"
+        )}))),
                          ["no interface_type in common (corba_cdr,direct; shared_memory)"])
 
     def test_given_values_stay(self):
@@ -186,7 +223,9 @@ class Services(Case):
 
 class Duplicates(Case):
     def connected(self, name, kind, connector_id="i", connector_name="n", far="B.in"):
-        return port(name, kind, PY2, connectors=[ports.Connector(connector_id, connector_name, [name, far], [])])
+        return port(
+            name, kind, PY2, connectors=[ports.Connector(connector_id, connector_name, [name, far], [])]
+        )
 
     def refused(self, found, name="", connector_id=""):
         with self.assertRaises(errors.Failed) as caught:
@@ -209,8 +248,8 @@ class Disconnecting(Case):
     """A peer may die at any moment: what counts is whether this end still has the connection."""
 
     def play(self, *answers, ends=()):
-        """disconnect() with these answers, in turn: values, or errors to raise. Returns the operations asked for; of another port
-        than this with the name of that. `ends` are the references of the connector.
+        """disconnect() with these answers, in turn: values, or errors to raise. Returns the operations asked
+        for; of another port than this with the name of that. `ends` are the references of the connector.
         """
         asked, script = [], list(answers)
 
@@ -246,14 +285,21 @@ class Disconnecting(Case):
         self.assertEqual(self.play(dead, self.HELD, dead, dead, self.FREE)[-1], "get_connector_profiles")
 
     def test_the_other_ends_forget_it_too(self):
-        self.assertEqual(self.play("RTC_ERROR", self.FREE, "RTC_OK", errors.Gone("x"), ends=["B.in", "A.out", None, "C.in"])[2:],
-                         ["notify_disconnect B.in", "notify_disconnect C.in"])
+        self.assertEqual(
+            self.play(
+                "RTC_ERROR", self.FREE, "RTC_OK", errors.Gone("x"), ends=["B.in", "A.out", None, "C.in"]
+            )[2:],
+            ["notify_disconnect B.in", "notify_disconnect C.in"],
+        )
 
     def test_another_end_that_may_not_have_forgotten_it(self):
         with mock.patch("rtshell_lite.corba.orb.endpoint", lambda ref: ("10.0.0.2", 4000)), \
                 self.assertRaises(errors.Uncertain) as caught:
-            self.play("RTC_ERROR", self.FREE, errors.Silent("x", "no answer within 3s"), ends=["A.out", "B.in"])
-        self.assertIn("connection id is removed here, its end at 10.0.0.2:4000 does not answer (no answer within 3s)",
+            self.play(
+                "RTC_ERROR", self.FREE, errors.Silent("x", "no answer within 3s"), ends=["A.out", "B.in"]
+            )
+        self.assertIn("connection id is removed here, its end at 10.0.0.2:4000 does not answer (no "
+                      "answer within 3s)",
                       str(caught.exception))
 
     def test_never(self):

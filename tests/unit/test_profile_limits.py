@@ -27,13 +27,21 @@ BOMBS = {
     "an internal subset": "b'<!DOCTYPE a [' + b'<!ENTITY a \"b\">' * MIB",
     "UTF-16": "(u'<a>' + u'\\u65e5' * 7 * MIB).encode('utf-16')",
     "nothing but spellings of characters": "b'<a b=\"' + b'_x005F' * 150000 + b'\"/>'",
-    "sections of components in version 0.1": "V01 + (V01_COMPONENT + b'<StartUp/></Component>') * 20000 + b'</RtsProfile>'",
-    "conditions and what is copied into each": "V01 + V01_COMPONENT + b'<StartUp>' + b'<Condition/>' * 100000"
-                                               " + b'<Properties name=\"\"/>' * 100000 + b'</StartUp></Component></RtsProfile>'",
-    "connections of a port in version 0.1": "V01 + V01_COMPONENT + b'<DataPorts name=\"\">' + b'<Properties name=\"\"/>' * 60000"
-                                            " + b'<DataPortConnectors/>' * 60000 + b'</DataPorts></Component></RtsProfile>'",
-    "members of a composite in version 0.1": "V01 + V01_COMPONENT + b'<Participants>' + b'<Participant/>' * 200000"
-                                             " + b'</Participants></Component></RtsProfile>'",
+    "sections of components in version 0.1": (
+        "V01 + (V01_COMPONENT + b'<StartUp/></Component>') * 20000 + b'</RtsProfile>'"
+    ),
+    "conditions and what is copied into each": (
+        "V01 + V01_COMPONENT + b'<StartUp>' + b'<Condition/>' * 100000 + b'<Properties name=\"\"/>' * "
+        "100000 + b'</StartUp></Component></RtsProfile>'"
+    ),
+    "connections of a port in version 0.1": (
+        "V01 + V01_COMPONENT + b'<DataPorts name=\"\">' + b'<Properties name=\"\"/>' * 60000 + "
+        "b'<DataPortConnectors/>' * 60000 + b'</DataPorts></Component></RtsProfile>'"
+    ),
+    "members of a composite in version 0.1": (
+        "V01 + V01_COMPONENT + b'<Participants>' + b'<Participant/>' * 200000 + "
+        "b'</Participants></Component></RtsProfile>'"
+    ),
     "brackets": "b'[' * 15 * MIB",
     "braces": "b'{a: ' * 3 * MIB",
     "dashes": "b'- ' * 7 * MIB",
@@ -59,7 +67,10 @@ BOMBS = {
     "colons": "b':' * 15 * MIB",
     "anchors": "b'[' + b'&a ' * (5 * MIB)",
     "anchors below anchors": "b'[&a ' * 149 + b'[' + b'x,' * 400000 + b']' * 150",
-    "more aliases": "b'a: &a [x,x]\\n' + b''.join(b'%c: &%c [*%c,*%c]\\n' % (i + 1, i + 1, i, i) for i in range(97, 119))",
+    "more aliases": (
+        "b'a: &a [x,x]\\n' + b''.join(b'%c: &%c [*%c,*%c]\\n' % (i + 1, i + 1, i, i) for i in range(97, "
+        "119))"
+    ),
     "aliases": "b'a: &a [' + b'x,' * 1000 + b']\\nb: [' + b'*a,' * (5 * MIB)",
     "a huge number": "ROOT + b'{activation: {targets: [{sequence: ' + b'9' * 4000000 + b'}]}}'",
     "minutes": "ROOT + b'{x: ' + b'1' + b':59' * 1000000 + b'}'",
@@ -86,13 +97,18 @@ try:
 except errors.BadProfile as e:
     said = str(e)
 print(time.process_time() - start, max(peak() - before - held, 0), said)
-"""
+"""  # noqa: E501
 
 
 def read(expression):
     """The result of a child that reads such a file."""
-    return subprocess.run([sys.executable, "-c", CHILD.replace("EXPRESSION", expression)],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=120)
+    return subprocess.run(
+        [sys.executable, "-c", CHILD.replace("EXPRESSION", expression)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        universal_newlines=True,
+        timeout=120,
+    )
 
 
 class Bombs(unittest.TestCase):
@@ -104,7 +120,9 @@ class Bombs(unittest.TestCase):
                 self.assertEqual((child.returncode, child.stderr), (0, ""))
                 seconds, megabytes, said = child.stdout.split(" ", 2)
                 if "-v" in sys.argv:
-                    sys.stderr.write("%6.2f s %6.1f MB  %s: %s" % (float(seconds), float(megabytes), name, said))
+                    sys.stderr.write(
+                        "%6.2f s %6.1f MB  %s: %s" % (float(seconds), float(megabytes), name, said)
+                    )
                 self.assertTrue(said.startswith("bomb:") or said == "read\n", said)
                 self.assertLess(float(seconds), SECONDS)
                 self.assertLess(float(megabytes), MEGABYTES)

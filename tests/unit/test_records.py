@@ -28,7 +28,7 @@ print(sorted(name for name in %r if name in sys.modules and sys.modules[name].__
 import argparse, re
 assert re.search("b+", "abbc").end() == 3
 argparse.ArgumentParser(description="words").format_help()
-""" % (SLOW, SLOW)
+""" % (SLOW, SLOW)  # noqa: E501
 
 
 class Records(unittest.TestCase):
@@ -42,7 +42,13 @@ class Records(unittest.TestCase):
         self.assertEqual(repr(made), "Point(x=1, y=2)")
 
     def test_their_number_is_checked(self):
-        for given, named in (((1,), {}), ((1, 2, 3), {}), ((1, 2), {"x": 1}), ((1,), {"z": 1}), ((1, 2), {"z": 1})):
+        for given, named in (
+            ((1,), {}),
+            ((1, 2, 3), {}),
+            ((1, 2), {"x": 1}),
+            ((1,), {"z": 1}),
+            ((1, 2), {"z": 1}),
+        ):
             with self.assertRaises(TypeError):
                 self.Point(*given, **named)
         with self.assertRaises(TypeError):
@@ -69,8 +75,12 @@ class Cached(unittest.TestCase):
 
 class Starting(unittest.TestCase):
     def test_a_command_imports_little(self):
-        done = subprocess.run([sys.executable, "-S", "-c", "import sys; sys.path.insert(0, %r)\n" % processes.ROOT + STARTS],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        done = subprocess.run(
+            [sys.executable, "-S", "-c", "import sys; sys.path.insert(0, %r)\n" % processes.ROOT + STARTS],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            universal_newlines=True,
+        )
         needed = ["collections", "functools"] if sys.version_info < (3, 7) else []  # by its own modules
         self.assertEqual((done.stdout, done.stderr), ("['one', 'two']\n%s\n" % needed, ""))
 
@@ -93,13 +103,19 @@ class Counting(unittest.TestCase):
         class Own(options.Parser):  # without the sorting of words
             parse_args = argparse.ArgumentParser.parse_args
         kinds = ("", "?", "*", "+", 2)
-        lines = [before + ["--"] * dashes + ["w%d" % i for i in range(size)]
-                 for before in ([], ["-o"], ["-o", "a"], ["-o", "a", "b"]) for dashes in (0, 1) for size in range(4)]
+        lines = [
+            before + ["--"] * dashes + ["w%d" % i for i in range(size)]
+            for before in ([], ["-o"], ["-o", "a"], ["-o", "a", "b"])
+            for dashes in (0, 1)
+            for size in range(4)
+        ]
         for number, chosen in enumerate(itertools.product(kinds, kinds)):
             chosen = (kinds[number % 4],) + chosen
             for words in lines:
                 with self.subTest(kinds=chosen, words=words):
-                    self.assertEqual(self.parsed(Own, chosen, words), self.parsed(argparse.ArgumentParser, chosen, words))
+                    self.assertEqual(
+                        self.parsed(Own, chosen, words), self.parsed(argparse.ArgumentParser, chosen, words)
+                    )
 
 
 if __name__ == "__main__":

@@ -185,7 +185,9 @@ class Ring(Case):
         with mock.patch.object(ring.Parts, "_free", lambda self: next(free)):
             self.run_for(1.2, made)
         self.assertLess(len(glob.glob(self.name + "-*")), count)
-        with mock.patch.object(ring.Parts, "_free", lambda self: 0), self.assertRaisesRegex(OSError, "nearly full"):
+        with mock.patch.object(ring.Parts, "_free", lambda self: 0), self.assertRaisesRegex(
+            OSError, "nearly full"
+        ):
             self.run_for(1.2, made)
 
 
@@ -194,7 +196,9 @@ class Taking(unittest.TestCase):
         """Or a trigger's file could lack its end."""
         work = recorder.Recorder()
         sent, written = [], []
-        work._append = lambda batch, taken: written.append((taken, [message.received for _, message in batch]))
+        work._append = lambda batch, taken: written.append(
+            (taken, [message.received for _, message in batch])
+        )
 
         async def send():
             for _ in range(300):
@@ -236,10 +240,18 @@ class Conditions(unittest.TestCase):
         return count
 
     def test_comparisons(self):
-        for words, count in (("A.rtc:out.data > 5", 2), ("/h/c/A.rtc:out.data>5", 2), ("A.rtc:out.data == 9", 1),
-                             ("A.rtc:out.data <= -1.5", 0),
-                             ("B.rtc:out.data > 5", 0), ("A.rtc:out.nothing > 5", 0), ("A.rtc:out.tm > 5", 0), ("A.rtc:out.data == x", 0),
-                             ("A.rtc:out.data != x", 1), ("A.rtc:out.tm.sec == 0", 1)):
+        for words, count in (
+            ("A.rtc:out.data > 5", 2),
+            ("/h/c/A.rtc:out.data>5", 2),
+            ("A.rtc:out.data == 9", 1),
+            ("A.rtc:out.data <= -1.5", 0),
+            ("B.rtc:out.data > 5", 0),
+            ("A.rtc:out.nothing > 5", 0),
+            ("A.rtc:out.tm > 5", 0),
+            ("A.rtc:out.data == x", 0),
+            ("A.rtc:out.data != x", 1),
+            ("A.rtc:out.tm.sec == 0", 1),
+        ):
             self.assertEqual(self.happened(words, [1, 6, 7, 2, 9]), count, words)
 
     def test_events(self):

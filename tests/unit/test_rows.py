@@ -1,4 +1,6 @@
-"""What rttop shows of each component: if this fails, trouble is not sorted to the top, or figures are printed wrongly."""
+"""What rttop shows of each component: if this fails, trouble is not sorted to the top, or figures are printed
+wrongly.
+"""
 import unittest
 
 from rtshell_lite import errors
@@ -7,7 +9,9 @@ from rtshell_lite.top import rows
 
 
 def row(name, **changes):
-    return rows.Row("/robot/" + name, name, "component", None, None, None, None, None, None, None, "", {})._replace(**changes)
+    return rows.Row(
+        "/robot/" + name, name, "component", None, None, None, None, None, None, None, "", {}
+    )._replace(**changes)
 
 
 class Arranged(unittest.TestCase):
@@ -20,7 +24,11 @@ class Arranged(unittest.TestCase):
                          [str(state) for state in reversed(states)])
 
     def test_by_figures_the_most_comes_first(self):
-        given = [row("unknown"), row("few", rate=1.0, connections=1), row("many", rate=1000.0, connections=12)]
+        given = [
+            row("unknown"),
+            row("few", rate=1.0, connections=1),
+            row("many", rate=1000.0, connections=12),
+        ]
         for sort in ("rate", "connections"):
             self.assertEqual(self.names(given, sort), ["many", "few", "unknown"])
 
@@ -28,63 +36,139 @@ class Arranged(unittest.TestCase):
         self.assertEqual(self.names([row("b"), row("a"), row("C")]), ["b", "a", "C"])
 
     def test_trouble_first_then_by_name(self):
-        given = [row("a", state="Inactive"), row("b", state="Active"), row("c", state="-"), row("d", state="Error"), row("e")]
+        given = [
+            row("a", state="Inactive"),
+            row("b", state="Active"),
+            row("c", state="-"),
+            row("d", state="Error"),
+            row("e"),
+        ]
         self.assertEqual(self.names(given, "trouble"), ["d", "c", "a", "b", "e"])
 
     def test_numbers_in_names(self):
         names = ["Filter10", "Filter2", "Filter02", "Filter", "A1B2", "A1B10", "Ä" + "9" * 5000]
-        self.assertEqual(sorted(names, key=rows.natural), ["A1B2", "A1B10", "Filter", "Filter2", "Filter02", "Filter10", "Ä" + "9" * 5000])
+        self.assertEqual(
+            sorted(names, key=rows.natural),
+            ["A1B2", "A1B10", "Filter", "Filter2", "Filter02", "Filter10", "Ä" + "9" * 5000],
+        )
 
     def test_groups(self):
-        given = [row("x")._replace(path=path) for path in ("/h/a.host_cxt/X.rtc", "/h/b.host_cxt/c.cxt/X.rtc", "/h/a.host_cxt/Y.rtc")]
+        given = [
+            row("x")._replace(path=path)
+            for path in ("/h/a.host_cxt/X.rtc", "/h/b.host_cxt/c.cxt/X.rtc", "/h/a.host_cxt/Y.rtc")
+        ]
         self.assertEqual(rows.grouped(given, "none"), given)
-        for kind, first, second in (("directory", "/h/a.host_cxt", "/h/b.host_cxt/c.cxt"), ("host", "a", "b")):
+        for kind, first, second in (
+            ("directory", "/h/a.host_cxt", "/h/b.host_cxt/c.cxt"),
+            ("host", "a", "b"),
+        ):
             found = rows.grouped(given, kind)
             self.assertEqual(found, [first + ": 2 components: 2 not asked yet", given[0], given[2],
                                      second + ": 1 component: 1 not asked yet", given[1]])
 
     def test_words(self):
         """All of them match: a part of a path, a whole state."""
-        given = [row("Arm0.rtc", state="Active"), row("Arm1.rtc", state="Inactive"), row("active.rtc", state="Error"), row("new.rtc")]
-        for words, expected in (("", 4), ("ROBOT", 4), ("arm", 2), ("active", 2), ("arm active", 1), ("arm error", 0)):
+        given = [
+            row("Arm0.rtc", state="Active"),
+            row("Arm1.rtc", state="Inactive"),
+            row("active.rtc", state="Error"),
+            row("new.rtc"),
+        ]
+        for words, expected in (
+            ("", 4),
+            ("ROBOT", 4),
+            ("arm", 2),
+            ("active", 2),
+            ("arm active", 1),
+            ("arm error", 0),
+        ):
             self.assertEqual(len(rows.arranged(given, "name", words)), expected, words)
 
 
 class Shown(unittest.TestCase):
     def test_summary(self):
-        given = [row(str(number), state=state) for number, state in enumerate(["Active", "Error", "Active", "?", "-", None])]
+        given = [
+            row(str(number), state=state)
+            for number, state in enumerate(["Active", "Error", "Active", "?", "-", None])
+        ]
         self.assertEqual(rows.summary(given + [row("part", kind="unknown", state="?")]),
                          "6 components: 1 Error, 1 silent, 1 zombie, 2 Active, 1 not asked yet")
-        self.assertEqual([rows.summary([]), rows.summary(given[:1])], ["0 components", "1 component: 1 Active"])
+        self.assertEqual(
+            [rows.summary([]), rows.summary(given[:1])], ["0 components", "1 component: 1 Active"]
+        )
 
     def test_line(self):
         for given, expected in (
-                (row("a.rtc"), "                 -     -  a.rtc"),
-                (row("a.rtc", state="Active", rate=1000.0, running=True, connections=0), "Active        1000     0  a.rtc"),
-                (row("a.rtc", state="Inactive", rate=0.5, running=False, connections=12), "Inactive   stopped    12  a.rtc"),
-                (row("a.rtc", kind="zombie", state="-"), "-                -     -  *a.rtc"),
-                (row("a.rtc", kind="silent", state="?", failure=errors.Silent("/robot/a.rtc", "no answer within 3 s")),
-                 "?                -     -  ?a.rtc: no answer within 3 s"),
-                (row("a.rtc", failure=errors.Failed("/robot", "bad \x1b")), "                 -     -  a.rtc: /robot: bad \\x1b")):
+            (row("a.rtc"), "                 -     -  a.rtc"),
+            (
+                row("a.rtc", state="Active", rate=1000.0, running=True, connections=0),
+                "Active        1000     0  a.rtc",
+            ),
+            (
+                row("a.rtc", state="Inactive", rate=0.5, running=False, connections=12),
+                "Inactive   stopped    12  a.rtc",
+            ),
+            (row("a.rtc", kind="zombie", state="-"), "-                -     -  *a.rtc"),
+            (
+                row(
+                    "a.rtc",
+                    kind="silent",
+                    state="?",
+                    failure=errors.Silent("/robot/a.rtc", "no answer within 3 s"),
+                ),
+                "?                -     -  ?a.rtc: no answer within 3 s",
+            ),
+            (
+                row("a.rtc", failure=errors.Failed("/robot", "bad \x1b")),
+                "                 -     -  a.rtc: /robot: bad \\x1b",
+            ),
+        ):
             self.assertEqual(rows.line(given), expected)
 
     def test_wide_lines(self):
-        given = [row("A.rtc", path="/h/a.host_cxt/A.rtc", state="Active", rate=50.0, connections=2, since=75.0,
-                     event="Inactive to Active", flow={"a:out": 49.96, "a:other": 10.0}),
-                 row("B.rtc", path="/h/B.rtc", state="?", kind="silent", failure=errors.Silent("/h/B.rtc", "no answer"))]
-        self.assertEqual([line.rstrip() for line in [rows.wide_head(given)] + list(rows.wide_lines(given, given))],
-                         ["STATE         RATE  MEASURED  VALUES/S  CONN  COMPONENT  DIRECTORY      SINCE    LAST EVENT",
-                          "Active          50      50.0      60.0     2  A.rtc      /h/a.host_cxt     1m    Inactive to Active",
-                          "?                -         -         -     -  ?B.rtc     /h                 -    no answer"])
+        given = [
+            row(
+                "A.rtc",
+                path="/h/a.host_cxt/A.rtc",
+                state="Active",
+                rate=50.0,
+                connections=2,
+                since=75.0,
+                event="Inactive to Active",
+                flow={"a:out": 49.96, "a:other": 10.0},
+            ),
+            row(
+                "B.rtc",
+                path="/h/B.rtc",
+                state="?",
+                kind="silent",
+                failure=errors.Silent("/h/B.rtc", "no answer"),
+            ),
+        ]
+        self.assertEqual(
+            [line.rstrip() for line in [rows.wide_head(given)] + list(rows.wide_lines(given, given))],
+            [
+                "STATE         RATE  MEASURED  VALUES/S  CONN  COMPONENT  DIRECTORY      SINCE "
+                "   LAST EVENT",
+                "Active          50      50.0      60.0     2  A.rtc      /h/a.host_cxt     1m "
+                "   Inactive to Active",
+                "?                -         -         -     -  ?B.rtc     /h                 "
+                "-    no answer",
+            ],
+        )
 
     def test_rates(self):
         for given, expected in (
-                (Rate("a:out", 12.34, 999.4, None), "    12.3 Hz      999 B/s  a:out"),
-                (Rate("a:out", 0.0, 1000.0, None), "     0.0 Hz     1.0 kB/s  a:out"),
-                (Rate("a:out", 1000.0, 1e6, None), "  1000.0 Hz     1.0 MB/s  a:out"),
-                (Rate("a:out", 1000.0, 2.55e9, None), "  1000.0 Hz     2.5 GB/s  a:out"),
-                (Rate("a:out", None, None, None), "       - Hz            -  a:out"),
-                (Rate("a:out", None, None, errors.Failed("a:out", "gone \x1b")), "       ? Hz            ?  a:out: gone \\x1b")):
+            (Rate("a:out", 12.34, 999.4, None), "    12.3 Hz      999 B/s  a:out"),
+            (Rate("a:out", 0.0, 1000.0, None), "     0.0 Hz     1.0 kB/s  a:out"),
+            (Rate("a:out", 1000.0, 1e6, None), "  1000.0 Hz     1.0 MB/s  a:out"),
+            (Rate("a:out", 1000.0, 2.55e9, None), "  1000.0 Hz     2.5 GB/s  a:out"),
+            (Rate("a:out", None, None, None), "       - Hz            -  a:out"),
+            (
+                Rate("a:out", None, None, errors.Failed("a:out", "gone \x1b")),
+                "       ? Hz            ?  a:out: gone \\x1b",
+            ),
+        ):
             self.assertEqual(rows.rate_line(given), expected)
 
     def test_json(self):
@@ -92,9 +176,13 @@ class Shown(unittest.TestCase):
             "time": 5.0, "path": "a", "kind": "port", "values_per_second": 1.235, "bytes_per_second": 9.9})
         failed = errors.Failed("a", "gone")
         self.assertEqual(rows.rate_as_dict(Rate("a", None, None, failed), 5.0), {
-            "time": 5.0, "path": "a", "kind": "port", "values_per_second": None, "bytes_per_second": None, "error": "a: gone"})
+            "time": 5.0, "path": (
+                "a"
+            ), "kind": "port", "values_per_second": None, "bytes_per_second": None, "error": "a: gone"})
         self.assertEqual(rows.as_dict(row("a"), 5.0), {
-            "time": 5.0, "path": "/robot/a", "name": "a", "kind": "component", "state": None, "rate": None, "running": None,
+            "time": 5.0, "path": (
+                "/robot/a"
+            ), "name": "a", "kind": "component", "state": None, "rate": None, "running": None,
             "ports": None, "connections": None})
         self.assertEqual(rows.as_dict(row("a", failure=failed), 5.0)["error"], "a: gone")
 

@@ -66,7 +66,9 @@ class Sweep(unittest.TestCase):
     def start(self):
         """{name: outcome}; None where the checks found a failure, and nothing was to be changed."""
         async def start():
-            run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, reported)
+            run = run_plan.Run(
+                plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, reported
+            )
             if await run.check(self.profile):
                 return None
             await run.carry_out()
@@ -93,7 +95,11 @@ class Sweep(unittest.TestCase):
         self.assertEqual(sorted(outcomes), NAMES)
         for name, outcome in outcomes.items():
             if outcome != plan.UNCERTAIN:
-                self.assertEqual(states[name], reached if outcome in (plan.DONE, plan.ALREADY) else before, (name, outcomes))
+                self.assertEqual(
+                    states[name],
+                    reached if outcome in (plan.DONE, plan.ALREADY) else before,
+                    (name, outcomes),
+                )
 
     def forget(self):
         self.ctl("reset")
@@ -139,7 +145,9 @@ class Sweep(unittest.TestCase):
                 raise errors.Usage("as a bug would")
 
         async def start():
-            run = run_plan.Run(plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, Broken())
+            run = run_plan.Run(
+                plan.make(self.profile, "activation", "a.xml").actions, transitions.ACTIVATE, Broken()
+            )
             await run.check(self.profile)
             await run.carry_out()
         with self.assertRaises(errors.Usage):

@@ -1,4 +1,6 @@
-"""Many calls at once by omniORB's threads: hung peers cost one timeout together, live ones do not wait for them."""
+"""Many calls at once by omniORB's threads: hung peers cost one timeout together, live ones do not wait for
+them.
+"""
 import threading
 import time
 import types
@@ -13,17 +15,24 @@ TIMEOUT = 0.4
 
 
 class Calls(unittest.TestCase):
-    """Calls of references that are pairs of an endpoint and a function, which a thread calls in place of omniORB."""
+    """Calls of references that are pairs of an endpoint and a function, which a thread calls in place of
+    omniORB.
+    """
 
     def setUp(self):
         session.Session.answered.clear()
         self.session, self.release = session.Session(TIMEOUT), threading.Event()
         self.addCleanup(self.release.set)
-        for name, fake in (("_made", lambda item: item.call.ref[1]()), ("address", lambda ref: ("", ref[0], 1, b""))):
+        for name, fake in (
+            ("_made", lambda item: item.call.ref[1]()),
+            ("address", lambda ref: ("", ref[0], 1, b"")),
+        ):
             patched = mock.patch.object(omniorb, name, fake)
             patched.start()
             self.addCleanup(patched.stop)
-        orbs = mock.patch.object(orb, "_orb", types.SimpleNamespace(invoke=omniorb.invoke, address=omniorb.address))
+        orbs = mock.patch.object(
+            orb, "_orb", types.SimpleNamespace(invoke=omniorb.invoke, address=omniorb.address)
+        )
         orbs.start()
         self.addCleanup(orbs.stop)
 
@@ -50,7 +59,11 @@ class Calls(unittest.TestCase):
     def test_live_peers_answer_beside_hung_and_dead_ones(self):
         def refuse():
             raise errors.ConnectionRefused("x")
-        refs = [("hung", self.silent)] * 200 + [("dead", refuse)] * 50 + [(f"live{i}", lambda i=i: i) for i in range(30)]
+        refs = (
+            [("hung", self.silent)] * 200
+            + [("dead", refuse)] * 50
+            + [(f"live{i}", lambda i=i: i) for i in range(30)]
+        )
         start = time.monotonic()
         values = self.gather(*refs)
         spent = time.monotonic() - start
@@ -123,7 +136,9 @@ class Calls(unittest.TestCase):
         async def main():
             async with loop.Group() as group:
                 for number in range(20):
-                    group.start(orb.call("p", ("p", lambda: begun.append(1) or self.release.wait(0.2)), "get"))
+                    group.start(
+                        orb.call("p", ("p", lambda: begun.append(1) or self.release.wait(0.2)), "get")
+                    )
                 await loop.sleep(0.05)
                 group.cancel()
         loop.run(main(), session=self.session)

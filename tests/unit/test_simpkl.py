@@ -1,4 +1,6 @@
-"""rtshell's log files: those of every Python are read, and hostile pickles do nothing, construct nothing, cost nothing."""
+"""rtshell's log files: those of every Python are read, and hostile pickles do nothing, construct nothing,
+cost nothing.
+"""
 import io
 import os
 import pickle
@@ -17,7 +19,9 @@ FIRST = 1795247464750000000
 
 
 def machine(data):
-    return pickles.Machine(io.BytesIO(data), len(data), lambda module, name: (module, name) == ("known", "Known"))
+    return pickles.Machine(
+        io.BytesIO(data), len(data), lambda module, name: (module, name) == ("known", "Known")
+    )
 
 
 def load(data):
@@ -62,8 +66,20 @@ class Files(Case):
 
     def test_text_and_enumerators(self):
         item = files._class("omniORB", "EnumItem")
-        found = self.read(files.log([files.make(files.TimedLong, text="\xe6\x97\xa5", octets=b"\0\xff", one=files.make(
-            item, _n="RED", _v=1), many=[files.make(files.Time, sec=1, nsec=2)] * 3)], classes=files.CLASSES + (item,)))[1]
+        found = self.read(
+            files.log(
+                [
+                    files.make(
+                        files.TimedLong,
+                        text="\xe6\x97\xa5",
+                        octets=b"\0\xff",
+                        one=files.make(item, _n="RED", _v=1),
+                        many=[files.make(files.Time, sec=1, nsec=2)] * 3,
+                    )
+                ],
+                classes=files.CLASSES + (item,),
+            )
+        )[1]
         self.assertEqual(found[0].value, {"text": "\u65e5", "octets": b"\0\xff", "one": "RED",
                                           "many": [{"sec": 1, "nsec": 2}] * 3})
 
@@ -98,7 +114,11 @@ class Files(Case):
     def test_changed_anywhere(self):
         """Only errors.Failed, or values of plain types."""
         chance = random.Random(2)
-        for data in (files.log(files.values(4)), files.python2_log(files.values(4)), files.log(files.values(4), 0)):
+        for data in (
+            files.log(files.values(4)),
+            files.python2_log(files.values(4)),
+            files.log(files.values(4), 0),
+        ):
             for _ in range(500):
                 changed = bytearray(data)
                 for _ in range(chance.choice([1, 1, 3, 10])):
@@ -132,27 +152,87 @@ class Hostile(Case):
         b"(cos\nsystem\nS'touch %s'\no.",
         b"\x80\x02cos\nsystem\nU\x01x\x85\x81.",
         b"\x80\x04\x8c\x02os\x8c\x06system\x93)}\x92.",  # NEWOBJ_EX
-        b"cknown\nKnown\n)R.", b"\x80\x02cknown\nKnown\nU\x01x\x85\x81.", b"(S'x'\niknown\nKnown\n.",
+        b"cknown\nKnown\n)R.",
+        b"\x80\x02cknown\nKnown\nU\x01x\x85\x81.",
+        b"(S'x'\niknown\nKnown\n.",
         b"(cknown\nKnown\nS'x'\no.",
         b"\x80\x02cknown\nKnown\n)}\x92.",
-        b"\x80\x02cbuiltins\neval\nU\x011\x85R.", b"\x80\x02c__builtin__\nobject\n)\x81.", b"cbuiltins\nobject\n)R.",
+        b"\x80\x02cbuiltins\neval\nU\x011\x85R.",
+        b"\x80\x02c__builtin__\nobject\n)\x81.",
+        b"cbuiltins\nobject\n)R.",
         b"\x80\x02ccopyreg\n_reconstructor\nccopyreg\n_reconstructor\ncbuiltins\nobject\nN\x87R.",
         b"\x80\x02ccopyreg\n_reconstructor\ncos\nsystem\ncbuiltins\nobject\nN\x87R.",
         b"\x80\x02ccopyreg\n_reconstructor\ncknown\nKnown\ncknown\nKnown\nN\x87R.",
         b"\x80\x02ccopyreg\n_reconstructor\ncknown\nKnown\ncbuiltins\nobject\nU\x01x\x87R.",
-        b"\x80\x04\x8c\x05known\x8c\x0cKnown.__init__\x93.", b"\x80\x04\x8c\x0eknown.__dict__\x8c\x05Known\x93.",
-        b"\x80\x02cknown\nKnown\n)\x81U\x01xb.", b"\x80\x02cknown\nKnown\n)\x81N}\x86b.",  # __setstate__, slots
-        b"\x80\x02]}b.", b"\x80\x02}]b.", b"\x80\x02cknown\nKnown\n}b.", b"\x80\x02K\x01}b.",
-        b"\x80\x02\x82\x01.", b"\x80\x02\x83\x01\x00.", b"\x80\x02\x84\x01\x00\x00\x00.",  # extensions
-        b"Pid\n.", b"U\x02idQ.", b"\x97.", b"\x98.", b"\x80\x04\x8f.", b"\x80\x04(\x91.",  # persistent, buffers, sets
+        b"\x80\x04\x8c\x05known\x8c\x0cKnown.__init__\x93.",
+        b"\x80\x04\x8c\x0eknown.__dict__\x8c\x05Known\x93.",
+        # __setstate__, slots
+        b"\x80\x02cknown\nKnown\n)\x81U\x01xb.",
+        b"\x80\x02cknown\nKnown\n)\x81N}\x86b.",
+        b"\x80\x02]}b.",
+        b"\x80\x02}]b.",
+        b"\x80\x02cknown\nKnown\n}b.",
+        b"\x80\x02K\x01}b.",
+        b"\x80\x02\x82\x01.",
+        b"\x80\x02\x83\x01\x00.",
+        b"\x80\x02\x84\x01\x00\x00\x00.",  # extensions
+        # persistent, buffers, sets
+        b"Pid\n.",
+        b"U\x02idQ.",
+        b"\x97.",
+        b"\x98.",
+        b"\x80\x04\x8f.",
+        b"\x80\x04(\x91.",
     ]
 
-    FAULTS = [b"", b".", b"0.", b"1.", b"2.", b"(.", b"((.", b"K\x01K\x02.", b"a.", b"]a.", b"e.", b"K\x01(e.", b"s.", b"u.",
-              b"}(K\x01u.", b"}K\x01K\x02s.", b"}]K\x02s.", b"t.", b"\x85.", b"\x87.", b"\x94.", b"g5\n.", b"gx\n.",
-              b"h\x05.",
-              b"j\x05\0\0\0.", b"p-\n.", b"Ix\n.", b"Fx\n.", b"S'x\n.", b"Sx\n.", b"S'\\xZ'\n.", b"V\\u12\n.", b"I1",
-              b"\x80\x06.", b"\x80", b"\x95" + b"\xff" * 8 + b".", b"\xff.", b"\x93.", b"K\x01K\x02\x93.", b"o.", b"(o.",
-              b"cos\n.", b"b.", b"R.", b"X\x01\0\0\0\xff.", b"L" + b"9" * 5000 + b"L\n."]
+    FAULTS = [
+        b"",
+        b".",
+        b"0.",
+        b"1.",
+        b"2.",
+        b"(.",
+        b"((.",
+        b"K\x01K\x02.",
+        b"a.",
+        b"]a.",
+        b"e.",
+        b"K\x01(e.",
+        b"s.",
+        b"u.",
+        b"}(K\x01u.",
+        b"}K\x01K\x02s.",
+        b"}]K\x02s.",
+        b"t.",
+        b"\x85.",
+        b"\x87.",
+        b"\x94.",
+        b"g5\n.",
+        b"gx\n.",
+        b"h\x05.",
+        b"j\x05\0\0\0.",
+        b"p-\n.",
+        b"Ix\n.",
+        b"Fx\n.",
+        b"S'x\n.",
+        b"Sx\n.",
+        b"S'\\xZ'\n.",
+        b"V\\u12\n.",
+        b"I1",
+        b"\x80\x06.",
+        b"\x80",
+        b"\x95" + b"\xff" * 8 + b".",
+        b"\xff.",
+        b"\x93.",
+        b"K\x01K\x02\x93.",
+        b"o.",
+        b"(o.",
+        b"cos\n.",
+        b"b.",
+        b"R.",
+        b"X\x01\0\0\0\xff.",
+        b"L" + b"9" * 5000 + b"L\n.",
+    ]
 
     def test_calls(self):
         for data in self.CALLS:
@@ -180,8 +260,15 @@ class Hostile(Case):
         self.assertEqual(type(found), pickles.Record)
 
     def test_lengths_are_not_believed(self):
-        for opcode, size in [(b"T", "<i"), (b"X", "<I"), (b"B", "<I"), (b"\x8d", "<Q"), (b"\x8e", "<Q"), (b"\x96", "<Q"),
-                             (b"\x8b", "<i")]:
+        for opcode, size in [
+            (b"T", "<i"),
+            (b"X", "<I"),
+            (b"B", "<I"),
+            (b"\x8d", "<Q"),
+            (b"\x8e", "<Q"),
+            (b"\x96", "<Q"),
+            (b"\x8b", "<i"),
+        ]:
             for length in (-1, 1 << 30, (1 << 31) - 1, (1 << 62)):
                 try:
                     self.refused_cheaply(opcode + struct.pack(size, length) + b"xx.")
@@ -207,11 +294,15 @@ class Hostile(Case):
         """Values of few octets that expand to gigabytes, nest too deep, or contain themselves, are errors."""
         with files.importable():
             stamp = pickle.dumps(files.make(files.EntryTS, _sec=1, _nsec=0), 2)[2:-1]
-        laughs = b"](K\x01K\x01K\x01K\x01e" + b"".join(b"q%c0](" % i + b"h%c" % i * 9 + b"e" for i in range(20))
+        laughs = b"](K\x01K\x01K\x01K\x01e" + b"".join(
+            b"q%c0](" % i + b"h%c" % i * 9 + b"e" for i in range(20)
+        )
         deep = b"]" * 50000 + b"a" * 49999
         tuples = b")" + b"\x85" * 50000
         inside = b"]q\x00h\x00a"
-        words = b"}q\x000" + b"".join(b"}(U\x01ah%cU\x01bh%cuq%c0" % (i, i, i + 1) for i in range(18)) + b"h\x12"
+        words = (
+            b"}q\x000" + b"".join(b"}(U\x01ah%cU\x01bh%cuq%c0" % (i, i, i + 1) for i in range(18)) + b"h\x12"
+        )
         inside_words = b"}q\0U\x01ah\0s"
         for value in (laughs, deep, tuples, inside, words, inside_words):
             entry = b"\x80\x02(K\x00" + stamp + b"X\x07\0\0\0numbers" + value + b"\x86K\x00K\x00t."
@@ -219,13 +310,17 @@ class Hostile(Case):
             log, found = self.read(files.log([]) + entry)
             self.assertLess(tracemalloc.get_traced_memory()[1], 30 << 20)
             tracemalloc.stop()
-            self.assertEqual((found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends"))
+            self.assertEqual(
+                (found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends")
+            )
 
     def test_long_text_many_times(self):
         """A text counts with its length at every place where it is used."""
         for text, protocol in (("\xe9" * 100000, 2), (b"\xe9" * 100000, 4)):
             log, found = self.read(files.log([[text] * 300], protocol))
-            self.assertEqual((found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends"))
+            self.assertEqual(
+                (found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends")
+            )
         self.assertEqual(len(self.read(files.log([["\xe9" * 1000 + str(i) for i in range(300)]]))[1]), 1)
 
     def test_times_that_cannot_be(self):
@@ -238,7 +333,17 @@ class Hostile(Case):
             self.assertEqual((found, log.torn), ([], len(entry)), seconds)
 
     def test_header_of_strange_values(self):
-        for header in (1, (1,), (1.0, 2), (1.0, [2]), ("x", []), (float("nan"), []), (1e300, []), (1.0, [None]), (1.0, {})):
+        for header in (
+            1,
+            (1,),
+            (1.0, 2),
+            (1.0, [2]),
+            ("x", []),
+            (float("nan"), []),
+            (1e300, []),
+            (1.0, [None]),
+            (1.0, {}),
+        ):
             try:
                 log, found = self.read(pickle.dumps(header, 2) + b" " * 256)
             except errors.Failed:

@@ -1,4 +1,6 @@
-"""Single changes of a system and their way back: if this fails, --rollback leaves behind what it says that it has undone."""
+"""Single changes of a system and their way back: if this fails, --rollback leaves behind what it says that it
+has undone.
+"""
 import unittest
 from unittest import mock
 
@@ -33,7 +35,9 @@ class Configuration:
 
 class ActiveSet(unittest.TestCase):
     def setUp(self):
-        self.step, self.after = steps.Active(Site(), "fast"), mock.Mock(active="fast", configuration=Configuration())
+        self.step, self.after = steps.Active(Site(), "fast"), mock.Mock(
+            active="fast", configuration=Configuration()
+        )
 
     def test_the_set_that_was_active_before_is_active_again(self):
         loop.run(self.step.undo([mock.Mock(active="slow")], [self.after]))
@@ -72,7 +76,9 @@ class Values(unittest.TestCase):
 
     def test_hidden_ones_are_set_back_too(self):
         now = mock.Mock(configuration=Configuration())
-        before = steps.Configured([configuration.Set("__widget__", "", {"a": "1", "b": "2"}, False)], "", None)
+        before = steps.Configured([configuration.Set("__widget__", "", {"a": (
+            "1"
+        ), "b": "2"}, False)], "", None)
         loop.run(steps.Values(Site(), "__widget__", {"a": "3"}).undo([before], [now]))
         self.assertEqual(now.configuration.stored, [({"a": "1"}, ("__widget__", True))])
 
@@ -86,7 +92,12 @@ class Connections(unittest.TestCase):
     def test_one_that_was_removed_is_made_again_between_the_ends_that_live(self):
         ends = [(mock.Mock(), "out"), (mock.Mock(), "in")]
         step = connect_steps.Disconnect(model.DataPortConnector(connector_id="id"), ends, {"id"})
-        removed = ports.Connector("id", "name", [], [("dataport.dataflow_type", "push"), ("dataport.corba_cdr.inport_ior", "IOR:00")])
+        removed = ports.Connector(
+            "id",
+            "name",
+            [],
+            [("dataport.dataflow_type", "push"), ("dataport.corba_cdr.inport_ior", "IOR:00")],
+        )
         connected = []
 
         async def connect(*args):
@@ -98,22 +109,39 @@ class Connections(unittest.TestCase):
 
 
 class Rates(unittest.TestCase):
-    """Files name contexts of every kind; only the rate of a periodic one that is the component's own can be set."""
+    """Files name contexts of every kind; only the rate of a periodic one that is the component's own can be
+    set.
+    """
 
     def rates(self, *wanted):
-        """(handle, index, status) of the steps for these contexts (id, kind, rate) of a component whose own has the handle 5."""
+        """(handle, index, status) of the steps for these contexts (id, kind, rate) of a component whose own
+        has the handle 5.
+        """
         contexts = [model.ExecutionContext(id=number, kind=kind, rate=rate) for number, kind, rate in wanted]
-        site = mock.Mock(where="/localhost/a.rtc", required=True, error=None, component=mock.Mock(execution_contexts=contexts),
-                         found=mock.Mock(owned=[mock.Mock(handle=5, rate=1000.0)]))
-        return [(outcome.step.handle, outcome.step.index, outcome.status) for outcome in loop.run(restore._rates(site))]
+        site = mock.Mock(
+            where="/localhost/a.rtc",
+            required=True,
+            error=None,
+            component=mock.Mock(execution_contexts=contexts),
+            found=mock.Mock(owned=[mock.Mock(handle=5, rate=1000.0)]),
+        )
+        return [
+            (outcome.step.handle, outcome.step.index, outcome.status)
+            for outcome in loop.run(restore._rates(site))
+        ]
 
     def test_its_own(self):
         self.assertEqual(self.rates(("5", "PERIODIC", 1000.0)), [(5, 0, apply.ALREADY)])
         self.assertEqual(self.rates(("5", "periodic_execution", 500.0)), [(5, 0, apply.UNTRIED)])
 
     def test_others(self):
-        self.assertEqual(self.rates(("6", "PERIODIC", 500.0), ("five", "PERIODIC", 500.0), ("5", "EVENT_DRIVEN", 500.0)), [])
-        self.assertEqual(self.rates(*[("5", "PERIODIC", rate) for rate in (0.0, -1.0, float("inf"), float("nan"))]), [])
+        self.assertEqual(
+            self.rates(("6", "PERIODIC", 500.0), ("five", "PERIODIC", 500.0), ("5", "EVENT_DRIVEN", 500.0)),
+            [],
+        )
+        self.assertEqual(
+            self.rates(*[("5", "PERIODIC", rate) for rate in (0.0, -1.0, float("inf"), float("nan"))]), []
+        )
 
 
 class States(unittest.TestCase):

@@ -1,5 +1,6 @@
-"""The tables of interfaces and types: they say what the .idl files say, with the ids and bytes of the wire, and what omniORB is
-given is made of them."""
+"""The tables of interfaces and types: they say what the .idl files say, with the ids and bytes of the wire,
+and what omniORB is given is made of them.
+"""
 import glob
 import os
 import subprocess
@@ -120,21 +121,32 @@ class Tables(unittest.TestCase):
             for type_id, descriptor in parser.parse_file(path, [OWN]).items():
                 compared.add(type_id)
                 self.assertEqual(plain(idl.known(type_id)), plain(descriptor), type_id)
-        self.assertEqual({type_id for type_id, row in idl.TYPES.items() if row[0] != descriptors.EXCEPTION} - compared, set())
+        self.assertEqual(
+            {type_id for type_id, row in idl.TYPES.items() if row[0] != descriptors.EXCEPTION} - compared,
+            set(),
+        )
 
     def test_interfaces_are_what_our_parser_reads(self):
         for path in self.files():
             for type_id, expected in parser.read_file(path, [OWN]).interfaces.items():
                 found = standard.interface(type_id)
                 with self.subTest(interface=type_id):
-                    self.assertEqual([each.idl() for each in found.operations], [each.idl() for each in expected.operations])
-                    self.assertEqual([each.name for each in found.ancestry()], [each.name for each in expected.ancestry()])
+                    self.assertEqual(
+                        [each.idl() for each in found.operations],
+                        [each.idl() for each in expected.operations],
+                    )
+                    self.assertEqual(
+                        [each.name for each in found.ancestry()], [each.name for each in expected.ancestry()]
+                    )
                     for one, other in zip(found.operations, expected.operations):
                         self.same_schema(one.schema(), other.schema())
 
     def same_schema(self, one, other):
         self.assertEqual(list(map(plain, one.given)), list(map(plain, other.given)))
-        self.assertEqual(one.returned and list(map(plain, one.returned)), other.returned and list(map(plain, other.returned)))
+        self.assertEqual(
+            one.returned and list(map(plain, one.returned)),
+            other.returned and list(map(plain, other.returned)),
+        )
         self.assertEqual(set(one.raised), set(other.raised))
 
     def test_an_include_declares_what_the_file_does(self):
@@ -166,21 +178,37 @@ class Tables(unittest.TestCase):
             found = parser.read_file(case)
             port = found.interfaces["IDL:Mine/Port:1.0"]
             self.assertIn("get_port_profile", port.all_operations())
-            self.assertEqual(list(port.operations[0].schema().raised), ["IDL:omg.org/CosNaming/NamingContext/NotFound:1.0"])
-            self.assertEqual(plain(found.types["IDL:RTC/More:1.0"])[3][0][1], plain(idl.known(idl.id_of("RTC.ReturnCode_t"))))
+            self.assertEqual(
+                list(port.operations[0].schema().raised), ["IDL:omg.org/CosNaming/NamingContext/NotFound:1.0"]
+            )
+            self.assertEqual(
+                plain(found.types["IDL:RTC/More:1.0"])[3][0][1],
+                plain(idl.known(idl.id_of("RTC.ReturnCode_t"))),
+            )
 
     def test_repository_ids(self):
         for module, name, expected in map(str.split, IDS.strip().splitlines()):
             self.assertEqual(idl.id_of(module + "." + name), expected)
 
     def test_no_two_have_one_name(self):
-        names = [type_id.split(":")[1].split("/")[-2:] for table in (idl.TYPES, idl.INTERFACES) for type_id in table]
+        names = [
+            type_id.split(":")[1].split("/")[-2:]
+            for table in (idl.TYPES, idl.INTERFACES)
+            for type_id in table
+        ]
         self.assertEqual(len(set(map(tuple, names))), len(names))
 
     def test_observer_kinds_differ_from_number_five_on(self):
-        kinds = [{str(item): item._v for item in idl.items(module + ".StatusKind")} for module in ("OpenRTM", "RTC")]
-        self.assertEqual([kinds[0][name] for name in ("RTC_STATUS", "HEARTBEAT", "STATUS_KIND_NUM")], [1, 5, 6])
-        self.assertEqual([kinds[1][name] for name in ("RTC_STATUS", "EC_HEARTBEAT", "STATUS_KIND_NUM")], [1, 6, 11])
+        kinds = [
+            {str(item): item._v for item in idl.items(module + ".StatusKind")}
+            for module in ("OpenRTM", "RTC")
+        ]
+        self.assertEqual(
+            [kinds[0][name] for name in ("RTC_STATUS", "HEARTBEAT", "STATUS_KIND_NUM")], [1, 5, 6]
+        )
+        self.assertEqual(
+            [kinds[1][name] for name in ("RTC_STATUS", "EC_HEARTBEAT", "STATUS_KIND_NUM")], [1, 6, 11]
+        )
 
 
 @unittest.skipUnless(omniORB, "omniORBpy is not installed")
@@ -212,8 +240,12 @@ class OmniOrb(unittest.TestCase):
     def test_skeletons_inherit_as_their_interfaces_do(self):
         """omniORB knows by that which interfaces a servant has."""
         component = stubs.skeleton("OpenRTM.DataFlowComponent")
-        for type_id in ("IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
-                        "IDL:omg.org/RTC/ComponentAction:1.0", "IDL:org.omg/SDOPackage/SDO:1.0"):
+        for type_id in (
+            "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0",
+            "IDL:omg.org/RTC/RTObject:1.0",
+            "IDL:omg.org/RTC/ComponentAction:1.0",
+            "IDL:org.omg/SDOPackage/SDO:1.0",
+        ):
             self.assertTrue(omniORB.static_is_a(component, type_id), type_id)
         self.assertFalse(omniORB.static_is_a(component, "IDL:omg.org/RTC/PortService:1.0"))
         self.assertLessEqual({"on_execute", "exit", "get_ports", "get_sdo_id"}, set(component._omni_op_d))

@@ -4,7 +4,10 @@ import unittest
 
 from rtshell_lite import errors, text
 
-HOSTILE = "a./:\\ \u3164\u0301\u0e49\ufe0f\u2764\U000e0041\x00\x07\x1b\n\r\t\x7f\x9b\u202e\u2028\u200b\udc80\udcff日é\U0001f600'\"$`*"
+HOSTILE = (
+    "a./:\\ "
+    "\u3164\u0301\u0e49\ufe0f\u2764\U000e0041\x00\x07\x1b\n\r\t\x7f\x9b\u202e\u2028\u200b\udc80\udcff日é\U0001f600'\"$`*"  # noqa: E501
+)
 
 
 def hostile(rng, most=12):
@@ -15,7 +18,9 @@ class Wire(unittest.TestCase):
     def test_bytes_of_a_command_line_are_utf_8(self):
         """Python 3.6 leaves them undecoded in the C locale."""
         self.assertEqual(text.typed("\udce6\udc97\udca5.rtc"), "日.rtc")
-        self.assertEqual([text.typed(s) for s in ("a", "日", "bad\udcff", "\ud800")], ["a", "日", "bad\udcff", "\ud800"])
+        self.assertEqual(
+            [text.typed(s) for s in ("a", "日", "bad\udcff", "\ud800")], ["a", "日", "bad\udcff", "\ud800"]
+        )
 
     def test_every_byte_string_comes_back_as_it_was(self):
         rng = random.Random(1)
@@ -47,7 +52,9 @@ class Terminal(unittest.TestCase):
             self.assertEqual(text.unescaped(shown), name)
 
     def test_invisible_characters_are_escaped(self):
-        for c in "\u115f\u1160\u3164\uffa0\u2800\u034f\u17b4\u180b\ufe00\ufe0f\U000e0041\U000e0100\U000e01ef\U0001d159":
+        for (
+            c
+        ) in "\u115f\u1160\u3164\uffa0\u2800\u034f\u17b4\u180b\ufe00\ufe0f\U000e0041\U000e0100\U000e01ef\U0001d159":  # noqa: E501
             for said in (c, "a" + c, "\u65e5" + c + "b", c * 3):
                 with self.subTest(ascii(said)):
                     self.assertNotIn(c, text.printable(said))
@@ -64,17 +71,27 @@ class Terminal(unittest.TestCase):
 
     def test_ordinary_text_of_all_languages_stays_readable(self):
         import unicodedata
-        words = ["\u65e5\u672c\u8a9e", "\ud55c\uad6d\uc5b4", "\u0915\u094d\u0937\u0924\u094d\u0930\u093f\u092f",
-                 "\u0e17\u0e35\u0e48\u0e19\u0e35\u0e48",
-                 "\u0f67\u0f71\u0f74\u0f83", "\u05e9\u05c1\u05b8\u05dc\u05d5\u05b9\u05dd",
-                 "\u0639\u064e\u0631\u064e\u0628\u0650\u064a\u0651", "\u2764\ufe0f",
-                 "\U0001f44d\U0001f3fd", "Ti\u1ebfng Vi\u1ec7t", "\u1100\u1161\u11a8"]
+        words = [
+            "\u65e5\u672c\u8a9e",
+            "\ud55c\uad6d\uc5b4",
+            "\u0915\u094d\u0937\u0924\u094d\u0930\u093f\u092f",
+            "\u0e17\u0e35\u0e48\u0e19\u0e35\u0e48",
+            "\u0f67\u0f71\u0f74\u0f83",
+            "\u05e9\u05c1\u05b8\u05dc\u05d5\u05b9\u05dd",
+            "\u0639\u064e\u0631\u064e\u0628\u0650\u064a\u0651",
+            "\u2764\ufe0f",
+            "\U0001f44d\U0001f3fd",
+            "Ti\u1ebfng Vi\u1ec7t",
+            "\u1100\u1161\u11a8",
+        ]
         for word in words + [unicodedata.normalize("NFD", word) for word in words]:
             with self.subTest(ascii(word)):
                 self.assertEqual((text.printable(word), text.safe(word)), (word, word))
 
     def test_a_selector_stays_behind_symbols_only(self):
-        self.assertEqual(text.printable("\u2764\ufe0f\ufe0f a\ufe0f 1\ufe0f"), "\u2764\ufe0f\\ufe0f a\\ufe0f 1\\ufe0f")
+        self.assertEqual(
+            text.printable("\u2764\ufe0f\ufe0f a\ufe0f 1\ufe0f"), "\u2764\ufe0f\\ufe0f a\\ufe0f 1\\ufe0f"
+        )
 
     def test_safe_keeps_backslashes(self):
         self.assertEqual(text.safe("a\\x1b \x1b"), "a\\x1b \\x1b")
@@ -89,11 +106,33 @@ class Terminal(unittest.TestCase):
 
     def test_shell_words_are_one_word_of_the_same_text(self):
         import subprocess
-        words = ["plain/a.rtc:in", "it's", "$(touch canary)", "a b", "", "-rf", "`x`", "日本", "\\x1b", "\x1b[2Jred", "\x1b", "\x017",
-                 "tab\there", "bell\x07\x7f it's", "two\nlines\n", "\n", "\x1b\n", "bad\udcff\udc80", "\u202e\u2028", "\r"]
+        words = [
+            "plain/a.rtc:in",
+            "it's",
+            "$(touch canary)",
+            "a b",
+            "",
+            "-rf",
+            "`x`",
+            "日本",
+            "\\x1b",
+            "\x1b[2Jred",
+            "\x1b",
+            "\x017",
+            "tab\there",
+            "bell\x07\x7f it's",
+            "two\nlines\n",
+            "\n",
+            "\x1b\n",
+            "bad\udcff\udc80",
+            "\u202e\u2028",
+            "\r",
+        ]
         line = "printf '%s\\0' " + " ".join(text.shell_word(word) for word in words)
         self.assertTrue(all(c.isprintable() or c == "\n" for c in line), ascii(line))
-        said = subprocess.run(["sh", "-c", line], stdout=subprocess.PIPE, check=True).stdout.decode("utf-8", "surrogateescape")
+        said = subprocess.run(["sh", "-c", line], stdout=subprocess.PIPE, check=True).stdout.decode(
+            "utf-8", "surrogateescape"
+        )
         self.assertEqual(said.split("\0")[:-1], words)
 
 

@@ -30,9 +30,15 @@ class Files(unittest.TestCase):
         """Where a name server happened to get it, it would be shown as $PORT."""
         for path, _ in transcripts.cases(shells=["dash"]):
             with open(path, encoding="utf-8") as file:
-                shown = "\n".join(line for step in transcripts.steps(transcripts.parse(file.read())) for line in step.expected)
+                shown = "\n".join(
+                    line
+                    for step in transcripts.steps(transcripts.parse(file.read()))
+                    for line in step.expected
+                )
             numbers = {int(number) for number in re.findall(r"(?<![0-9])[0-9]{5}(?![0-9])", shown)}
-            self.assertFalse([number for number in numbers if processes.nameserver.PORTS < number < 32000], path)
+            self.assertFalse(
+                [number for number in numbers if processes.nameserver.PORTS < number < 32000], path
+            )
 
 
 class Reading(unittest.TestCase):
@@ -84,7 +90,9 @@ class Comparing(unittest.TestCase):
         self.assertFalse(transcripts.matches("a.c", "abc"))
 
     def test_merging_keeps_patterns(self):
-        self.assertEqual(transcripts.merge(["a", "[0-9] (re)", "z"], ["b", "7", "y"]), ["b", "[0-9] (re)", "y"])
+        self.assertEqual(
+            transcripts.merge(["a", "[0-9] (re)", "z"], ["b", "7", "y"]), ["b", "[0-9] (re)", "y"]
+        )
 
     def test_merging_sees_missing_and_extra_lines(self):
         self.assertEqual(transcripts.merge(["a", "b"], ["a"]), ["a"])
@@ -196,8 +204,11 @@ class Leaving(unittest.TestCase):
     def test_nothing_outlives_a_killed_runner(self):
         marker = "%d.75" % (os.getpid() + 100000)
         program = "import test_transcripts; test_transcripts.run('  $ sleep %s\\n')" % marker
-        runner = subprocess.Popen([sys.executable, "-c", program], cwd=os.path.dirname(os.path.abspath(__file__)),
-                                  env=dict(os.environ, PYTHONPATH=transcripts.HERE))
+        runner = subprocess.Popen(
+            [sys.executable, "-c", program],
+            cwd=os.path.dirname(os.path.abspath(__file__)),
+            env=dict(os.environ, PYTHONPATH=transcripts.HERE),
+        )
         self.addCleanup(runner.wait)
         self.assertTrue(wait_until(lambda: survivors(marker)))
         runner.send_signal(signal.SIGKILL)

@@ -26,7 +26,9 @@ class Advice(unittest.TestCase):
 
     def advice(self, ports, managers=(), **environment):
         environment = dict({"RTCTREE_NAMESERVERS": ""}, **environment)
-        with mock.patch.dict(os.environ, environment), mock.patch.multiple(usual, PORTS=ports, MANAGERS=managers):
+        with mock.patch.dict(os.environ, environment), mock.patch.multiple(
+            usual, PORTS=ports, MANAGERS=managers
+        ):
             return loop.run(usual.advice(), session=Session(worlds.LIMIT))
 
     def test_the_usual_one_is_there(self):
@@ -36,16 +38,26 @@ class Advice(unittest.TestCase):
         self.assertIsNone(self.advice((self.nobody,), RTCTREE_NAMESERVERS="robot1"))
 
     def test_it_is_at_another_port(self):
-        self.assertEqual(self.advice((self.nobody, self.port)), "no name server answers at localhost:%d; found on this host: "
-                         "localhost:%d; try: export RTCTREE_NAMESERVERS=localhost:%d" % (self.nobody, self.port, self.port))
+        self.assertEqual(
+            self.advice((self.nobody, self.port)),
+            "no name server answers at localhost:%d; "
+            "found on this host: "
+            "localhost:%d; try: export RTCTREE_NAMESERVERS=localhost:%d"
+            % (self.nobody, self.port, self.port),
+        )
 
     def test_there_is_a_manager_only(self):
         address = "corbaloc:iiop:localhost:%d/manager" % self.manager
-        self.assertEqual(self.advice((self.nobody, self.manager), (self.manager,)), "no name server answers at localhost:%d; found on "
-                         "this host: %s; try: export RTCTREE_NAMESERVERS=%s" % (self.nobody, address, address))
+        self.assertEqual(
+            self.advice((self.nobody, self.manager), (self.manager,)),
+            "no name server answers at localhost:%d; found on "
+            "this host: %s; try: export RTCTREE_NAMESERVERS=%s" % (self.nobody, address, address),
+        )
 
     def test_there_is_none(self):
-        self.assertEqual(self.advice((self.nobody, self.nobody)), "no name server answers at localhost:%d, nor at TCP ports %d of this "
+        self.assertEqual(self.advice((self.nobody, self.nobody)), "no name server answers at "
+                                                                  "localhost:%d, nor at TCP ports %d of "
+                                                                  "this "
                          "host; on another host: rtls HOST" % (self.nobody, self.nobody))
 
 

@@ -1,4 +1,6 @@
-"""Words that readers stumble over: no help, message, manual page or paper has them. Which ones, and why, is in docs/words.md."""
+"""Words that readers stumble over: no help, message, manual page or paper has them. Which ones, and why, is
+in docs/words.md.
+"""
 import ast
 import glob
 import os
@@ -15,7 +17,9 @@ def read(path):
 
 
 def below(pattern):
-    return sorted(os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, pattern), recursive=True))
+    return sorted(
+        os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, pattern), recursive=True)
+    )
 
 
 def banned():
@@ -27,7 +31,11 @@ def banned():
 
 def papers():
     """(where, text) of everything that is read by people who use it."""
-    papers = [path for pattern in ("docs/*.md", "docs/*.txt", "man/man[17]/*", "mock_components/tour") for path in below(pattern)]
+    papers = [
+        path
+        for pattern in ("docs/*.md", "docs/*.txt", "man/man[17]/*", "mock_components/tour")
+        for path in below(pattern)
+    ]
     for path in ["README.md", "CHANGELOG.md"] + papers:
         if path != os.path.join("docs", "words.md"):
             yield path, re.sub(r"\\fB|\\fR|\\fI|\\&", "", read(path))
@@ -37,13 +45,23 @@ def papers():
 
 
 def spoken(path):
-    """What a file says to people: the help of commands and of the library, and the texts of messages, labels and notes."""
+    """What a file says to people: the help of commands and of the library, and the texts of messages, labels
+    and notes.
+    """
     tree = ast.parse(read(path))
     is_public = path.startswith("bin") or path.endswith(os.sep + "api.py")
-    documented = [node for node in ast.walk(tree) if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef))]
-    docstrings = {id(node.body[0].value) for node in documented if node.body and isinstance(node.body[0], ast.Expr)}
+    documented = [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef))
+    ]
+    docstrings = {
+        id(node.body[0].value) for node in documented if node.body and isinstance(node.body[0], ast.Expr)
+    }
     for node in ast.walk(tree):
-        value = getattr(node, "value", None) if type(node).__name__ == "Constant" else getattr(node, "s", None)
+        value = (
+            getattr(node, "value", None) if type(node).__name__ == "Constant" else getattr(node, "s", None)
+        )
         if isinstance(value, str) and (is_public or id(node) not in docstrings):
             yield "%s:%d" % (path, node.lineno), value
 

@@ -1,4 +1,6 @@
-"""How many values wait unread in a port, by what is known: if this fails, rtinject leaves too early, or says what is not so."""
+"""How many values wait unread in a port, by what is known: if this fails, rtinject leaves too early, or says
+what is not so.
+"""
 import unittest
 from unittest import mock
 
@@ -29,7 +31,9 @@ class Filling(unittest.TestCase):
         self.assertEqual(backlog.lost, 0)
 
     def test_faster_than_the_reader(self):
-        """A second at 1 kHz into 100 Hz: a buffer of 8 has lost all but 8 and the 100 that were read, one of 1,000 none."""
+        """A second at 1 kHz into 100 Hz: a buffer of 8 has lost all but 8 and the 100 that were read, one of
+        1,000 none.
+        """
         backlog = self.sent(100.0, 8, 1000, 0.001)
         self.assertAlmostEqual(backlog.lost, 892, delta=1)
         self.assertEqual(backlog.waiting, 8)
@@ -38,7 +42,9 @@ class Filling(unittest.TestCase):
         self.assertAlmostEqual(backlog.waiting, 900, delta=1)
 
     def test_a_full_buffer_shows_how_fast_it_is_read(self):
-        """It claims 1,000 Hz and reads 100 times a second: 40 values of which four wait, and ten times as long for those."""
+        """It claims 1,000 Hz and reads 100 times a second: 40 values of which four wait, and ten times as
+        long for those.
+        """
         backlog = Backlog(1000.0, 4, refuses=True)
         for number in range(4):
             backlog.add(0.0)
@@ -89,20 +95,29 @@ class Rest(unittest.TestCase):
 
     def slept(self, rate, waiting=0.0, since=0.0, taken=1):
         """How long a writer waits that has written so many seconds ago, while values wait in the buffer."""
-        writer = mock.Mock(unanswered=0, taken=taken, last=100.0 - since, backlog=mock.Mock(rate=rate, waiting=waiting))
+        writer = mock.Mock(
+            unanswered=0, taken=taken, last=100.0 - since, backlog=mock.Mock(rate=rate, waiting=waiting)
+        )
         slept = []
 
         async def sleep(seconds):
             slept.append(seconds)
-        with mock.patch.object(writing.time, "monotonic", lambda: 100.0), mock.patch.object(writing.loop, "sleep", sleep):
+        with mock.patch.object(writing.time, "monotonic", lambda: 100.0), mock.patch.object(
+            writing.loop, "sleep", sleep
+        ):
             with self.assertRaises(StopIteration) as ended:  # it awaits nothing else
                 writing.Writer.is_at_rest(writer).send(None)
         self.assertTrue(ended.exception.value)
         return sum(slept)
 
     def test_until_the_reader_has_read(self):
-        for expected, found in ((0.15, self.slept(10.0)), (0.05, self.slept(10.0, since=0.1)), (0.03, self.slept(100.0, 3.0)),
-                                (0.0, self.slept(10.0, since=5.0)), (1.5 / writing.USUAL, self.slept(None, 3.0))):
+        for expected, found in (
+            (0.15, self.slept(10.0)),
+            (0.05, self.slept(10.0, since=0.1)),
+            (0.03, self.slept(100.0, 3.0)),
+            (0.0, self.slept(10.0, since=5.0)),
+            (1.5 / writing.USUAL, self.slept(None, 3.0)),
+        ):
             self.assertAlmostEqual(found, expected + writing.READING)
 
     def test_it_has_an_end(self):
@@ -111,7 +126,8 @@ class Rest(unittest.TestCase):
 
 class Readers(unittest.TestCase):
     def look(self, *cycles):
-        """(why a component does not read, at which rate it does) with these contexts: (state, running, rate)."""
+        """(why a component does not read, at which rate it does) with these contexts: (state, running, rate).
+        """
         audience = Audience(mock.Mock(path="/localhost/a.rtc"), "/localhost/a.rtc:in")
 
         async def known():
@@ -123,12 +139,20 @@ class Readers(unittest.TestCase):
         return loop.run(audience.why_not_reading()), audience.rate
 
     def test_an_active_one_reads_in_the_fastest_context_that_runs(self):
-        self.assertEqual(self.look(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)), (None, 500.0))
-        self.assertEqual(self.look(("Active", True, 100.0), ("Inactive", True, 500.0), ("Active", False, 1000.0)), (None, 100.0))
+        self.assertEqual(
+            self.look(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)), (None, 500.0)
+        )
+        self.assertEqual(
+            self.look(("Active", True, 100.0), ("Inactive", True, 500.0), ("Active", False, 1000.0)),
+            (None, 100.0),
+        )
 
     def test_others_do_not(self):
-        for state, running, words in (("Inactive", True, "rtact /localhost/a.rtc"), ("Active", False, "rtec /localhost/a.rtc start"),
-                                      ("Inactive", False, "rtec /localhost/a.rtc start")):
+        for state, running, words in (
+            ("Inactive", True, "rtact /localhost/a.rtc"),
+            ("Active", False, "rtec /localhost/a.rtc start"),
+            ("Inactive", False, "rtec /localhost/a.rtc start"),
+        ):
             why, rate = self.look((state, running, 100.0))
             self.assertIn(words, str(why))
             self.assertIsNone(rate)

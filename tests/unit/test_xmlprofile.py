@@ -1,8 +1,10 @@
-"""RtsProfile files: what others write is read, nothing is lost on the way, what is broken is refused with its place.
+"""RtsProfile files: what others write is read, nothing is lost on the way, what is broken is refused with its
+place.
 
-A file dropped into tests/data/valid is read and must come back the same from both forms; with another of the same name and
-the other form beside it, both must say the same. One dropped into tests/data/invalid must be refused, with the message in
-NAME.error if there is one. Real files are taken from $RTSHELL_PROFILES or from shared/data/profiles beside the repository.
+A file dropped into tests/data/valid is read and must come back the same from both forms; with another of the
+same name and the other form beside it, both must say the same. One dropped into tests/data/invalid must be
+refused, with the message in NAME.error if there is one. Real files are taken from $RTSHELL_PROFILES or from
+shared/data/profiles beside the repository.
 """
 import copy
 import gc
@@ -24,7 +26,11 @@ NAMESPACES = " ".join('xmlns:%s="%s"' % pair for pair in sorted(names.NAMESPACES
 
 
 def files(kind):
-    return sorted(path for path in glob.glob(os.path.join(glob.escape(DATA), kind, "*")) if path.endswith((".xml", ".yaml")))
+    return sorted(
+        path
+        for path in glob.glob(os.path.join(glob.escape(DATA), kind, "*"))
+        if path.endswith((".xml", ".yaml"))
+    )
 
 
 def real_files():
@@ -48,7 +54,9 @@ def load(path, form=None):
 
 
 def read_xml(inside, attributes=""):
-    return rtsprofile.load('<rts:RtsProfile %s rts:id="a" %s>%s</rts:RtsProfile>' % (NAMESPACES, attributes, inside), "a.xml")
+    return rtsprofile.load(
+        '<rts:RtsProfile %s rts:id="a" %s>%s</rts:RtsProfile>' % (NAMESPACES, attributes, inside), "a.xml"
+    )
 
 
 class Files(unittest.TestCase):
@@ -83,7 +91,9 @@ class Files(unittest.TestCase):
                 with self.assertRaises(errors.BadProfile) as caught:
                     load(path)
                 name, line, column, reason = caught.exception.args
-                self.assertEqual((name, line > 0, column > 0, bool(reason)), (os.path.basename(path), True, True, True))
+                self.assertEqual(
+                    (name, line > 0, column > 0, bool(reason)), (os.path.basename(path), True, True, True)
+                )
                 if os.path.exists(path + ".error"):
                     self.assertEqual(str(caught.exception) + "\n", content(path + ".error").decode())
 
@@ -112,11 +122,17 @@ class Random(unittest.TestCase):
             for form in FORMS:
                 again = rtsprofile.load(written[form], form)
                 self.assertEqual(again, profile, "seed %d, %s" % (seed, form))
-                self.assertEqual({other: rtsprofile.dump(again, other) for other in FORMS}, written, "seed %d" % seed)
+                self.assertEqual(
+                    {other: rtsprofile.dump(again, other) for other in FORMS}, written, "seed %d" % seed
+                )
 
     def test_every_field_matters_to_equality(self):
         maker = random_profiles.Maker(1)
-        for cls in [value for value in vars(model).values() if isinstance(value, type) and issubclass(value, fields.Element)]:
+        for cls in [
+            value
+            for value in vars(model).values()
+            if isinstance(value, type) and issubclass(value, fields.Element)
+        ]:
             for field in cls.FIELDS:
                 one = maker.element(cls)
                 other = copy.deepcopy(one)
@@ -129,16 +145,22 @@ class Meaning(unittest.TestCase):
     def test_files_of_rtcryo(self):
         profile = load(os.path.join(DATA, "valid", "as-rtcryo-writes.xml"))
         component, valve = profile.components
-        self.assertEqual((component.path_uri, component.is_required), ("localhost:2810/Hygrometer0.rtc", True))
+        self.assertEqual(
+            (component.path_uri, component.is_required), ("localhost:2810/Hygrometer0.rtc", True)
+        )
         self.assertEqual(component.location, model.Location())
         self.assertEqual([(d.name, d.data) for d in component.configuration_sets[0].configuration_data],
                          [("interval", "0.5"), ("note", "")])
         self.assertEqual((component.property("IOR"), component.property("none")), ("IOR:0100", None))
         wire, = profile.data_port_connectors
         self.assertEqual([end.port_name for end in wire.ends], ["Hygrometer0.out", "Valve0.in"])
-        self.assertEqual((wire.push_interval, wire.properties), (10.0, [model.Property(name="dataport.outport")]))
+        self.assertEqual(
+            (wire.push_interval, wire.properties), (10.0, [model.Property(name="dataport.outport")])
+        )
         condition, = profile.activation.targets
-        self.assertEqual((condition.sequence, condition.wait_time.wait_time, condition.preceding), (1, 250, None))
+        self.assertEqual(
+            (condition.sequence, condition.wait_time.wait_time, condition.preceding), (1, 250, None)
+        )
         self.assertEqual((profile.start_up, valve.service_ports[0].visible), (None, True))
 
     def test_files_of_systemeditor(self):
@@ -150,7 +172,10 @@ class Meaning(unittest.TestCase):
         self.assertEqual(member.property("COMPONENT_PATH_ID"), "localhost/a.host_cxt/Valve0.rtc")
         self.assertEqual(profile.start_up.targets[0].target.id, "")
         preceding = profile.resetting.targets[0].preceding
-        self.assertEqual((preceding.timeout, preceding.sending_timing, len(preceding.preceding_components)), (3000, "SYNC", 1))
+        self.assertEqual(
+            (preceding.timeout, preceding.sending_timing, len(preceding.preceding_components)),
+            (3000, "SYNC", 1),
+        )
         self.assertEqual(profile.version_up_logs, ["first", "second & last"])
         self.assertEqual(profile.creation_date, "2025-04-01T06:30:00.125+09:00")
 
@@ -169,7 +194,9 @@ class Meaning(unittest.TestCase):
         component, = profile.components
         self.assertEqual((component.id, component.foreign.attributes["id"]), ("RTC:A:b:C:1", "another"))
         shape, brand, plain = component.foreign.elements
-        self.assertEqual((shape.tag, shape.content[1], plain.content), ("{http://example.org/x}Shape", " and ", [" "]))
+        self.assertEqual(
+            (shape.tag, shape.content[1], plain.content), ("{http://example.org/x}Shape", " and ", [" "])
+        )
         self.assertEqual(brand.attributes, {"name": "none"})
 
     def test_comments_stay_beside_what_they_stand_beside(self):
@@ -186,8 +213,18 @@ class Meaning(unittest.TestCase):
 <!-- after it -->""" % NAMESPACES
         written = rtsprofile.dump(rtsprofile.load(text, "a.xml"), rtsprofile.XML)
         self.assertEqual(rtsprofile.dump(rtsprofile.load(written, "b.xml"), rtsprofile.XML), written)
-        order = ["of the file\n     on two lines", "<rts:RtsProfile", "the arm", "twice", "h/a.rtc", r"<!-- no ports \u202e -->", "h/b.rtc",
-                 "the end", "after it", "</rts:RtsProfile>"]
+        order = [
+            "of the file\n     on two lines",
+            "<rts:RtsProfile",
+            "the arm",
+            "twice",
+            "h/a.rtc",
+            r"<!-- no ports \u202e -->",
+            "h/b.rtc",
+            "the end",
+            "after it",
+            "</rts:RtsProfile>",
+        ]
         self.assertEqual(sorted(order, key=written.index), order)
 
     def test_a_connection_may_have_any_number_of_ends(self):
@@ -202,17 +239,28 @@ class Meaning(unittest.TestCase):
 
     def test_times_of_version_0_1(self):
         profile = load(os.path.join(DATA, "valid", "version-0.1.xml"))
-        self.assertEqual([c.wait_time and c.wait_time.wait_time for c in profile.start_up.targets], [1500, None, None])
+        self.assertEqual(
+            [c.wait_time and c.wait_time.wait_time for c in profile.start_up.targets], [1500, None, None]
+        )
         for form in FORMS:  # what is written is of 0.2
             self.assertEqual(load(os.path.join(DATA, "valid", "version-0.1." + form)).version, "0.2")
 
     def test_boolean_and_number_spellings(self):
-        for text, value in (("true", True), ("TRUE", True), ("1", True), ("0", False), ("False", False), ("", False)):
-            profile = read_xml('<rts:Components rts:id="" rts:pathUri="" rts:instanceName="" rts:isRequired="%s"/>' % text)
+        for text, value in (
+            ("true", True),
+            ("TRUE", True),
+            ("1", True),
+            ("0", False),
+            ("False", False),
+            ("", False),
+        ):
+            profile = read_xml('<rts:Components rts:id="" rts:pathUri="" rts:instanceName="" '
+                               'rts:isRequired="%s"/>' % text)
             self.assertIs(profile.components[0].is_required, value)
         for text, value in ((" 10 ", 10.0), ("1e3", 1000.0), ("INF", float("inf")), ("", 0.0)):
-            profile = read_xml('<rts:DataPortConnectors rts:pushInterval="%s"><rts:sourceDataPort rts:componentId="" '
-                               'rts:instanceName="" rts:portName=""/></rts:DataPortConnectors>' % text)
+            profile = read_xml('<rts:DataPortConnectors rts:pushInterval="%s"><rts:sourceDataPort '
+                               'rts:componentId="" rts:instanceName="" '
+                               'rts:portName=""/></rts:DataPortConnectors>' % text)
             self.assertEqual(profile.data_port_connectors[0].push_interval, value)
 
     def test_an_unknown_field_is_a_mistake_of_the_program(self):
@@ -245,7 +293,10 @@ class Forms(unittest.TestCase):
     def test_text_that_was_read_with_surrogate_escapes_is_taken(self):
         for name in ("shift-jis.xml", "utf-16.xml", "byte-order-mark.xml"):
             data = content(os.path.join(DATA, "valid", name))
-            self.assertEqual(rtsprofile.load(data.decode("utf-8-sig", "surrogateescape"), name), rtsprofile.load(data, name))
+            self.assertEqual(
+                rtsprofile.load(data.decode("utf-8-sig", "surrogateescape"), name),
+                rtsprofile.load(data, name),
+            )
         with self.assertRaises(errors.BadProfile):
             rtsprofile.load("\ud800", "a")
 
@@ -263,11 +314,23 @@ class Forms(unittest.TestCase):
         self.assertTrue(rtsprofile.dump(plain, rtsprofile.XML).startswith(head))
 
     def test_characters_that_xml_cannot_hold(self):
-        for text in ("\x1b", "_x001B_", "_x001B\x1b", "\ud800\udfff", "_x005F_x001B_", "_x0041_", "a_b", "\uffff_"):
+        for text in (
+            "\x1b",
+            "_x001B_",
+            "_x001B\x1b",
+            "\ud800\udfff",
+            "_x005F_x001B_",
+            "_x0041_",
+            "a_b",
+            "\uffff_",
+        ):
             written = escape.quoted(text)
             self.assertEqual(escape.unspelt(written), text)
         self.assertEqual((escape.quoted("_x0041_"), escape.quoted("\x1b[0m")), ("_x0041_", "_x001B_[0m"))
-        self.assertEqual((escape.quoted("\u3164"), escape.quoted("e" + "\u0301" * 5)), ("&#12644;", "e" + "\u0301" * 4 + "&#769;"))
+        self.assertEqual(
+            (escape.quoted("\u3164"), escape.quoted("e" + "\u0301" * 5)),
+            ("&#12644;", "e" + "\u0301" * 4 + "&#769;"),
+        )
 
     def test_the_standard_library_is_not_hidden(self):
         from rtshell_lite.xmlprofile import xml

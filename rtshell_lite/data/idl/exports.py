@@ -1,4 +1,5 @@
-"""Operations and attributes in the body of an interface (CORBA 3.0, 3.12, 3.13), from tokens to interfaces.py.
+"""Operations and attributes in the body of an interface (CORBA 3.0, 3.12, 3.13), from tokens to
+interfaces.py.
 
 One that cannot be read, as it names what is not declared, fails itself and not its file: what is wrong is
 its `fault`.

@@ -70,8 +70,8 @@ class Parameter:
 
 
 class Operation:
-    """An operation: `result` is its type or None for void, `raises` are types of exceptions, `contexts` the names of
-    its context clause. `fault` is what is wrong with its declaration, '' for one that could be read.
+    """An operation: `result` is its type or None for void, `raises` are types of exceptions, `contexts` the
+    names of its context clause. `fault` is what is wrong with its declaration, '' for one that could be read.
     """
 
     def __init__(self, name, result=None, parameters=(), raises=(), oneway=False):
@@ -144,7 +144,9 @@ class Operation:
 
 
 class Attribute:
-    """An attribute; `raises` and `set_raises` are the types of exceptions that reading and writing it raise."""
+    """An attribute; `raises` and `set_raises` are the types of exceptions that reading and writing
+    it raise.
+    """
 
     def __init__(self, name, type, readonly=False, raises=(), set_raises=()):
         self.name = name

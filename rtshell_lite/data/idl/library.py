@@ -1,8 +1,8 @@
 """IDL files in known directories: a type or an interface is found without its file being named.
 
-The directories are those of RTSHELL_IDL (a colon between them), where OpenRTM-aist installs its own, and
-the working directory itself. All files are searched for the word when something is wanted, and only files that seem to
-declare it are parsed. Nothing is kept beyond this process.
+The directories are those of RTSHELL_IDL (a colon between them), where OpenRTM-aist installs its own, and the
+working directory itself. All files are searched for the word when something is wanted, and only files that
+seem to declare it are parsed. Nothing is kept beyond this process.
 """
 
 import glob
@@ -83,8 +83,8 @@ class Library:
         return self._contents[path]
 
     def _candidates(self, name, type_id=""):
-        """The files that may declare a name, the likeliest first: those that surely declare something of that name,
-        and have all the words of the repository id.
+        """The files that may declare a name, the likeliest first: those that surely declare something of that
+        name, and have all the words of the repository id.
         """
         named = name.encode("utf-8", "replace")
         word = re.escape(named)
@@ -106,7 +106,9 @@ class Library:
         return [path for _, _, _, path in ranked[:CANDIDATES]]
 
     def _beneath(self, name):
-        """The file of the library that an #include may mean that is found nowhere else, by the end of its path."""
+        """The file of the library that an #include may mean that is found nowhere else, by the end of its
+        path.
+        """
         wanted = "/" + os.path.normpath(name).lstrip("./")
         return next((path for path in self.texts() if path.endswith(wanted)), None)
 
@@ -131,7 +133,9 @@ class Library:
 
 
 def _is_typedef(text, named):
-    """Whether a file seems to declare a name by a typedef. (A regular expression takes for ever on some files.)"""
+    """Whether a file seems to declare a name by a typedef. (A regular expression takes for ever on some
+    files.)
+    """
     at = text.find(named)
     for _ in range(PLACES):
         if at < 0:
@@ -158,7 +162,9 @@ def places():
 
 
 def _paths(roots):
-    """The paths of the IDL files in directories and all below them, without loops; "" is the working directory alone."""
+    """The paths of the IDL files in directories and all below them, without loops; "" is the working
+    directory alone.
+    """
     entries = 0
     count = 0
     seen = set()
@@ -184,7 +190,9 @@ def _paths(roots):
 
 
 def _listed(directory, seen):
-    """What is in a directory, by name; nothing for one that was listed before, by whatever path, or cannot be."""
+    """What is in a directory, by name; nothing for one that was listed before, by whatever path, or cannot
+    be.
+    """
     try:
         status = os.stat(directory or ".")
         if (status.st_dev, status.st_ino) in seen:

@@ -15,12 +15,13 @@ SPELLED = KEYWORDS - {"false", "object", "true", "valuebase"} | {"FALSE", "Objec
 
 
 class Entry:
-    """The meaning of a name: `sort` is module, interface, type, exception, struct (only announced), item, constant or
-    unknown: a valuetype or native.
+    """The meaning of a name: `sort` is module, interface, type, exception, struct (only announced), item,
+    constant or unknown: a valuetype or native.
 
-    `what` is the Scope of a module or interface, the descriptor of a type or exception, the value of a constant, the item of an enum.
-    `type_id` is its repository id or None; `token` is where it was declared. `hole`, a list of one element, is where descriptors
-    look for a struct or union that has been announced: it holds None until that is defined.
+    `what` is the Scope of a module or interface, the descriptor of a type or exception, the value of a
+    constant, the item of an enum. `type_id` is its repository id or None; `token` is where it was declared.
+    `hole`, a list of one element, is where descriptors look for a struct or union that has been announced: it
+    holds None until that is defined.
     """
 
     def __init__(self, name, sort, what=None, type_id=None, hole=None, token=None):

@@ -51,8 +51,8 @@ class Macro:
 
 
 class Token:
-    """kind: name, number, string, char, mark, pragma, file (an included file begins or ends), own (an include of one
-    of OpenRTM's own files), end; word: as written, the name of the own file.
+    """kind: name, number, string, char, mark, pragma, file (an included file begins or ends), own (an include
+    of one of OpenRTM's own files), end; word: as written, the name of the own file.
     """
 
     __slots__ = ("kind", "word", "file", "line", "column")
@@ -189,7 +189,9 @@ class _File:
         return "cannot be read: " + printable(self.text[self.at : self.at + 12].split("\n")[0])
 
     def _token(self, token, end):
-        """Add a token that ends at `end`, or the expansion of the macro of its name; returns where that ends."""
+        """Add a token that ends at `end`, or the expansion of the macro of its name; returns where
+        that ends.
+        """
         macro = None
         if token.kind == "name":
             macro = self.source.macros.get(token.word)
@@ -204,7 +206,9 @@ class _File:
         return end
 
     def _arguments(self, at):
-        """The (kind, word) tokens from a bracket to its end, with both, and where they end; none where no bracket is."""
+        """The (kind, word) tokens from a bracket to its end, with both, and where they end; none where no
+        bracket is.
+        """
         found = []
         depth = 0
         start = at
@@ -222,7 +226,9 @@ class _File:
             at = match.end()
 
     def _expanded(self, words, token):
-        """The tokens of words, (kind, word, names of the macros that it comes from) each, at the place of a token."""
+        """The tokens of words, (kind, word, names of the macros that it comes from) each, at the place of a
+        token.
+        """
         used = []
         while words:
             kind, word, seen = words.pop(0)
