@@ -14,10 +14,20 @@ class Guardian:
     """Kills the process groups that were `enter`ed, and did not `leave`, as soon as this process is gone."""
 
     def __init__(self):
-        reading, self._writing = os.pipe()
         self._prctl = _prctl()
-        if os.fork():
+        self._writing = None
+        self.begin([])
+
+    def begin(self, groups):
+        """Watch over some groups: at first, and when `pid`, the process that did, has been killed."""
+        if self._writing is not None:
+            os.close(self._writing)
+        reading, self._writing = os.pipe()
+        self.pid = os.fork()
+        if self.pid:
             os.close(reading)
+            for group in groups:
+                self._write("+%d" % group)
             return
         try:
             _watch_over(reading)
@@ -28,14 +38,21 @@ class Guardian:
         """To be called by a child between fork and exec."""
         if self._prctl is not None:
             self._prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
-        os.write(self._writing, b"+%d\n" % os.getpid())
+        self._write("+%d" % os.getpid())
 
     def leave(self, pid):
         """The group of a process that has ended is gone."""
-        os.write(self._writing, b"-%d\n" % pid)
+        self._write("-%d" % pid)
+
+    def _write(self, line):
+        try:
+            os.write(self._writing, line.encode() + b"\n")
+        except BrokenPipeError:  # it has been killed; `begin` will be called
+            pass
 
     def close(self):
         """Kill what is left."""
+        self.pid = None
         os.close(self._writing)
 
 

@@ -3,7 +3,11 @@ programs.
 """
 
 import collections
+import os
 import time
+
+from rtshell_lite import notes
+from rtshell_lite.text import json_line
 
 
 class Happening(collections.namedtuple("Happening", "time object seen done seconds error")):
@@ -36,3 +40,28 @@ def now(where, seen, done="", begun=None, error=None):
     if begun is not None:
         seconds = time.monotonic() - begun
     return Happening(time.time(), where, seen, done, seconds, error)
+
+
+class Log:
+    """A file to which Happenings are appended as lines of JSON; none where its name is None. Raises OSError."""
+
+    def __init__(self, name):
+        self._file = None
+        if name is not None:
+            self._file = open(name, "a", encoding="utf-8", opener=_open_at_once)
+
+    def add(self, happening):
+        """Append one."""
+        if self._file is None:
+            return
+        try:
+            self._file.write(json_line(happening.as_dict()) + "\n")
+            self._file.flush()
+        except OSError as e:  # a full disk is no reason to leave a robot alone
+            self._file = None
+            notes.fail(f"nothing more goes to the log of events: {e.strerror}")
+
+
+def _open_at_once(name, flags):
+    """As open does, but a FIFO that nobody reads is refused, not waited for."""
+    return os.open(name, flags | os.O_NONBLOCK, 0o666)

@@ -298,11 +298,12 @@ class Keeper(presence.Presence):
                 self.complain(kept, STATE, result.error)
 
     def named(self, name):
-        """The Kept of a path or an instance name, or None."""
-        for kept in self.followed:
-            if name in (kept.where, kept.site.instance):
-                return kept
-        return None
+        """The Kepts of a path, the end of one, or an instance name."""
+        return [
+            kept
+            for kept in self.followed
+            if name in (kept.where, str(kept.path.names[-1]), kept.site.instance)
+        ]
 
     async def until_settled(self, seconds):
         """Wait until all is as the file says, for at most `seconds`: whether it is."""

@@ -14,6 +14,8 @@ from rtshell_lite.system import guardian, output, policy
 
 TICK = 0.1  # seconds between looks whether one is ready
 SEEK = 1.0  # seconds between looks whether one that somebody else has started is still there
+PATIENCE = 5.0  # seconds after which it is reported that one is not ready yet, and looked at less often
+_SIGNALS = {int(number): number.name for number in signal.Signals}  # some of real time have no names
 ANSWERS = "answers already"
 HANGS = "does not answer, but is not gone"
 # variables by which a service manager informs us alone
@@ -35,6 +37,7 @@ class Process:
         self.restarts = 0
         self.output = output
         self.is_wanted = True
+        self.has_finished = False
         self.changed = []  # Waits of those who want to know
 
     def become(self, state):
@@ -67,6 +70,11 @@ class Process:
             "lines": list(self.output.lines),
             "given_up": self.trial.given_up,
         }
+
+    @property
+    def is_settled(self):
+        """Whether it is as its Procfile says: it is ready, or has ended and is not to be started again."""
+        return self.is_ready or self.has_finished
 
     @property
     def is_ready(self):
@@ -105,17 +113,17 @@ class Processes:
         self._guardian.close()
 
     def named(self, name):
-        """The Process of a name, or None."""
-        return next((process for process in self.all if process.name == name), None)
+        """The Processes of a name: one at most."""
+        return [process for process in self.all if process.name == name]
 
     # ---- the life of one ----
 
     async def _keep(self, process):
         while True:
             await process.until(lambda: process.is_wanted)
-            for other in [self.named(name) for name in process.spec.after]:
+            for other in [other for name in process.spec.after for other in self.named(name)]:
                 await other.until(lambda: other.is_ready)
-            if not process.is_wanted or await self._is_foreign(process):
+            if not process.is_wanted or await self._is_foreign(process) or not process.is_wanted:
                 continue
             begun = time.monotonic()
             try:
@@ -146,8 +154,12 @@ class Processes:
     async def _until_ready(self, process, begun):
         process.become("running")
         if process.spec.ready is not None:
+            is_late = False
             while await _seen(process) != ANSWERS:
-                await loop.sleep(TICK)
+                if not is_late and time.monotonic() - begun > PATIENCE:
+                    is_late = True
+                    self.happened(process.name, f"{process.spec.ready} does not answer yet", "waits")
+                await loop.sleep(SEEK if is_late else TICK)
             self.happened(process.name, f"{process.spec.ready} answers", "ready", begun)
         process.become("ready")
 
@@ -162,6 +174,7 @@ class Processes:
             why = process.trial.why_given_up()
         elif restart == "no" or restart == "on-error" and not has_failed:
             why = "not started again"
+            process.has_finished = not has_failed
         else:
             why = ""
         self.happened(process.name, seen, why)
@@ -194,13 +207,16 @@ class Processes:
         child.returncode = 0  # it is reaped here
         process.pid = child.pid
         process.status = None
+        process.has_finished = False
         self._by_pid[child.pid] = process
         process.output.follow(os.dup(child.stdout.fileno()))
         child.stdout.close()
 
     def _reaped(self, pid, status):
         process = self._by_pid.pop(pid, None)
-        if process is not None:
+        if pid == self._guardian.pid:
+            self._guardian.begin(self._by_pid)
+        elif process is not None:
             guardian.kill(pid, signal.SIGKILL)  # what is left of its group
             self._guardian.leave(pid)
             process.pid = None
@@ -258,5 +274,6 @@ async def _seen(process):
 
 def _in_words(status):
     if os.WIFSIGNALED(status):
-        return "ended by " + signal.Signals(os.WTERMSIG(status)).name
+        number = os.WTERMSIG(status)
+        return "ended by " + _SIGNALS.get(number, "signal %d" % number)
     return "ended with status %d" % os.WEXITSTATUS(status)

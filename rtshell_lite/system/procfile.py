@@ -43,31 +43,40 @@ def read(name, usual):
         try:
             if not matched:
                 raise ValueError("not NAME: COMMAND, nor NAME.KEY: VALUE with KEY one of " + ", ".join(WORDS))
+            if "\0" in line:
+                raise ValueError("it contains a NUL character")
             process, key, value = matched.groups()
-            found.setdefault(process, {})[key or "command"] = value
+            words = found.setdefault(process, {})
+            if (key or "command") in words:
+                raise ValueError(line.partition(":")[0] + " is there twice")
+            words[key or "command"] = value
         except ValueError as e:
             raise errors.Failed("%s:%d" % (printable(name), number), e)
+    if not found:
+        raise errors.Failed(printable(name), "no processes")
     return _in_order([_spec(name, process, words, found, usual) for process, words in found.items()], name)
 
 
 def _spec(file, name, words, known, usual):
-    import shlex
-
     try:
-        if "command" not in words:
+        command = _words(words.get("command", ""))
+        if not command or not command[0]:
             raise ValueError("no command")
         after = words.get("after", "").split()
         for other in after:
             if other not in known:
                 raise ValueError(f"after {other}, which is not there")
         ready = words.get("ready")
+        cwd = words.get("cwd")
+        if cwd is not None:
+            cwd = os.path.expandvars(cwd)
         return Spec(
             name,
-            [os.path.expandvars(word) for word in shlex.split(words["command"])],
+            command,
             after,
             path.parse(ready) if ready else None,
-            dict(word.split("=", 1) for word in shlex.split(words.get("env", ""))),
-            words.get("cwd"),
+            _environment(words.get("env", "")),
+            cwd,
             _stop(words.get("stop", STOP)),
             policy.parse(words.get("restart"), words.get("burst"), words.get("delay"), usual),
         )
@@ -75,13 +84,36 @@ def _spec(file, name, words, known, usual):
         raise errors.Failed(f"{printable(file)}: {name}", printable(str(e)))
 
 
+def _words(value):
+    """The words of a value, split as in sh, with what the environment has for $NAME. Raises ValueError."""
+    import shlex
+
+    return [os.path.expandvars(word) for word in shlex.split(value)]
+
+
+def _environment(value):
+    found = {}
+    for word in _words(value):
+        name, equals, content = word.partition("=")
+        if not name or not equals:
+            raise ValueError("env: not KEY=VALUE: " + word)
+        found[name] = content
+    return found
+
+
 def _stop(value):
     """(number of a signal, seconds) of a value such as `INT 5`. Raises ValueError."""
     word, _, seconds = value.partition(" ")
-    number = getattr(signal, "SIG" + word, None)
+    number = signal.Signals.__members__.get(word if word.startswith("SIG") else "SIG" + word)
     if number is None:
         raise ValueError("stop: no such signal: " + word)
-    return number, float(seconds or STOP.split()[1])
+    try:
+        patience = float(seconds or STOP.split()[1])
+    except ValueError:
+        patience = -1.0
+    if not 0 <= patience <= policy.DAY:
+        raise ValueError("stop: not SIGNAL SECONDS: " + value)
+    return number, patience
 
 
 def _in_order(specs, name):

@@ -7,7 +7,7 @@ import time
 from rtshell_lite import errors, notes
 from rtshell_lite.net import loop
 from rtshell_lite.system import guardian, happening, keep, plan, restore, steering
-from rtshell_lite.text import json_line
+from rtshell_lite.text import safe
 from rtshell_lite.xmlprofile import model
 
 LOOK = 0.5  # seconds between looks whether all is as the file says, at the start
@@ -28,6 +28,7 @@ class Nothing:
 
     def named(self, name):
         """None."""
+        return []
 
     async def stop(self, stopped=None):
         """Nothing."""
@@ -40,16 +41,16 @@ class Service:
     read       function that returns (profile, its Plan of starting, its Plan of stopping), for `reload`
     options    keep.Options
     show       called with each Happening
-    events     the file to which each goes as a line of JSON, or None
+    log        the happening.Log to which each goes
     """
 
-    def __init__(self, name, read, options, show, events=None):
+    def __init__(self, name, read, options, show, log):
         self.name = name
         self._read = read
         self._options = options
         self.processes = Nothing()  # type: object
         self._show = show
-        self._events = events
+        self._log = log
         self.keeper = None
         self.since = time.time()
         self._files = None  # what was read last
@@ -63,14 +64,8 @@ class Service:
     def report(self, event):
         """Report a Happening."""
         self._show(event)
-        steering.notify(STATUS=event.line())
-        try:
-            if self._events is not None:
-                self._events.write(json_line(event.as_dict()) + "\n")
-                self._events.flush()
-        except OSError as e:  # a full disk is no reason to leave a robot alone
-            self._events = None
-            notes.fail(f"nothing more goes to the log of events: {e.strerror}")
+        steering.notify(STATUS=safe(event.line()))
+        self._log.add(event)
 
     def process_happened(self, name, seen, done="", begun=None):
         """Report what happens to a process; `begun` by time.monotonic()."""
@@ -85,7 +80,7 @@ class Service:
         for number in (signal.SIGTERM, signal.SIGINT):
             here.hear(number, lambda number=number: self._signalled(number))
         here.hear(signal.SIGHUP, self._hang_up)
-        self._files = self._read()
+        self._load()
         async with steering.Door(self.name, self.answer), self.processes:
             while self._wanted in (None, "reload"):
                 self._wanted = None
@@ -116,9 +111,8 @@ class Service:
         while True:
             if every is not None:
                 steering.notify(WATCHDOG=1)
-            if not is_ready and self.keeper.is_settled():
-                is_ready = True
-                steering.notify(READY=1)
+            if not is_ready and self.is_settled():
+                is_ready = steering.notify(READY=1)
             if is_ready and every is None:
                 return
             if every is None:
@@ -126,10 +120,20 @@ class Service:
             else:
                 await loop.sleep(min(LOOK, every))
 
+    def is_settled(self):
+        """Whether all is as the files say, as far as is known."""
+        return self.keeper.is_settled() and all(process.is_settled for process in self.processes.all)
+
+    def _load(self):
+        """Read the files. Raises what is wrong with them; then nothing changes."""
+        files = self._read()
+        keep.Keeper(files[0], files[1], self._options, self.report)  # raises what else is wrong
+        self._files = files
+
     def _reload(self):
-        """Read the files again. Raises what is wrong with them; then nothing changes."""
-        self._files = self._read()
-        self._want("reload")
+        self._load()
+        if not self._is_ending:
+            self._want("reload")
 
     def _hang_up(self):
         try:
@@ -137,12 +141,16 @@ class Service:
         except (errors.Error, OSError) as e:
             notes.fail(e)
 
+    @property
+    def _is_ending(self):
+        return isinstance(self._wanted, int) or self._wanted == "stop"
+
     def _want(self, what):
         self._wanted = what
         self._bell.ring()
 
     def _signalled(self, number):
-        if isinstance(self._wanted, int) or self._wanted == "stop":
+        if self._is_ending:
             self._is_hurried = True
             self._wanted = number
             self._second.ring()
@@ -175,7 +183,7 @@ class Service:
             "object": self.name,
             "pid": os.getpid(),
             "since": self.since,
-            "settled": self.keeper.is_settled(),
+            "settled": self.is_settled(),
         }
 
     def _named(self, names):
@@ -184,10 +192,13 @@ class Service:
             return [*self.keeper.followed, *self.processes.all]
         found = []
         for name in names:
-            one = self.keeper.named(name) or self.processes.named(name)
-            if one is None:
+            meant = self.keeper.named(name) + self.processes.named(name)
+            if not meant:
                 raise errors.NoSuch(self.name, "component or process in it", name)
-            found.append(one)
+            if len(meant) > 1:
+                paths = ", ".join(one.as_dict()["object"] for one in meant)
+                raise errors.Ambiguous(name, paths)
+            found += meant
         return found
 
     def _pause(self, one):

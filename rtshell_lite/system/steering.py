@@ -82,13 +82,14 @@ class Door:
         self._group = None
 
     async def __aenter__(self):
-        if os.path.lexists(self.path):  # of one that was killed: we hold the lock
-            os.unlink(self.path)
+        self._remove()  # that of one that was killed: we hold the lock
         self._listener = socket.socket(socket.AF_UNIX)
         self._listener.setblocking(False)
         before = os.umask(0o177)
         try:
             self._listener.bind(self.path)
+        except OSError as e:  # the path may be too long, which has no strerror
+            raise errors.Failed(printable(self.path), e.strerror or str(e))
         finally:
             os.umask(before)
         self._listener.listen(8)
@@ -102,7 +103,13 @@ class Door:
             return await self._group.__aexit__(kind, error, traceback)
         finally:
             self._listener.close()
+            self._remove()
+
+    def _remove(self):
+        try:
             os.unlink(self.path)
+        except FileNotFoundError:  # /tmp may have been cleaned
+            pass
 
     async def _open(self):
         while True:
@@ -120,13 +127,17 @@ class Door:
 
     async def _exchange(self, connection):
         try:
-            lines = [dict(error=None)] + self.answer(json.loads(await _line(connection)))
-        except errors.Error as e:
-            lines = [dict(error=str(e))]
-        except (ValueError, KeyError, TypeError):
-            lines = [dict(error="not understood")]
+            request = await _line(connection)
         except OSError:
             return
+        try:
+            lines = [dict(error=None)] + self.answer(json.loads(request))
+        except errors.Error as e:
+            lines = [dict(error=str(e))]
+        except OSError as e:  # of a file that is to be read again
+            lines = [dict(error=f"{e.filename}: {e.strerror}")]
+        except (ValueError, KeyError, TypeError, RecursionError):
+            lines = [dict(error="not understood")]
         await _send(connection, "".join(json_line(line) + "\n" for line in lines))
 
 
@@ -170,11 +181,13 @@ async def ask(door, request):
     ConnectionRefused where none is.
     """
     with socket.socket(socket.AF_UNIX) as connection:
+        connection.setblocking(False)
         try:
             connection.connect(door)
+        except BlockingIOError:  # it stands still, and many wait for it
+            raise errors.Silent(printable(os.path.basename(door)), "too many wait for it")
         except OSError:
             raise errors.ConnectionRefused(printable(os.path.basename(door)))
-        connection.setblocking(False)
         found = []
 
         async def exchange():
@@ -228,18 +241,24 @@ def _mark(line):
 
 
 def notify(**said):
-    """Tell systemd, or who speaks its protocol, how it is: READY=1, STATUS=…, WATCHDOG=1 (sd_notify(3))."""
+    """Tell systemd, or who speaks its protocol, how it is: READY=1, STATUS=…, WATCHDOG=1 (sd_notify(3)).
+    False where it has too much to read: a robot is kept though that stands still.
+    """
     where = os.environ.get("NOTIFY_SOCKET")
     if not where:
-        return
+        return True
     if where[0] == "@":
         where = "\0" + where[1:]
     message = "\n".join(f"{name}={value}" for name, value in said.items())
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as out:
+        out.setblocking(False)
         try:
             out.sendto(message.encode("utf-8", "replace"), where)
+        except BlockingIOError:
+            return False
         except OSError:
             pass
+    return True
 
 
 def watchdog():

@@ -44,7 +44,7 @@ Each is started when those before it are ready; what they print is kept, and sho
   hello from HERE
   more
   $ rtkeep status | said
-  Procfile: pid N, since T; all is as the file says
+  Procfile: pid N, since T; not all is as the file says
     motor    running  ready               T               pid N
     out      running  ready               T               pid N
     talk     running  ready               T               pid N
@@ -70,6 +70,8 @@ A second one for a file is refused, and named.
 
   $ rtkeep a.xml 2>&1 | sed "s/process $keep/process N/"
   rtkeep: a.xml: is kept already, by process N
+  $ rtkeep --processes Procfile 2>&1 | sed "s/process $keep/process N/"
+  rtkeep: Procfile: is kept already, by process N
 
 What is stopped by name stays stopped until it is resumed.
 
@@ -114,6 +116,15 @@ Nor is one that hangs; when it is gone, the process is started.
 What is wrong with a Procfile is said before anything is started:
 
   $ try() { printf "$1\n" > p; rtkeep --processes p; }
+  $ try ''; try 'a: b\na: c'; try 'a: ""'; try 'a: b\0c'; try 'a: b\na.env: FOO'; try 'a: b\na.stop: INT -5'; try 'a: b\na.stop: SIGINT nan'
+  rtkeep: p: no processes
+  rtkeep: p:2: a is there twice
+  rtkeep: p: a: no command
+  rtkeep: p:1: it contains a NUL character
+  rtkeep: p: a: env: not KEY=VALUE: FOO
+  rtkeep: p: a: stop: not SIGNAL SECONDS: INT -5
+  rtkeep: p: a: stop: not SIGNAL SECONDS: SIGINT nan
+  [1]
   $ try 'a b c'; try 'a: b\na.after: c'; try 'a: b\na.after: c\nc: d\nc.after: a'; try 'a: "b'; try 'a: b\na.stop: NOW 5'; try 'a.cwd: /'
   rtkeep: p:1: not NAME: COMMAND, nor NAME.KEY: VALUE with KEY one of after, ready, env, cwd, stop, restart, burst, delay
   rtkeep: p: a: after c, which is not there

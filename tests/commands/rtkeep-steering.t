@@ -48,6 +48,8 @@ What is paused is not mended, until it is resumed; that takes back what a person
   "by_hand": ["was made Inactive by hand"
   $ rtkeep stop Motor0; soon '! rtcheck a.xml'; rtkeep status | grep Motor0 | said; rtkeep resume
     Motor0.rtc         paused  Inactive  T    deactivated on request
+  $ rtkeep pause Motor0.rtc; rtkeep status | grep -c paused; rtkeep resume
+  1
   $ rtkeep pause Nothing0; rtkeep --of b.xml pause
   rtkeep: a.xml: no such component or process in it: Nothing0
   rtkeep: b.xml: no rtkeep keeps it
@@ -75,6 +77,10 @@ Its file can be read again; one that is wrong changes nothing.
   $ rtkeep reload; soon 'rtcheck a.xml'; echo nonsense > a.xml; rtkeep reload
   rtkeep: a.xml:1:1: not an RtsProfile: the key rtsProfile is missing
   [1]
+  $ sed 's|\(<rts:Components [^>]*Motor0[^>]*>\)|\1<rtsExt:Properties rtsExt:name="keep.burst" rtsExt:value="many"/>|' c.xml > a.xml; rtkeep reload | said
+  rtkeep: /localhost:$PORT/test.host_cxt/Motor0.rtc: its property keep.burst: not NUMBER/SECONDS
+  $ rm a.xml; rtkeep reload; kill -0 $keep
+  rtkeep: a.xml: No such file or directory
   $ kill -HUP $keep; cp c.xml a.xml; soon 'rtcheck a.xml'
 
 What a person has done can be made the file's.
@@ -112,7 +118,7 @@ It goes on when nobody reads what it prints, when its log cannot be written, and
   rtkeep: nothing more goes to the log of events: No space left on device
   $ python3 - <<'EOF'
   > import glob, socket
-  > for words in b"", b"x\n", b"[]\n", b'{"command": "dance"}\n', b'{"command": "pause"}\n', b'{"command": "stop", "names": 5}\n':
+  > for words in b"", b"x\n", b"[]\n", b'{"command": "dance"}\n', b'{"command": "pause"}\n', b'{"command": "stop", "names": 5}\n', b"[" * 99999 + b"\n":
   >     with socket.socket(socket.AF_UNIX) as door:
   >         door.connect(glob.glob("rtkeep/a.xml*.socket")[0])
   >         door.sendall(words)
@@ -123,6 +129,7 @@ It goes on when nobody reads what it prints, when its log cannot be written, and
   {"error": "not understood"}
   {"error": "not understood"}
   {"error": "no such command: dance (see --help)"}
+  {"error": "not understood"}
   {"error": "not understood"}
   {"error": "not understood"}
   $ rtkeep stop; soon '! rtkeep status a.xml'

@@ -28,7 +28,11 @@ At boot: the commands that would do it; then it is done once. What is not so in 
   ConsoleOut0.rtc: Active
   Motor0.rtc: Active
   Plain0.rtc: Active
-  $ rtcheck a.xml; rtkeep --once a.xml
+  $ rtcheck a.xml; rtkeep --once a.xml; rtdeact Motor0.rtc; mkfifo fifo; rtkeep --once --events fifo a.xml
+  rtkeep: fifo: No such device or address
+  [1]
+  $ rtkeep --once --events log.json a.xml > nul; grep -c Active.*Motor0 log.json
+  1
   $ rtdeact Motor0.rtc; rtsh -c 'start -q a.xml; wait a.xml; keep --once a.xml' | said; rtcheck a.xml
   $ sed 's/Motor0/Motor9/' a.xml > other.xml; rtkeep --once --within 1 other.xml
   rtkeep: /localhost:$PORT/test.host_cxt/Motor9.rtc: no such path; did you mean Motor0.rtc?

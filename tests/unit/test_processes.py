@@ -6,6 +6,7 @@ import json
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -72,7 +73,7 @@ class Processes(unittest.TestCase):
         self.assertGreaterEqual(self.said().count(text), count, self.said())
 
     def events(self):
-        return [json.loads(line) for line in self.said().splitlines() if line.startswith("{")]
+        return [json.loads(line) for line in self.said().splitlines() if line.startswith('{"done')]
 
     def pids(self, name):
         return [int(event["done"].rpartition(" ")[2]) for event in self.events()
@@ -84,7 +85,7 @@ class Processes(unittest.TestCase):
             with self.subTest(first=first, second=second):
                 open(os.path.join(self.directory, "said"), "w").close()
                 self.keep("a: %s\na.stop: TERM 1000\n" % STUBBORN)
-                self.until("a: ready")
+                self.until('"wrote": "ready"')
                 self.process.send_signal(first)
                 time.sleep(0.5)  # a time in which nothing may happen
                 self.assertIsNone(self.process.poll())
@@ -94,9 +95,57 @@ class Processes(unittest.TestCase):
                 self.assertLess(time.monotonic() - begun, LONG)
                 worlds.eventually(lambda: not is_there(self.pids("a")[-1]), "the process ends, too")
 
+    def test_reload_does_not_undo_an_end(self):
+        """A terminal that closes sends SIGHUP to a robot that is ending."""
+        self.keep("a: %s\na.stop: TERM 1\n" % STUBBORN)
+        self.until('"wrote": "ready"')
+        self.process.terminate()
+        self.process.send_signal(signal.SIGHUP)
+        self.assertEqual(self.process.wait(LONG), 0)
+        self.assertEqual(len(self.pids("a")), 1)
+
+    def test_who_watches_over_them_is_killed(self):
+        """Then another one does: rtkeep goes on, and nothing outlives it."""
+        self.keep("a: sh -c 'sleep 1000 & wait'\nb: sleep 0.3\nb.delay: 0.1-0.1\nb.burst: 1000/60\n")
+        self.until("started, pid", 2)
+        watching, = set(children(self.process.pid)) - set(self.pids("a") + self.pids("b"))
+        (a,) = self.pids("a")
+        os.kill(watching, signal.SIGKILL)
+        worlds.eventually(lambda: len(self.pids("b")) > 3, "processes are started again")
+        (sleeping,) = children(a)
+        self.process.kill()
+        worlds.eventually(lambda: not is_there(a) and not is_there(sleeping), "the whole group ends")
+
+    def test_signal_without_a_name(self):
+        self.keep("a: sh -c 'kill -40 $$'\na.restart: no\n")
+        self.until("ended by signal 40")
+        self.assertIsNone(self.process.poll())
+
+    def test_never_ready(self):
+        """It is said, once, what the others wait for."""
+        self.keep("a: sleep 1000\na.ready: localhost:1\nb: true\nb.after: a\n")
+        self.until("/localhost:1 does not answer yet")
+        self.assertEqual(self.pids("b"), [])
+
+    def test_service_manager_that_stands_still(self):
+        """A robot is kept though nobody reads what the service manager is told."""
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
+            manager.bind(os.path.join(self.directory, "notify"))
+            self.keep("a: false\na.delay: 0.01-0.01\na.burst: 20/60\n", NOTIFY_SOCKET=os.path.join(self.directory, "notify"))
+            self.until("given up")
+            self.process.terminate()
+            self.assertEqual(self.process.wait(LONG), 0)
+
+    def test_directory_that_was_cleaned(self):
+        self.keep("a: sleep 1000\n")
+        self.until("started, pid")
+        shutil.rmtree(os.path.join(self.directory, "rtkeep"))
+        self.process.terminate()
+        self.assertEqual(self.process.wait(LONG), 0, self.said())
+
     def test_kill_follows(self):
         self.keep("a: %s\na.stop: TERM 0.3\n" % STUBBORN)
-        self.until("a: ready")
+        self.until('"wrote": "ready"')
         self.process.terminate()
         self.assertEqual(self.process.wait(LONG), 0)
         self.assertIn(("does not end within 0.3s", "killed"), [(event["seen"], event["done"]) for event in self.events()])
@@ -122,7 +171,7 @@ class Processes(unittest.TestCase):
         """As process 1 it reaps what others have left, hears signals, and takes all with it."""
         orphans = "sh -c 'for n in 1 2 3 4 5; do sh -c \"setsid sleep 0.2 &\"; done; echo left; exec sleep 1000'"
         self.keep("a: %s\n" % orphans, inside=IN_NAMESPACE)
-        self.until("a: left")
+        self.until('"wrote": "left"')
         (first,) = children(self.process.pid)
         with open("/proc/%d/status" % first) as file:
             self.assertRegex(file.read(), r"NSpid:\t\d+\t1\n")
