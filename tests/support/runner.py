@@ -48,7 +48,7 @@ MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
 DIRECTORIES = ("unit", "mocks", "commands", "faults", "fuzz")  # with what is run always
-PACKAGING = "commands/test_packaging"
+PACKAGING = ["commands/test_packaging", "commands/test_unpack", "commands/test_bytecode"]
 
 
 class Job:
@@ -304,7 +304,7 @@ def jobs_for(version, wheel, args):
 def packaging_jobs(version, wheel, args):
     """The packaging tests on a Python as it is, with nothing installed for them."""
     python = environments.find_python(version)
-    return module_jobs(python, python.path, None, wheel, args.pattern, [PACKAGING])
+    return module_jobs(python, python.path, None, wheel, args.pattern, PACKAGING)
 
 
 def gather_jobs(args, wheel, score):

@@ -1,0 +1,123 @@
+"""--unpack, for robots without pip: if this fails, they have no commands, or others' files are written over."""
+import os
+import re
+import resource
+import subprocess
+import unittest
+import zipfile
+
+from robots import OMNIORB_WHEEL, ROOT, TOOLS, Robot, files, names, run
+
+PART = 3  # a short run takes one in PART of its tests
+
+
+class Unpacked(Robot):
+    """--unpack, for robots without pip."""
+
+    def unpack(self, *wheels):
+        place = os.path.join(self.directory, "a place")
+        result = self.from_wheel("--unpack", place, *wheels)
+        self.assertEqual(result, (0, "export PATH='%s/bin':$PATH\n" % place, ""))
+        return place
+
+    def test_commands_run_without_omniorb(self):
+        place = self.unpack()
+        self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), names("bin"))
+        self.check_without_omniorb(lambda name: [os.path.join(place, "bin", name)])
+
+    def test_they_start_without_what_is_installed_beside_python_and_find_it_when_it_is_asked_for(self):
+        command = os.path.join(self.unpack(), "bin", "rtls")
+        with open(command, encoding="utf-8") as file:
+            self.assertEqual(file.readline(), "#!%s -S\n" % self.python)
+        beside = subprocess.check_output([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"],
+                                         universal_newlines=True).strip()
+        fake = os.path.join(beside, "omniORB.py")
+        with open(fake, "w") as file:
+            file.write("raise OSError('this is omniORB')\n")
+        self.addCleanup(os.unlink, fake)
+        self.check_line("rtls", 1, run([command, "/localhost:1/"], environment={"RTSHELL_ORB": "omniorb"}), "this is omniORB")
+        self.check_line("rtls", 4, run([command, "/localhost:1/"]), "connection refused")
+
+    def test_can_be_moved_linked_and_unpacked_again(self):
+        moved = os.path.join(self.directory, "moved")
+        os.rename(self.unpack(), moved)
+        link = os.path.join(self.directory, "rtpwd")
+        os.symlink(os.path.join(moved, "bin", "rtpwd"), link)
+        self.assertEqual(run([link]), (0, "/\n", ""))
+        before = files(moved, r"\.pyc$")
+        again = run([self.python, "-m", "rtshell_lite", "--unpack", moved],
+                    environment={"PYTHONPATH": os.path.join(moved, "lib")})
+        self.assertEqual(again, (0, "export PATH=%s/bin:$PATH\n" % moved, ""))
+        self.assertEqual(files(moved, r"\.pyc$"), before)
+
+    def test_checkout_and_wheel_lay_out_the_same_but_for_tools(self):
+        place = self.unpack()
+        other = os.path.join(self.directory, "other")
+        self.assertEqual(run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0], 0)
+        tools = "|".join(map(re.escape, TOOLS))
+        self.assertEqual(files(place, r"dist-info|\.pyc$"), files(other, r"\.pyc$|\.idl$|" + tools))
+
+    @unittest.skipUnless(OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index")
+    def test_omniorbpy_with_its_shared_libraries(self):
+        place = self.unpack(OMNIORB_WHEEL)
+        program = ("import os, sys; sys.path.insert(0, sys.argv[1]); from omniORB import CORBA; CORBA.ORB_init(); "
+                   "print('up', flush=True); os._exit(0)")  # as our commands end: the ORB's own end crashes now and then
+        self.assertEqual(run([self.python, "-c", program, os.path.join(place, "lib")]), (0, "up\n", ""))
+        if "rtls" in names("bin"):
+            result = run([os.path.join(place, "bin", "rtls"), "--timeout", "2", "/localhost:1/"])
+            self.check_line("rtls", 4, result, "connection refused")
+
+    def test_wheels_that_are_refused(self):
+        for number, member in enumerate(["../evil", "/evil", "a/../../evil", "a\\..\\evil", "x-1.data/purelib/../../evil",
+                                         "C:evil", "./evil", "rtshell_lite/cli.py"]):
+            wheel = self.wheel("hostile%d-1-py3-none-any.whl" % number, member)
+            self.check_refused(wheel, "comes twice" if "cli" in member else "refused: it holds a file named")
+        self.check_refused(os.path.join(self.directory, "none-1-py3-none-any.whl"), "No such file")
+        self.check_refused(self.wheel("other-1-cp32-cp32m-any.whl", "x"), "made for cp32")
+        self.check_refused(self.wheel("other-1-py3-none-linux_pdp11.whl", "x"), "made for linux_pdp11")
+        self.check_refused(self.wheel("other.zip", "x"), "not the name of a wheel")
+        torn = self.wheel("torn-1-py3-none-any.whl", "x")
+        with open(torn, "r+b") as file:
+            file.truncate(30)
+        self.check_refused(torn, "not a wheel")
+
+    def test_a_wheel_that_grows_without_measure(self):
+        self.check_refused(self.wheel("bomb-1-py3-none-any.whl", "x", bytes(65 << 20)), "refused: it unpacks to more than 64 MB")
+
+    def test_links_in_the_place(self):
+        """They may lead anywhere."""
+        place, outside = os.path.join(self.directory, "place"), os.path.join(self.directory, "outside")
+        os.mkdir(place)
+        os.mkdir(outside)
+        os.symlink(outside, os.path.join(place, "lib"))
+        self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), "refused: it is a link")
+        self.assertEqual((os.listdir(place), os.listdir(outside)), (["lib"], []))
+
+    def wheel(self, name, member, content="evil"):
+        path = os.path.join(self.directory, name)
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as wheel:
+            wheel.writestr(member, content)
+        return path
+
+    def check_refused(self, wheel, part):
+        """One line of output, and no files."""
+        place = os.path.join(self.directory, "place")
+        before = files(self.top, "bare")
+        self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place, wheel), part)
+        self.assertEqual(files(self.top, "bare"), before)
+
+    def test_full_disk_leaves_the_old_commands_whole(self):
+        place = self.unpack()
+        before = files(place)
+
+        def small_files_only():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
+
+        result = self.from_wheel("--unpack", place, preexec_fn=small_files_only)
+        self.check_line("rtshell_lite", 1, result, place)
+        self.assertEqual(files(place), before)
+        self.assertEqual(run([os.path.join(place, "bin", "rtpwd")]), (0, "/\n", ""))
+
+    def test_places_that_cannot_be_written(self):
+        for place in "/proc/nowhere", "/dev/null":
+            self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), place)
