@@ -30,6 +30,7 @@ MOST = 64  # tasks of one `each` at a time with one key
 AWAY = 0.3  # seconds; a loop that was busy or stopped for longer was away
 BOUNCE = 0.3  # seconds in which a second Ctrl-C is taken for the same key press
 UNWINDING = 5.0  # seconds to clean up in after a signal
+_COROUTINE = 0x280  # flag of the code of coroutines and asynchronous generators
 PATIENCE = 0.2  # seconds until a signal strikes a task that awaits nothing
 SPARE = 0.1  # seconds that a thread waits for more work
 FOREVER = 3600.0  # seconds of one poll, which has a limit
@@ -576,6 +577,8 @@ class Loop:
         self._signals = {}
         self._heard = {}
         self._struck = deque()  # type: deque
+        # (signal, exception) of the last _overrun, until it is known to be seen; else None
+        self._raised = None  # type: tuple
         self._outer_bell = -1  # where Python rang at signals before
         self.is_guest = False
         self._last_strike = -BOUNCE
@@ -680,6 +683,8 @@ class Loop:
             function, args = self._posted.popleft()
             function(*args)
         self._call_due(self._back)
+        if self._raised is not None:
+            self._strike_again()
         if self._struck:
             self._strike(self._struck.popleft())
 
@@ -783,7 +788,19 @@ class Loop:
         struck = [number for number in self._struck if number not in self._heard]
         if struck and self.running is not None:
             self._struck.clear()
-            raise self._signals[struck[0]]()
+            self._raised = struck[0], self._signals[struck[0]]()
+            raise self._raised[1]
+
+    def _strike_again(self):
+        """Have a signal strike again if no task has seen what was raised for it: code in C drops that where it
+        calls Python, in callbacks for example, and here and there during an import.
+        """
+        number, exception = self._raised
+        self._raised = None
+        outermost = exception.__traceback__.tb_frame.f_code
+        if outermost.co_flags & _COROUTINE or outermost is Task.go_on.__code__:
+            return
+        self._struck.append(number)
 
     def _strike(self, number):
         """Raise what a signal raises in the main task, unless it repeats the last one;

@@ -212,7 +212,7 @@ class Struck(Exception):
 
 # A process that says how it ended: see Signals. {body} awaits, {between} is plain code.
 CHILD = """
-import os, signal, sys, time
+import os, signal, sys, time, weakref
 from rtshell_lite.net import loop
 loop.PATIENCE = %s
 class Struck(Exception):
@@ -257,6 +257,18 @@ class Signals(Case):
         child = self.child("time.sleep(0.5); print('whole', flush=True); await loop.sleep(60)", patience=60)
         child.send_signal(signal.SIGINT)
         self.assertEqual(child.communicate()[0], "whole\ncleaned up\nstruck\nTrue\n")
+
+    def test_what_c_code_has_dropped_strikes_again(self):
+        """As a callback of the import system has it."""
+        lines = [
+            "referent = type('Referent', (), {})()",
+            "reference = weakref.ref(referent, lambda _: time.sleep(1))",
+            "del referent",
+            "await loop.sleep(60)",
+        ]
+        child = self.child("; ".join(lines))
+        child.send_signal(signal.SIGINT)
+        self.assertEqual(child.communicate()[0], "cleaned up\nstruck\nTrue\n")
 
     def test_a_task_that_never_awaits_is_struck(self):
         """It computes for long, or writes to who does not read."""
