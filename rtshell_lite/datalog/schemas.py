@@ -45,7 +45,8 @@ _STRING = (STRING, 0)
 _PACKAGE = re.compile(r"(?!.*__)(?!.*_\Z)[a-z][a-z0-9_]*\Z")
 _MESSAGE = re.compile(r"[A-Z][A-Za-z0-9]*\Z")
 _FIELD = re.compile(
-    r"(?P<type>[A-Za-z][\w/]*)(?:<=(?P<bound>\d{1,9}))?(?P<many>\[(?:<=)?\d{0,9}\])?\s+(?P<name>[A-Za-z]\w*)(?P<rest>\s*=.*|.*)\Z",
+    r"(?P<type>[A-Za-z][\w/]*)(?:<=(?P<bound>\d{1,9}))?(?P<many>\[(?:<=)?\d{0,9}\])?"
+    r"\s+(?P<name>[A-Za-z]\w*)(?P<rest>\s*=.*|.*)\Z",
     re.ASCII,
 )
 # which everybody's reader knows, and their files do not describe

@@ -1,7 +1,8 @@
 """A log as tables of comma-separated values: a line an entry, a column a field, all decoded once.
 
-The columns are `number`, `time`, `port`, then the fields in the order of their appearance: `data.x`, `joints[0]`. Times are seconds,
-with nine digits, or whole nanoseconds; the timestamp of a value is one column, `tm`.
+The columns are `number`, `time`, `port`, then the fields in the order of their appearance: `data.x`,
+`joints[0]`. Times are seconds, with nine digits, or whole nanoseconds; the timestamp of a value is one
+column, `tm`.
 """
 
 import operator
@@ -138,7 +139,9 @@ class Table:
         return lambda: [name for name, _ in pairs], [cell(_words(scalar)) for _, scalar in pairs]
 
     def _placed(self, head, names, found, key):
-        """The cells in their columns; `key` names a combination of columns that may come again, or is None."""
+        """The cells in their columns; `key` names a combination of columns that may come again, or
+        is None.
+        """
         if key is None or key[1] is None or key not in self._places:
             places = [self.columns.setdefault(printable(name), len(self.columns)) for name in names()]
             if places == list(range(len(head), len(head) + len(places))):
@@ -189,7 +192,7 @@ def _parts(descriptor, path):
 
 
 class _Numbers:
-    """A struct of nothing but numbers and times: its cells are made of its octets, for no value is needed in between."""
+    """A struct of nothing but numbers and times: its cells are made of its octets, with no values between."""
 
     def __init__(self, codes, parts):
         self._layouts = {True: Forms("<", codes)[0], False: Forms(">", codes)[0]}
@@ -206,7 +209,9 @@ class _Numbers:
         return self._columns
 
     def cells(self, entry, spelt):
-        """The cells of an entry; None where it ends too early. spelt((seconds, nanoseconds)): a time in words."""
+        """The cells of an entry; None where it ends too early.
+        spelt((seconds, nanoseconds)): a time in words.
+        """
         try:
             numbers = self._layouts[entry.little].unpack_from(entry.data)
         except struct.error:

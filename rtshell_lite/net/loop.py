@@ -792,8 +792,8 @@ class Loop:
             raise self._raised[1]
 
     def _strike_again(self):
-        """Have a signal strike again if no task has seen what was raised for it: code in C drops that where it
-        calls Python, in callbacks for example, and here and there during an import.
+        """Have a signal strike again if no task has seen what was raised for it: code in C drops that where
+        it calls Python, in callbacks for example, and here and there during an import.
         """
         number, exception = self._raised
         self._raised = None

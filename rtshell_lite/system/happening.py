@@ -43,7 +43,9 @@ def now(where, seen, done="", begun=None, error=None):
 
 
 class Log:
-    """A file to which Happenings are appended as lines of JSON; none where its name is None. Raises OSError."""
+    """A file to which Happenings are appended as lines of JSON; none where its name is None.
+    Raises OSError.
+    """
 
     def __init__(self, name):
         self._file = None

@@ -152,7 +152,9 @@ class Kept(presence.Followed):
             self.change(WHOLE)
 
     def go_on_from(self, old):
-        """The file was read again: what a person has done is kept where the file wants what it wanted before."""
+        """The file was read again: what a person has done is kept where the file wants what
+        it wanted before.
+        """
         self.is_paused = old.is_paused
         self.restarts = old.restarts
         self.last = old.last
@@ -679,7 +681,9 @@ class Keeper(presence.Presence):
 
 
 def _executed(of_file):
-    """What a component executes, by the file: the members of a composite, and who takes part in its contexts."""
+    """What a component executes, by the file: the members of a composite, and who takes part in its
+    contexts.
+    """
     targets = [participant.component for participant in of_file.participants]
     return targets + [target for context in of_file.execution_contexts for target in context.participants]
 

@@ -27,7 +27,9 @@ def _directory():
 
 
 def directory():
-    """The private directory of this user for locks and sockets. Raises OSError, Failed where it is not ours."""
+    """The private directory of this user for locks and sockets.
+    Raises OSError, Failed where it is not ours.
+    """
     made = _directory()
     try:
         os.mkdir(made, 0o700)

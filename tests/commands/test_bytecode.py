@@ -1,4 +1,5 @@
 """What is kept of the wheel file: if this fails, somebody else's code may run, or a command is slow."""
+
 import os
 import resource
 import shutil
@@ -27,16 +28,22 @@ class KeptBytecode(Robot):
 
     def file(self, part):
         """The kept file that has this in its name."""
-        name, = [name for name in os.listdir(self.kept) if part in name]
+        (name,) = [name for name in os.listdir(self.kept) if part in name]
         return os.path.join(self.kept, name)
 
     def forge(self):
-        """Change the kept code of rtpwd so that it can be told from that in the wheel, as only its owner can."""
+        """Change the kept code of rtpwd so that it can be told from that in the wheel,
+        as only its owner can.
+        """
         path = self.file("commands.rtpwd")
         with open(path, "rb") as file:
             data = file.read()
-        start = next(at for at in range(len(data)) if zlib.crc32(data[at + 4:]).to_bytes(4, "little") == data[at:at + 4])
-        code = data[start + 4:].replace(b"working directory", b"WORKING DIRECTORY")
+        start = next(
+            at
+            for at in range(len(data))
+            if zlib.crc32(data[at + 4 :]).to_bytes(4, "little") == data[at : at + 4]
+        )
+        code = data[start + 4 :].replace(b"working directory", b"WORKING DIRECTORY")
         with open(path, "wb") as file:
             file.write(data[:start] + zlib.crc32(code).to_bytes(4, "little") + code)
         return path
@@ -99,7 +106,13 @@ class KeptBytecode(Robot):
         path = self.file("rtshell_lite.path")
         with open(path, "rb") as file:
             whole = file.read()
-        for damaged in whole[:-1], whole[:10], b"", whole[:-9] + b"\xff" + whole[-8:], whole.replace(b"rtshell", b"rtsHell"):
+        for damaged in (
+            whole[:-1],
+            whole[:10],
+            b"",
+            whole[:-9] + b"\xff" + whole[-8:],
+            whole.replace(b"rtshell", b"rtsHell"),
+        ):
             with open(path, "wb") as file:
                 file.write(damaged)
             self.check_rtpwd()
@@ -125,7 +138,10 @@ class KeptBytecode(Robot):
         def small_files_only():
             resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
 
-        result = run([self.python, "-m", "rtshell_lite", "rtpwd"], preexec_fn=small_files_only,
-                     environment={"PYTHONPATH": WHEEL, "XDG_CACHE_HOME": self.cache})
+        result = run(
+            [self.python, "-m", "rtshell_lite", "rtpwd"],
+            preexec_fn=small_files_only,
+            environment={"PYTHONPATH": WHEEL, "XDG_CACHE_HOME": self.cache},
+        )
         self.assertEqual(result, (0, "/\n", ""))
         self.assertTrue(all(len(content) <= 600 for content in files(self.kept).values()))

@@ -1,4 +1,5 @@
 """The wheel as installed on a robot: if this fails, the commands may work only here."""
+
 import ast
 import glob
 import os
@@ -22,7 +23,10 @@ def chosen(commands):
 
 def manual_pages(top):
     """Paths of all files below a share/man."""
-    return sorted(os.path.relpath(path, top) for path in glob.glob(os.path.join(glob.escape(top), "**", "*.*"), recursive=True))
+    return sorted(
+        os.path.relpath(path, top)
+        for path in glob.glob(os.path.join(glob.escape(top), "**", "*.*"), recursive=True)
+    )
 
 
 class Checkout(unittest.TestCase):
@@ -30,14 +34,21 @@ class Checkout(unittest.TestCase):
 
     def test_every_command_has_a_transcript(self):
         """rtls.t, and rtls-names.t for a topic of its own."""
-        self.assertEqual(sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}), names("bin"),
-                         "a command NAME has a transcript tests/commands/NAME.t")
+        self.assertEqual(
+            sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}),
+            names("bin"),
+            "a command NAME has a transcript tests/commands/NAME.t",
+        )
 
     def test_every_command_says_how_it_is_run(self):
         """By the tests that run all commands."""
         stated = set(invocations.stated("invocation")) | set(invocations.stated("local"))
-        self.assertEqual(sorted(set(names("bin")) - stated), [], "to be stated in tests/commands/NAME.t by a line such as "
-                         "'invocation: A' or 'local: it contacts nobody': see tests/support/invocations.py")
+        self.assertEqual(
+            sorted(set(names("bin")) - stated),
+            [],
+            "to be stated in tests/commands/NAME.t by a line such as "
+            "'invocation: A' or 'local: it contacts nobody': see tests/support/invocations.py",
+        )
 
     def test_commands_can_be_read_and_run(self):
         for name in names("bin"):
@@ -49,8 +60,12 @@ class Checkout(unittest.TestCase):
                 summary, _, details = ast.get_docstring(tree).partition("\n\n")
                 self.assertRegex(summary, r"^[A-Z].*\.$")
                 self.assertIn("examples:\n  " + name, details)
-                self.assertTrue(text.endswith('\n\nif __name__ == "__main__":\n    cli.main(arguments, run, __doc__)\n'))
-                self.assertEqual([f.name for f in tree.body if isinstance(f, ast.FunctionDef)][:1], ["arguments"])
+                self.assertTrue(
+                    text.endswith('\n\nif __name__ == "__main__":\n    cli.main(arguments, run, __doc__)\n')
+                )
+                self.assertEqual(
+                    [f.name for f in tree.body if isinstance(f, ast.FunctionDef)][:1], ["arguments"]
+                )
 
 
 @unittest.skipUnless(WHEEL, "no wheel was given in RTSHELL_WHEEL")
@@ -67,8 +82,12 @@ class Wheel(unittest.TestCase):
 
     def test_only_the_package_its_commands_and_its_papers(self):
         for name in self.members():
-            self.assertRegex(name, r"^rtshell_lite/|^rtshell_lite-[^/]+\.(dist-info|data/scripts|data/data/share/man)/")
-        self.assertFalse([name for name in self.members() if re.search(r"(^|/)(mock_components|tests?)(/|$)|\.pyc$", name)])
+            self.assertRegex(
+                name, r"^rtshell_lite/|^rtshell_lite-[^/]+\.(dist-info|data/scripts|data/data/share/man)/"
+            )
+        self.assertFalse(
+            [name for name in self.members() if re.search(r"(^|/)(mock_components|tests?)(/|$)|\.pyc$", name)]
+        )
 
     def test_all_commands_and_modules(self):
         scripts = sorted(name.rpartition("/")[2] for name in self.members() if ".data/scripts/" in name)
@@ -88,7 +107,9 @@ class Wheel(unittest.TestCase):
 
     def test_metadata(self):
         with zipfile.ZipFile(WHEEL) as wheel:
-            metadata = wheel.read([name for name in wheel.namelist() if name.endswith("/METADATA")][0]).decode()
+            metadata = wheel.read(
+                [name for name in wheel.namelist() if name.endswith("/METADATA")][0]
+            ).decode()
         self.assertIn("Requires-Python: >=3.6\n", metadata)
         requirements = re.findall("^Requires-Dist: (.*)$", metadata, re.MULTILINE)
         self.assertEqual(len(requirements), 2)
@@ -107,13 +128,19 @@ class Installed(Robot):
         pip = [os.path.join(programs, "python"), "-m", "pip", "--disable-pip-version-check", "-q"]
         self.assertEqual(run(pip + ["install", "--no-index", WHEEL])[0], 0)
         self.check_without_omniorb(lambda name: [os.path.join(programs, name)], chosen(names("bin")))
-        self.assertEqual(manual_pages(os.path.join(environment, "share", "man")), manual_pages(os.path.join(ROOT, "man")))
+        self.assertEqual(
+            manual_pages(os.path.join(environment, "share", "man")), manual_pages(os.path.join(ROOT, "man"))
+        )
         status, out, _ = run([os.path.join(programs, "python"), "-m", "rtshell_lite"])
         self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
         unpacked = os.path.join(self.directory, "unpacked")
-        self.assertEqual(run([os.path.join(programs, "python"), "-m", "rtshell_lite", "--unpack", unpacked])[0], 0)
+        self.assertEqual(
+            run([os.path.join(programs, "python"), "-m", "rtshell_lite", "--unpack", unpacked])[0], 0
+        )
         self.assertEqual(sorted(os.listdir(os.path.join(unpacked, "bin"))), names("bin"))
-        self.assertEqual(manual_pages(os.path.join(unpacked, "share", "man")), manual_pages(os.path.join(ROOT, "man")))
+        self.assertEqual(
+            manual_pages(os.path.join(unpacked, "share", "man")), manual_pages(os.path.join(ROOT, "man"))
+        )
 
     def test_commands_are_found_wherever_pip_puts_them(self):
         for option in "--target", "--prefix", "--user":
@@ -123,13 +150,25 @@ class Installed(Robot):
                     continue  # pip refuses it in a virtual environment
                 environment = {"PYTHONUSERBASE": place}
                 words = [option] + ([place] if option != "--user" else [])
-                pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "install", "-q", "--no-index"]
-                status, _, err = run(pip + ["--ignore-installed", "--no-warn-script-location"] + words + [WHEEL],
-                                     environment=environment)
+                pip = [
+                    sys.executable,
+                    "-m",
+                    "pip",
+                    "--disable-pip-version-check",
+                    "install",
+                    "-q",
+                    "--no-index",
+                ]
+                status, _, err = run(
+                    pip + ["--ignore-installed", "--no-warn-script-location"] + words + [WHEEL],
+                    environment=environment,
+                )
                 self.assertEqual(status, 0, err)
                 package = [where for where, _, _ in os.walk(place) if where.endswith("/rtshell_lite")][0]
-                result = run([self.python, "-m", "rtshell_lite", "rtpwd"],
-                             environment={"PYTHONPATH": os.path.dirname(package)})
+                result = run(
+                    [self.python, "-m", "rtshell_lite", "rtpwd"],
+                    environment={"PYTHONPATH": os.path.dirname(package)},
+                )
                 self.assertEqual(result, (0, "/\n", ""))
 
 
@@ -146,11 +185,18 @@ class WheelFile(Robot):
             self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
 
     def test_own_usage_errors(self):
-        for words, part in [(["rtpw"], "did you mean rtpwd?"), (["--nonsense"], "--nonsense"), (["--unpack"], "--unpack"),
-                            (["--unpack", ""], "PATH"), (["--unpack", "/a:b"], "PATH")]:
+        for words, part in [
+            (["rtpw"], "did you mean rtpwd?"),
+            (["--nonsense"], "--nonsense"),
+            (["--unpack"], "--unpack"),
+            (["--unpack", ""], "PATH"),
+            (["--unpack", "/a:b"], "PATH"),
+        ]:
             self.check_line("rtshell_lite", 2, self.from_wheel(*words), part)
 
     def test_arguments_and_environment_reach_the_command(self):
-        result = run([self.python, "-m", "rtshell_lite", "rtpwd", "--json"],
-                     environment={"PYTHONPATH": WHEEL, "RTCSH_CWD": "/robot"})
+        result = run(
+            [self.python, "-m", "rtshell_lite", "rtpwd", "--json"],
+            environment={"PYTHONPATH": WHEEL, "RTCSH_CWD": "/robot"},
+        )
         self.assertEqual(result, (0, '{"path": "/robot"}\n', ""))

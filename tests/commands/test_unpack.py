@@ -1,4 +1,7 @@
-"""--unpack, for robots without pip: if this fails, they have no commands, or others' files are written over."""
+"""--unpack, for robots without pip: if this fails, they have no commands, or others' files are
+written over.
+"""
+
 import os
 import re
 import resource
@@ -29,13 +32,20 @@ class Unpacked(Robot):
         command = os.path.join(self.unpack(), "bin", "rtls")
         with open(command, encoding="utf-8") as file:
             self.assertEqual(file.readline(), "#!%s -S\n" % self.python)
-        beside = subprocess.check_output([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"],
-                                         universal_newlines=True).strip()
+        beside = subprocess.check_output(
+            [self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"],
+            universal_newlines=True,
+        ).strip()
         fake = os.path.join(beside, "omniORB.py")
         with open(fake, "w") as file:
             file.write("raise OSError('this is omniORB')\n")
         self.addCleanup(os.unlink, fake)
-        self.check_line("rtls", 1, run([command, "/localhost:1/"], environment={"RTSHELL_ORB": "omniorb"}), "this is omniORB")
+        self.check_line(
+            "rtls",
+            1,
+            run([command, "/localhost:1/"], environment={"RTSHELL_ORB": "omniorb"}),
+            "this is omniORB",
+        )
         self.check_line("rtls", 4, run([command, "/localhost:1/"]), "connection refused")
 
     def test_can_be_moved_linked_and_unpacked_again(self):
@@ -45,31 +55,50 @@ class Unpacked(Robot):
         os.symlink(os.path.join(moved, "bin", "rtpwd"), link)
         self.assertEqual(run([link]), (0, "/\n", ""))
         before = files(moved, r"\.pyc$")
-        again = run([self.python, "-m", "rtshell_lite", "--unpack", moved],
-                    environment={"PYTHONPATH": os.path.join(moved, "lib")})
+        again = run(
+            [self.python, "-m", "rtshell_lite", "--unpack", moved],
+            environment={"PYTHONPATH": os.path.join(moved, "lib")},
+        )
         self.assertEqual(again, (0, "export PATH=%s/bin:$PATH\n" % moved, ""))
         self.assertEqual(files(moved, r"\.pyc$"), before)
 
     def test_checkout_and_wheel_lay_out_the_same_but_for_tools(self):
         place = self.unpack()
         other = os.path.join(self.directory, "other")
-        self.assertEqual(run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0], 0)
+        self.assertEqual(
+            run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0],
+            0,
+        )
         tools = "|".join(map(re.escape, TOOLS))
         self.assertEqual(files(place, r"dist-info|\.pyc$"), files(other, r"\.pyc$|\.idl$|" + tools))
 
-    @unittest.skipUnless(OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index")
+    @unittest.skipUnless(
+        OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index"
+    )
     def test_omniorbpy_with_its_shared_libraries(self):
         place = self.unpack(OMNIORB_WHEEL)
-        program = ("import os, sys; sys.path.insert(0, sys.argv[1]); from omniORB import CORBA; CORBA.ORB_init(); "
-                   "print('up', flush=True); os._exit(0)")  # as our commands end: the ORB's own end crashes now and then
+        program = (
+            "import os, sys; sys.path.insert(0, sys.argv[1]); from omniORB import CORBA; CORBA.ORB_init(); "
+            "print('up', flush=True); os._exit(0)"
+        )  # as our commands end: the ORB's own end crashes now and then
         self.assertEqual(run([self.python, "-c", program, os.path.join(place, "lib")]), (0, "up\n", ""))
         if "rtls" in names("bin"):
             result = run([os.path.join(place, "bin", "rtls"), "--timeout", "2", "/localhost:1/"])
             self.check_line("rtls", 4, result, "connection refused")
 
     def test_wheels_that_are_refused(self):
-        for number, member in enumerate(["../evil", "/evil", "a/../../evil", "a\\..\\evil", "x-1.data/purelib/../../evil",
-                                         "C:evil", "./evil", "rtshell_lite/cli.py"]):
+        for number, member in enumerate(
+            [
+                "../evil",
+                "/evil",
+                "a/../../evil",
+                "a\\..\\evil",
+                "x-1.data/purelib/../../evil",
+                "C:evil",
+                "./evil",
+                "rtshell_lite/cli.py",
+            ]
+        ):
             wheel = self.wheel("hostile%d-1-py3-none-any.whl" % number, member)
             self.check_refused(wheel, "comes twice" if "cli" in member else "refused: it holds a file named")
         self.check_refused(os.path.join(self.directory, "none-1-py3-none-any.whl"), "No such file")
@@ -82,7 +111,10 @@ class Unpacked(Robot):
         self.check_refused(torn, "not a wheel")
 
     def test_a_wheel_that_grows_without_measure(self):
-        self.check_refused(self.wheel("bomb-1-py3-none-any.whl", "x", bytes(65 << 20)), "refused: it unpacks to more than 64 MB")
+        self.check_refused(
+            self.wheel("bomb-1-py3-none-any.whl", "x", bytes(65 << 20)),
+            "refused: it unpacks to more than 64 MB",
+        )
 
     def test_links_in_the_place(self):
         """They may lead anywhere."""

@@ -1,8 +1,9 @@
 """A robot with nothing but Python and the wheel, for tests of what is installed there.
 
-tests/run gives the built wheel in RTSHELL_WHEEL and omniORBpy's in RTSHELL_OMNIORB_WHEEL; the Python that runs this
-needs neither of them installed.
+tests/run gives the built wheel in RTSHELL_WHEEL and omniORBpy's in RTSHELL_OMNIORB_WHEEL; the Python
+that runs this needs neither of them installed.
 """
+
 import os
 import re
 import shutil
@@ -14,16 +15,22 @@ import unittest
 import invocations
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-WHEEL, OMNIORB_WHEEL = (os.environ.get(name) and os.path.abspath(os.environ[name])
-                        for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL"))
-TOOLS = {"rtshell_lite/idl_stubs/generate.py", "rtshell_lite/idl_stubs/tabulate.py", "rtshell_lite/shell/documentation.py",
-         "rtshell_lite/shell/manpages.py"}  # they write generated files
+WHEEL, OMNIORB_WHEEL = (
+    os.environ.get(name) and os.path.abspath(os.environ[name])
+    for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL")
+)
+TOOLS = {
+    "rtshell_lite/idl_stubs/generate.py",
+    "rtshell_lite/idl_stubs/tabulate.py",
+    "rtshell_lite/shell/documentation.py",
+    "rtshell_lite/shell/manpages.py",
+}  # they write generated files
 REPORTING = {"rtsh", "rtdoctor"}  # that nobody listens is what their commands say, or a finding
 
 
 def names(directory, suffix=""):
     found = [name for name in os.listdir(os.path.join(ROOT, directory)) if name.endswith(suffix)]
-    return sorted(name[:len(name) - len(suffix)] for name in found if not name.startswith("."))
+    return sorted(name[: len(name) - len(suffix)] for name in found if not name.startswith("."))
 
 
 def read(*path):
@@ -32,11 +39,21 @@ def read(*path):
 
 
 def run(words, **keywords):
-    """Status, stdout and stderr of a program, in an environment where neither package can be found by accident."""
+    """Status, stdout and stderr of a program, in an environment where neither package can be found by
+    accident.
+    """
     environment = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "LC_ALL": "C"}
     environment.update(keywords.pop("environment", {}))
-    process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               env=environment, universal_newlines=True, cwd=keywords.pop("cwd", "/"), **keywords)
+    process = subprocess.Popen(
+        words,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=environment,
+        universal_newlines=True,
+        cwd=keywords.pop("cwd", "/"),
+        **keywords,
+    )
     out, err = process.communicate(timeout=120)
     return process.returncode, out, err
 
@@ -70,7 +87,9 @@ class Robot(unittest.TestCase):
         self.directory = tempfile.mkdtemp(dir=self.top)
 
     def from_wheel(self, *words, **keywords):
-        return run([self.python, "-m", "rtshell_lite"] + list(words), environment={"PYTHONPATH": WHEEL}, **keywords)
+        return run(
+            [self.python, "-m", "rtshell_lite"] + list(words), environment={"PYTHONPATH": WHEEL}, **keywords
+        )
 
     def check_without_omniorb(self, command, chosen=("rtls", "rtpwd", "rtcon")):
         """`command(name)` gives the words that start a command; there is no omniORBpy, and nobody listens."""
@@ -92,9 +111,14 @@ class Robot(unittest.TestCase):
 
     def asking(self, name):
         """Arguments with which a command must contact somebody, if it ever does."""
-        places = {"SERVER": "/localhost:1/a.cxt", "A": "/localhost:1/a.rtc", "B": "/localhost:1/b.rtc", "MGR": "/localhost:1/a.mgr",
-                  "FILE": os.path.join(ROOT, "tests", "data", "valid", "as-rtcryo-writes.xml"),
-                  "OUT": os.path.join(self.directory, "out")}
+        places = {
+            "SERVER": "/localhost:1/a.cxt",
+            "A": "/localhost:1/a.rtc",
+            "B": "/localhost:1/b.rtc",
+            "MGR": "/localhost:1/a.mgr",
+            "FILE": os.path.join(ROOT, "tests", "data", "valid", "as-rtcryo-writes.xml"),
+            "OUT": os.path.join(self.directory, "out"),
+        }
         return invocations.words(invocations.stated("invocation").get(name, [""])[0], places)
 
     def check_line(self, prog, status, result, part):

@@ -2,21 +2,24 @@
 
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
-  tests/run                       on the Python that runs this: transcripts under one shell with one ORB and test modules, of
-                                  those of failures and long ones a part, always the same
-  tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t, tests/unit/test_path.py
+  tests/run                       on the Python that runs this: transcripts under one shell with one ORB and
+                                  test modules, of those of failures and long ones a part, always the same
+  tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t,
+                                  tests/unit/test_path.py
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
-  tests/run --compat              profiles against PyYAML and the real rtsprofile, logs against the readers of MCAP
-  tests/run --real DIR [--real DIR]  every command, in loops, on real components: DIR holds built examples of OpenRTM-aist, of C++ or
-                                  Python; --rounds N of each loop (100), a word of a test's name for a part; with
-                                  the ORB that RTSHELL_ORB names
+  tests/run --compat              profiles against PyYAML and the real rtsprofile, logs against MCAP's readers
+  tests/run --real DIR [--real DIR]  every command, in loops, on real components: DIR holds built examples of
+                                  OpenRTM-aist, of C++ or Python; --rounds N of each loop (100), a word of a
+                                  test's name for a part; with the ORB that RTSHELL_ORB names
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
-  tests/run --accept rtls.t       write down what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6 by our own ORB, and by omniORB
-                                  by turns on 3.7 under ash, on 3.13 under dash, and there some by ours, too; faults by both;
+  tests/run --accept rtls.t       take what the commands print now as what is expected; then read `git diff`
+  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6 by our
+                                  own ORB, and by omniORB by turns on 3.7 under ash, on 3.13 under dash, and
+                                  there some by ours, too; faults by both;
                                   the packaging on every Python from 3.6 to 3.13
 """
+
 import argparse
 import concurrent.futures
 import glob
@@ -39,10 +42,15 @@ import transcripts
 HERE = os.path.dirname(os.path.abspath(__file__))
 TESTS = os.path.dirname(HERE)
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
-# The matrix: test modules run on the first three Pythons, those that say that one is enough on the first. Of transcripts, see
-# has_turn: shells and ORBs to play them with on each Python, the ORB None where it is the one that the commands choose themselves.
-MATRIX = {"3.11": [("dash", "omniorb")], "3.7": [("ash", "omniorb")], "3.13": [("dash", "omniorb"), ("dash", None)],
-          "3.6": [("dash", None), ("ash", None)]}
+# The matrix: test modules run on the first three Pythons, those that say that one is enough on the first.
+# Of transcripts, see has_turn: shells and ORBs to play them with on each Python, the ORB None where it is the
+# one that the commands choose themselves.
+MATRIX = {
+    "3.11": [("dash", "omniorb")],
+    "3.7": [("ash", "omniorb")],
+    "3.13": [("dash", "omniorb"), ("dash", None)],
+    "3.6": [("dash", None), ("ash", None)],
+}
 TURNS, SHARE = ["3.7", "3.13"], 5  # our own ORB on a Python that has omniORBpy: one of so many transcripts
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
@@ -52,7 +60,8 @@ PACKAGING = ["commands/test_packaging", "commands/test_unpack", "commands/test_b
 
 
 class Job:
-    """A test module, or a transcript under a shell; `run` returns outcomes. So many like it may run `at_once`, and nothing else.
+    """A test module, or a transcript under a shell; `run` returns outcomes. So many like it may run
+    `at_once`, and nothing else.
 
     `path` is the file that it runs: the longest ones begin, so that none is left when all others are done.
     """
@@ -66,9 +75,14 @@ class Job:
 
 # ---- jobs ----
 
+
 def test_modules():
     """Names of the test modules: unit/test_path …"""
-    paths = [path for directory in DIRECTORIES for path in glob.glob(os.path.join(glob.escape(TESTS), directory, "test_*.py"))]
+    paths = [
+        path
+        for directory in DIRECTORIES
+        for path in glob.glob(os.path.join(glob.escape(TESTS), directory, "test_*.py"))
+    ]
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
 
@@ -83,9 +97,15 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=Non
         environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
 
     def job(module):
-        return Job(" ".join(filter(None, (python.version, orb, module))), lambda: run_module(
-            module, interpreter, dict(environment, RTSHELL_PART=short.part(source(module))), patterns),
-            1 if says(module, "ALONE") else short.at_once(PROCESSORS), source(module))
+        return Job(
+            " ".join(filter(None, (python.version, orb, module))),
+            lambda: run_module(
+                module, interpreter, dict(environment, RTSHELL_PART=short.part(source(module))), patterns
+            ),
+            1 if says(module, "ALONE") else short.at_once(PROCESSORS),
+            source(module),
+        )
+
     return [job(module) for module in modules]
 
 
@@ -94,7 +114,9 @@ def source(module):
 
 
 def says(module, word):
-    """Does a module say ALONE (it measures times), ONCE (one Python of the matrix is enough) or BOTH (each ORB has its turn)?"""
+    """Does a module say ALONE (it measures times), ONCE (one Python of the matrix is enough) or BOTH (each
+    ORB has its turn)?
+    """
     with open(source(module), encoding="utf-8") as file:
         return any(line.startswith(word + " =") for line in file)
 
@@ -104,9 +126,15 @@ def run_module(module, python, environment, patterns):
         result = os.path.join(directory, "result")
         # Output goes to a file: a process that a test forgot would hold a pipe open.
         with open(os.path.join(directory, "output"), "w+", encoding="utf-8", errors="replace") as output:
-            process = subprocess.Popen(leftovers.apart() + [python, os.path.join(HERE, "report.py"), result, module] + patterns,
-                                       stdin=subprocess.PIPE, stdout=output, stderr=output, env=environment,
-                                       cwd=directory, start_new_session=True)
+            process = subprocess.Popen(
+                leftovers.apart() + [python, os.path.join(HERE, "report.py"), result, module] + patterns,
+                stdin=subprocess.PIPE,
+                stdout=output,
+                stderr=output,
+                env=environment,
+                cwd=directory,
+                start_new_session=True,
+            )
             why = wait(process)
             output.seek(0)
             said = output.read()
@@ -115,7 +143,9 @@ def run_module(module, python, environment, patterns):
                 outcomes = json.load(file)
         except (OSError, ValueError):
             return [(module, "fail", "%s\n%s" % (why, said))]
-    outcomes = [[module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")] + outcomes
+    outcomes = [
+        [module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")
+    ] + outcomes
     if said and any(outcome[1] == "fail" for outcome in outcomes):
         outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
     return outcomes
@@ -137,7 +167,8 @@ def wait(process):
 
 
 def mocks_alone():
-    """A directory that holds mock_components and nothing else: rtshell_lite must come from the environment."""
+    """A directory that holds mock_components and nothing else: rtshell_lite must come from the environment.
+    """
     directory = os.path.join(environments.STORE, "mocks")
     os.makedirs(directory, exist_ok=True)
     link = os.path.join(directory, "mock_components")
@@ -157,15 +188,24 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
-        return Job("%s %s" % (label, name), run, short.at_once(PROCESSORS, transcripts.says(path, "alone")), path)
+
+        return Job(
+            "%s %s" % (label, name), run, short.at_once(PROCESSORS, transcripts.says(path, "alone")), path
+        )
+
     lacks_omniorb = not environments.fetch_omniorb(python)
-    return [job(path, shell) for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
-            if short.has_turn(path, shell, setting.orb) and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
-            and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))]
+    return [
+        job(path, shell)
+        for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
+        if short.has_turn(path, shell, setting.orb)
+        and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+        and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))
+    ]
 
 
 def has_turn(version, shell, orb, path):
-    """Does the matrix play a transcript with these? Each once with omniORB, once with our own ORB, some with that where both are.
+    """Does the matrix play a transcript with these? Each once with omniORB, once with our own ORB, some with
+    that where both are.
 
     What a shell does does not depend on the Python, nor on the ORB.
     """
@@ -173,7 +213,9 @@ def has_turn(version, shell, orb, path):
     if version in PURE:
         return shell == ("dash", "ash")[number % 2]
     if orb is None:
-        return number % SHARE == 0 and not any(transcripts.says(path, word) for word in ("alone", "once", "orb"))
+        return number % SHARE == 0 and not any(
+            transcripts.says(path, word) for word in ("alone", "once", "orb")
+        )
     return version == (FULL[0] if transcripts.says(path, "once") else TURNS[number % len(TURNS)])
 
 
@@ -187,6 +229,7 @@ def transcript_setting(python, interpreter, wheel, orb):
 
 # ---- running them ----
 
+
 class Score:
     """The outcomes so far, which are printed as they come."""
 
@@ -197,22 +240,32 @@ class Score:
     def progress(self):
         """On a terminal, a line that the next one replaces."""
         if sys.stdout.isatty():
-            text = "%d jobs left, %d s, %d failed" % (self.left, time.monotonic() - self.begun, self.counts["fail"])
+            text = "%d jobs left, %d s, %d failed" % (
+                self.left,
+                time.monotonic() - self.begun,
+                self.counts["fail"],
+            )
             print("\x1b[K" + text * bool(self.left), end="\r", flush=True)
 
     def add(self, label, outcomes, seconds=None):
         for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
-            print("     %s: %s" % (label, line[len("figures: "):]), flush=True)
+            print("     %s: %s" % (label, line[len("figures: ") :]), flush=True)
         outcomes = [each for each in outcomes if each[1] != "figures"]
         for name, outcome, text in outcomes:
             self.counts[outcome] += 1
             if outcome == "fail":
-                print("FAIL %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()), flush=True)
+                print(
+                    "FAIL %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()),
+                    flush=True,
+                )
             elif outcome == "skip":
                 self.reasons.setdefault(text, []).append("%s: %s" % (label, name))
         if outcomes and seconds is not None and not any(outcome == "fail" for _, outcome, _ in outcomes):
             passed = sum(outcome == "pass" for _, outcome, _ in outcomes)
-            print("%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds), flush=True)
+            print(
+                "%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds),
+                flush=True,
+            )
 
     def close(self):
         if not any(self.counts.values()):
@@ -254,46 +307,84 @@ def _work(waiting, finished):
         begun = time.monotonic()
         try:
             outcomes = job.run()
-        except Exception as e:  # a fault of the runner itself must not be taken for success, nor stop the others
+        except (
+            Exception
+        ) as e:  # a fault of the runner itself must not be taken for success, nor stop the others
             outcomes = [(job.label, "fail", "%s: %s" % (type(e).__name__, e))]
         finished.put((job, outcomes, time.monotonic() - begun))
 
 
 # ---- what to run ----
 
+
 def compat_jobs(args):
-    """The tests that need PyYAML, the real rtsprofile, the readers of MCAP; skipped where these cannot be installed."""
+    """The tests that need PyYAML, the real rtsprofile, the readers of MCAP; skipped where these cannot be
+    installed.
+    """
     python = environments.find_python(args.python[0] if args.python else sys.executable)
     modules = ["compat/test_rtsprofile", "compat/test_mcap"]
     try:
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
         why = "PyYAML, rtsprofile-aist, mcap cannot be installed: " + str(e).splitlines()[-1]
-        return [Job("%s %s" % (python.version, module), lambda module=module: [(module, "skip", why)], PROCESSORS, source(module))
-                for module in modules]
+        return [
+            Job(
+                "%s %s" % (python.version, module),
+                lambda module=module: [(module, "skip", why)],
+                PROCESSORS,
+                source(module),
+            )
+            for module in modules
+        ]
     environment = dict(os.environ, PYTHONPATH=environments.ROOT)
     npm = environments.prepare_npm()
     if npm:
         environment["RTSHELL_NPM"] = npm
-    return [Job("%s %s" % (python.version, module), lambda module=module: run_module(module, interpreter, environment, args.pattern),
-                PROCESSORS, source(module)) for module in modules]
+    return [
+        Job(
+            "%s %s" % (python.version, module),
+            lambda module=module: run_module(module, interpreter, environment, args.pattern),
+            PROCESSORS,
+            source(module),
+        )
+        for module in modules
+    ]
 
 
 def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
-    modules = ["compat/test_real", "compat/test_real_keep"] if args.real else [] if args.accept else [
-        module for module in test_modules() if not args.all or version == FULL[0] or not says(module, "ONCE")]
+    modules = (
+        ["compat/test_real", "compat/test_real_keep"]
+        if args.real
+        else (
+            []
+            if args.accept
+            else [
+                module
+                for module in test_modules()
+                if not args.all or version == FULL[0] or not says(module, "ONCE")
+            ]
+        )
+    )
     jobs = module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, modules)
     if args.real:
         return jobs
     if args.all:
         for shell, orb in MATRIX[version]:
-            jobs += transcript_jobs(python, transcript_setting(python, interpreter, wheel, orb), args.pattern, shell, in_matrix=True)
+            jobs += transcript_jobs(
+                python,
+                transcript_setting(python, interpreter, wheel, orb),
+                args.pattern,
+                shell,
+                in_matrix=True,
+            )
             if orb and version == TURNS[-1]:
                 both = [module for module in test_modules() if says(module, "BOTH")]
-                jobs += module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, both, orb)
+                jobs += module_jobs(
+                    python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, both, orb
+                )
         return jobs
     for orb in short.orbs():
         setting = transcript_setting(python, interpreter, wheel, orb)
@@ -324,12 +415,16 @@ def gather_jobs(args, wheel, score):
             score.add(version, [("environment", "fail", str(e))])
         return []
 
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:  # environments take their time to make
+    with concurrent.futures.ThreadPoolExecutor(
+        os.cpu_count() or 1
+    ) as pool:  # environments take their time to make
         return [job for jobs in pool.map(gather, *zip(*wanted)) for job in jobs]
 
 
 def builder():
-    """The Python that builds the wheel: this one, or the newest here if it is too old to build from setup.cfg."""
+    """The Python that builds the wheel: this one, or the newest here if it is too old to build from
+    setup.cfg.
+    """
     for version in [sys.executable] * (sys.version_info >= (3, 7)) + ALL[:0:-1]:
         try:
             return environments.find_python(version)
@@ -339,21 +434,34 @@ def builder():
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="tests/run", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="tests/run", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("pattern", nargs="*", help="part of a test's name")
-    parser.add_argument("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
-    parser.add_argument("--compat", action="store_true", help="compare with PyYAML, the real rtsprofile, the readers of MCAP")
-    parser.add_argument("--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated")
-    parser.add_argument("--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round")
+    parser.add_argument(
+        "--python", action="append", metavar="VERSION", help="a version or a path; may be repeated"
+    )
+    parser.add_argument(
+        "--compat", action="store_true", help="compare with PyYAML, the real rtsprofile, the readers of MCAP"
+    )
+    parser.add_argument(
+        "--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated"
+    )
+    parser.add_argument(
+        "--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round"
+    )
     parser.add_argument("--all", action="store_true", help="the matrix")
-    parser.add_argument("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
+    parser.add_argument(
+        "--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes"
+    )
     parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()
 
 
 def hear_signals():
-    """Stop ignoring signals that our parent ignored, as `nohup … &` does: the commands under test would inherit that."""
+    """Stop ignoring signals that our parent ignored, as `nohup … &` does: the commands under test would
+    inherit that.
+    """
     for number, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL)):
         if signal.getsignal(number) == signal.SIG_IGN:
             signal.signal(number, handler)

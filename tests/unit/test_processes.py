@@ -1,7 +1,9 @@
-"""The processes that rtkeep keeps: if this fails, some of a robot outlive it, fill the table of processes, or cannot be ended.
+"""The processes that rtkeep keeps: if this fails, some of a robot outlive it, fill the table of
+processes, or cannot be ended.
 
 tests/commands/rtkeep-processes.t has the common cases.
 """
+
 import json
 import os
 import shutil
@@ -58,9 +60,15 @@ class Processes(unittest.TestCase):
         with open(os.path.join(self.directory, "Procfile"), "w") as file:
             file.write(procfile)
         with open(os.path.join(self.directory, "said"), "ab") as said:
-            self.process = running.start(["rtkeep", "-v", "--json", "--processes", "Procfile"], self.directory,
-                                         dict(more, XDG_RUNTIME_DIR=self.directory), inside,
-                                         stdin=subprocess.DEVNULL, stdout=said, stderr=said)
+            self.process = running.start(
+                ["rtkeep", "-v", "--json", "--processes", "Procfile"],
+                self.directory,
+                dict(more, XDG_RUNTIME_DIR=self.directory),
+                inside,
+                stdin=subprocess.DEVNULL,
+                stdout=said,
+                stderr=said,
+            )
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
 
@@ -76,12 +84,21 @@ class Processes(unittest.TestCase):
         return [json.loads(line) for line in self.said().splitlines() if line.startswith('{"done')]
 
     def pids(self, name):
-        return [int(event["done"].rpartition(" ")[2]) for event in self.events()
-                if event["object"] == name and event["done"].startswith("started")]
+        return [
+            int(event["done"].rpartition(" ")[2])
+            for event in self.events()
+            if event["object"] == name and event["done"].startswith("started")
+        ]
 
     def test_second_signal(self):
-        """A second signal ends it at once, with all processes, however long these may take; a first one does not."""
-        for first, second in ((signal.SIGTERM, signal.SIGTERM), (signal.SIGINT, signal.SIGTERM), (signal.SIGTERM, signal.SIGINT)):
+        """A second signal ends it at once, with all processes, however long these may take; a first one does
+        not.
+        """
+        for first, second in (
+            (signal.SIGTERM, signal.SIGTERM),
+            (signal.SIGINT, signal.SIGTERM),
+            (signal.SIGTERM, signal.SIGINT),
+        ):
             with self.subTest(first=first, second=second):
                 open(os.path.join(self.directory, "said"), "w").close()
                 self.keep("a: %s\na.stop: TERM 1000\n" % STUBBORN)
@@ -108,7 +125,7 @@ class Processes(unittest.TestCase):
         """Then another one does: rtkeep goes on, and nothing outlives it."""
         self.keep("a: sh -c 'sleep 1000 & wait'\nb: sleep 0.3\nb.delay: 0.1-0.1\nb.burst: 1000/60\n")
         self.until("started, pid", 2)
-        watching, = set(children(self.process.pid)) - set(self.pids("a") + self.pids("b"))
+        (watching,) = set(children(self.process.pid)) - set(self.pids("a") + self.pids("b"))
         (a,) = self.pids("a")
         os.kill(watching, signal.SIGKILL)
         worlds.eventually(lambda: len(self.pids("b")) > 3, "processes are started again")
@@ -131,7 +148,10 @@ class Processes(unittest.TestCase):
         """A robot is kept though nobody reads what the service manager is told."""
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
             manager.bind(os.path.join(self.directory, "notify"))
-            self.keep("a: false\na.delay: 0.01-0.01\na.burst: 20/60\n", NOTIFY_SOCKET=os.path.join(self.directory, "notify"))
+            self.keep(
+                "a: false\na.delay: 0.01-0.01\na.burst: 20/60\n",
+                NOTIFY_SOCKET=os.path.join(self.directory, "notify"),
+            )
             self.until("given up")
             self.process.terminate()
             self.assertEqual(self.process.wait(LONG), 0)
@@ -148,7 +168,10 @@ class Processes(unittest.TestCase):
         self.until('"wrote": "ready"')
         self.process.terminate()
         self.assertEqual(self.process.wait(LONG), 0)
-        self.assertIn(("does not end within 0.3s", "killed"), [(event["seen"], event["done"]) for event in self.events()])
+        self.assertIn(
+            ("does not end within 0.3s", "killed"),
+            [(event["seen"], event["done"]) for event in self.events()],
+        )
 
     def test_what_is_told_to_rtkeep_alone(self):
         """A process that took the messages of the service manager for its own would speak for rtkeep."""
@@ -169,13 +192,17 @@ class Processes(unittest.TestCase):
     @unittest.skipUnless(has_namespaces(), "no namespaces of processes here: unshare does not work")
     def test_first_process_of_a_container(self):
         """As process 1 it reaps what others have left, hears signals, and takes all with it."""
-        orphans = "sh -c 'for n in 1 2 3 4 5; do sh -c \"setsid sleep 0.2 &\"; done; echo left; exec sleep 1000'"
+        orphans = (
+            "sh -c 'for n in 1 2 3 4 5; do sh -c \"setsid sleep 0.2 &\"; done; echo left; exec sleep 1000'"
+        )
         self.keep("a: %s\n" % orphans, inside=IN_NAMESPACE)
         self.until('"wrote": "left"')
         (first,) = children(self.process.pid)
         with open("/proc/%d/status" % first) as file:
             self.assertRegex(file.read(), r"NSpid:\t\d+\t1\n")
-        worlds.eventually(lambda: len(children(first)) == 2, "orphans end: only the process and what watches over it stay")
+        worlds.eventually(
+            lambda: len(children(first)) == 2, "orphans end: only the process and what watches over it stay"
+        )
         self.assertNotIn("Z", children(first).values())
         os.kill(first, signal.SIGTERM)
         self.assertEqual(self.process.wait(LONG), 0)
@@ -185,13 +212,21 @@ class Processes(unittest.TestCase):
     def test_first_process_without_processes_of_its_own(self):
         """It reaps then, too: `docker exec` leaves orphans with it."""
         with open(os.path.join(self.directory, "a.rtsys"), "w") as file:
-            file.write('<rts:RtsProfile rts:version="0.2" rts:id="RTSystem:a:b:1" '
-                       'xmlns:rts="http://www.openrtp.org/namespaces/rts"/>')
+            file.write(
+                '<rts:RtsProfile rts:version="0.2" rts:id="RTSystem:a:b:1" '
+                'xmlns:rts="http://www.openrtp.org/namespaces/rts"/>'
+            )
         script = 'sh -c "setsid sleep 0.2 &"; exec "$@"'  # its orphan becomes that of rtkeep
         with open(os.path.join(self.directory, "said"), "ab") as said:
-            self.process = running.start(["rtkeep", "a.rtsys"], self.directory, dict(XDG_RUNTIME_DIR=self.directory),
-                                         IN_NAMESPACE + ["sh", "-c", script, "sh"],
-                                         stdin=subprocess.DEVNULL, stdout=said, stderr=said)
+            self.process = running.start(
+                ["rtkeep", "a.rtsys"],
+                self.directory,
+                dict(XDG_RUNTIME_DIR=self.directory),
+                IN_NAMESPACE + ["sh", "-c", script, "sh"],
+                stdin=subprocess.DEVNULL,
+                stdout=said,
+                stderr=said,
+            )
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
 

@@ -1,6 +1,7 @@
 """The tables of interfaces and types: they say what the .idl files say, with the ids and bytes of the wire,
 and what omniORB is given is made of them.
 """
+
 import glob
 import os
 import subprocess
@@ -92,9 +93,9 @@ BYTES = [
 
 def masked(data, pattern):
     """The hexadecimal form of data with ?? wherever the pattern has it."""
-    pairs = [pattern[i:i + 2] for i in range(0, len(pattern), 2)]
+    pairs = [pattern[i : i + 2] for i in range(0, len(pattern), 2)]
     found = ["%02x" % byte for byte in data]
-    return "".join("??" if pair == "??" else byte for byte, pair in zip(found, pairs + found[len(pairs):]))
+    return "".join("??" if pair == "??" else byte for byte, pair in zip(found, pairs + found[len(pairs) :]))
 
 
 plain = type_json.plain
@@ -107,8 +108,11 @@ class Tables(unittest.TestCase):
     def test_committed_tables_are_what_omniidl_reads(self):
         with tempfile.TemporaryDirectory() as directory:
             fresh = os.path.join(directory, "tables.py")
-            subprocess.check_call([sys.executable, "-m", "rtshell_lite.idl_stubs.generate", fresh], cwd=ROOT,
-                                  env=dict(os.environ, PYTHONPATH=ROOT))
+            subprocess.check_call(
+                [sys.executable, "-m", "rtshell_lite.idl_stubs.generate", fresh],
+                cwd=ROOT,
+                env=dict(os.environ, PYTHONPATH=ROOT),
+            )
             with open(fresh) as new, open(os.path.join(STUBS, "tables.py")) as old:
                 self.assertTrue(new.read() == old.read(), "run python3 -m rtshell_lite.idl_stubs.generate")
 
@@ -157,8 +161,10 @@ class Tables(unittest.TestCase):
                 with open(case, "w") as file:
                     file.write('#include "%s"\n' % os.path.basename(path))
                 found, expected = parser.read_file(case), parser.read_file(path, [OWN])
-                self.assertEqual({type_id: plain(each) for type_id, each in found.types.items()},
-                                 {type_id: plain(each) for type_id, each in expected.types.items()})
+                self.assertEqual(
+                    {type_id: plain(each) for type_id, each in found.types.items()},
+                    {type_id: plain(each) for type_id, each in expected.types.items()},
+                )
                 self.assertEqual(set(found.interfaces), set(expected.interfaces))
 
     def test_what_an_include_declares_can_be_used(self):
@@ -169,10 +175,12 @@ class Tables(unittest.TestCase):
                     #include <rtm/idl/RTC.idl>
                     #include "CosNaming.idl"
                     #include "RTC.idl"
-                    module RTC { interface PortService; struct PortProfile; struct More { ReturnCode_t code; SDOPackage::NVList list; }; };
+                    module RTC { interface PortService; struct PortProfile;
+                      struct More { ReturnCode_t code; SDOPackage::NVList list; }; };
                     module Mine {
                       interface Port : RTC::PortService {
-                        RTC::PortProfile mine(in RTC::PortServiceList ports) raises (CosNaming::NamingContext::NotFound);
+                        RTC::PortProfile mine(in RTC::PortServiceList ports)
+                          raises (CosNaming::NamingContext::NotFound);
                       };
                     };""")
             found = parser.read_file(case)
@@ -218,19 +226,25 @@ class OmniOrb(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         from omniORB import CORBA
+
         CORBA.ORB_init([])
 
     def test_bytes(self):
         from mock_components.idl import RTC
+
         for name, value, data in BYTES:
             with self.subTest(type=name, value=value):
                 self.check(name, getattr(RTC, name)(RTC.Time(1, 2), value), data)
         pose = RTC.Pose2D(RTC.Point2D(1.0, 2.0), 3.0)
-        self.check("TimedPose2D", RTC.TimedPose2D(RTC.Time(1, 2), pose),
-                   "000000000000f03f 0000000000000040 0000000000000840")
+        self.check(
+            "TimedPose2D",
+            RTC.TimedPose2D(RTC.Time(1, 2), pose),
+            "000000000000f03f 0000000000000040 0000000000000840",
+        )
 
     def check(self, name, value, data):
         from mock_components.idl import RTC
+
         pattern = (STAMP + data).replace(" ", "")
         marshalled = omniORB.cdrMarshal(getattr(RTC, "_tc_" + name), value, True)
         self.assertEqual(masked(marshalled, pattern), pattern)
@@ -254,6 +268,7 @@ class OmniOrb(unittest.TestCase):
     def test_exceptions(self):
         """A servant raises them, a caller catches them by their CORBA base."""
         from omniORB import CORBA
+
         _, _, raised = stubs.operation(idl.id_of("SDOPackage.Configuration"), "get_configuration_sets")
         made = raised[idl.id_of("SDOPackage.NotAvailable")][1]("why")
         self.assertIsInstance(made, CORBA.UserException)

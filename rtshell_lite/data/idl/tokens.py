@@ -37,7 +37,8 @@ _DIRECTIVE = r"#\s*([A-Za-z]*)\s*(.*)"
 _NAME = r"[A-Za-z_][A-Za-z0-9_]*"
 _PARAMETERS = r"\(\s*(?:[A-Za-z_]\w*\s*(?:,\s*[A-Za-z_]\w*\s*)*)?\)"
 _CONDITION = (
-    r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
+    r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|"
+    r"(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
     r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))"
 )
 
