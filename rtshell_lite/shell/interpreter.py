@@ -163,7 +163,7 @@ class Interpreter:
             self._modules[name] = installation.load(self.files[name], "rtshell_lite " + name)
         module = self._modules[name]
         before = sys.argv
-        sys.argv = [self.files[name]] + words
+        sys.argv = [name] + words
         try:
             status = self._command(module.arguments, module.run, module.__doc__, words)
             sys.stdout.flush()
