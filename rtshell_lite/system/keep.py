@@ -12,223 +12,23 @@ import collections
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb, session
+from rtshell_lite.corba import session
 from rtshell_lite.events import presence
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, snapshot, transitions
-from rtshell_lite.system import apply, capture, happening, plan, policy, reconnect, restore, run_plan
+from rtshell_lite.robot import component, transitions
+from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
 from rtshell_lite.system import sites, steps
+from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, Kept
 
-PAUSE = 0.15  # seconds between a change and the look at it: who disconnects does it port by port
 TICK = 0.1  # seconds between looks whether all is done
 WAIT = 1.0  # seconds until what a neighbour holds up is asked again
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 
-WHOLE = "whole"  # every part, and whether it is the component that is meant
-STATE = "state"  # a part, and in place of the key of a step
-FULL, BRIEF = snapshot.FULL, snapshot.BRIEF
-# What is looked at again, by the part of a component that has changed.
-PARTS = {
-    "ports": {"ports": FULL},
-    "contexts": {"owned": FULL, "participating": BRIEF, "states": FULL, "organisations": FULL},
-    "configuration": {"configuration": FULL},
-    STATE: {"states": FULL},
-}
-PART_OF = {
-    "EC_EVENT": "contexts",
-    "PORT_EVENT": "ports",
-    "CONFIG_EVENT": "configuration",
-    "RTC_STATUS": STATE,
-}
-
 # `create`, `manager` and `strict_path` as in restore.Options. `strict`: undo what a person did, too; `look`:
 # see presence.Presence; `watch`: whether changes are to be noticed later; `policy` for components without
 # their own.
 Options = collections.namedtuple("Options", "create manager strict_path strict look watch policy")
-
-
-class Kept(presence.Followed):
-    """One component that is kept.
-
-    site      its sites.Site; `site.error` says why nothing can be done with it
-    changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by time.monotonic()
-    looking   those that are being looked at
-    settled   {key of a step: its setting}, and STATE, that were as in the file when last looked at
-    hands     {key: what a person has done}
-    said      {key: the errors.Error that was reported}
-    state     its state, absent, or hung; since `since`, seconds since 1970
-    trial     the policy.Trial of its state, `repairs` that of everything else
-    last      the last Happening of it in words, `restarts` how often it has come back
-    drives    Kepts that it executes, by the file; `drivers` those that execute it
-    """
-
-    changed = looking = frozenset()  # type: frozenset
-    state = "absent"
-    restarts = 0
-    last = ""
-    is_busy = is_paused = has_exited = has_been_there = False
-    has_failed = False  # since the last attempt to activate it; among the failures of `trial`
-    known = None  # the identity of the object that it was before the file was read again
-    due = 0.0
-
-    def __init__(self, site, keeper):
-        super().__init__(site.path)
-        self.where = site.where
-        self.site = site
-        self.keeper = keeper
-        chosen = policy.of(site.component, keeper.options.policy)
-        self.trial = policy.Trial(chosen)
-        self.repairs = policy.Trial(chosen)
-        self.settled = {}
-        self.hands = {}
-        self.said = {}
-        self.since = time.time()
-        self.drives, self.drivers = [], []
-        # False for one whose state is nobody's business here
-        self.is_started = site.component.property(policy.PREFIX + STATE) != "any"
-
-    @property
-    def is_usable(self):
-        """Whether something can be done with it."""
-        return self.is_there and self.site.error is None and self.site.found is not None
-
-    @property
-    def is_waiting(self):
-        """Whether it is to be looked at."""
-        return self.is_there and bool(self.changed) and not self.is_busy and not self.is_paused
-
-    def become(self, state):
-        """Note its state."""
-        if state != self.state:
-            self.state = state
-            self.since = time.time()
-
-    def change(self, *parts):
-        """Have parts of it looked at again."""
-        self.changed = self.changed.union(parts)
-        self.due = max(self.due, time.monotonic() + PAUSE)
-        self.keeper.bell.ring()
-
-    def as_dict(self):
-        """For `rtkeep status`."""
-        if self.is_paused:
-            wanted = "paused"
-        elif self.is_started:
-            wanted = "Active"
-        else:
-            wanted = "any"
-        return {
-            "kind": "component",
-            "object": self.where,
-            "wanted": wanted,
-            "state": self.state,
-            "since": self.since,
-            "restarts": self.restarts,
-            "last": self.last,
-            "by_hand": sorted(self.hands.values()),
-            "given_up": self.trial.given_up or self.repairs.given_up,
-        }
-
-    def fail(self, why):
-        """Note a failure of its state."""
-        self.settled.pop(STATE, None)
-        if not self.has_failed:
-            self.has_failed = True
-            self.trial.fail(why)
-
-    def forget_all(self):
-        """Begin as with a component that was never seen."""
-        for notes in (self.settled, self.hands, self.said):
-            notes.clear()
-        self.trial.begin_again()
-        self.repairs.begin_again()
-
-    def take_back(self):
-        """Let it be kept again, whatever a person has done."""
-        self.is_paused = False
-        self.forget_all()
-        if self.is_there:
-            self.change(WHOLE)
-
-    def go_on_from(self, old):
-        """The file was read again: what a person has done is kept where the file wants what
-        it wanted before.
-        """
-        self.is_paused = old.is_paused
-        self.restarts = old.restarts
-        self.last = old.last
-        self.has_exited = old.has_exited
-        self.has_been_there = old.has_been_there
-        if old.is_there:
-            self.known = orb.identity(old.shown.node.ref)
-            self.hands = old.hands
-            self.settled = old.settled
-        if not old.is_started:
-            self.settled.pop(STATE, None)
-
-    def begin_again(self):
-        """Something about it has changed: what was given up is tried again."""
-        for trial in (self.trial, self.repairs):
-            if trial.given_up and not self.is_busy:
-                trial.begin_again()
-                self.change(*PARTS)
-
-    # ---- what is noticed ----
-
-    def appeared(self):
-        is_other = orb.identity(self.shown.node.ref) != self.known
-        self.known = None
-        if is_other:
-            self.restarts += self.has_been_there
-            self.forget_all()
-        self.has_been_there = True
-        self.site.node = self.shown.node
-        self.site.error = self.site.found = None
-        restart = self.trial.policy.restart
-        is_to_start = restart == "always" or restart == "on-error" and not self.has_exited
-        if self.restarts == 0 or is_to_start:
-            self.has_failed = False
-            self.change(WHOLE)
-        else:
-            self.site.error = errors.Failed(self.where, f"is back; its policy is {restart}")
-            self.keeper.complain(self, WHOLE, self.site.error)
-
-    def vanished(self, seen):
-        self.site.error = self.error  # tasks that are at work go on with what they have, and fail
-        self.changed = frozenset()
-        self.has_exited = seen == "has exited"
-        self.become("absent")
-        self.keeper.happened(self, seen)
-        for other in self.drives:  # its contexts stop, and nobody has done that
-            other.settled.pop(STATE, None)
-
-    def hung(self, error):
-        self.become("hung")
-        self.keeper.happened(self, error.why, "left alone")
-
-    def answered(self):
-        self.become("unknown")
-        self.keeper.happened(self, "answers again")
-        self.change(WHOLE)
-
-    def reported(self, event):
-        if event.event == "FINALIZE":
-            self.keeper.suspect(self.endpoint)
-            return
-        if event.event == "ERROR":
-            self.fail("in Error")
-        elif event.kind != "RTC_STATUS":
-            self.begin_again()
-        if event.kind == "EC_EVENT":  # a composite does not report that it has lost a member
-            for other in self.drivers:
-                if other.is_there:
-                    other.change("contexts")
-        self.change(PART_OF.get(event.kind, WHOLE))
-
-    def notice(self, part):
-        self.begin_again()
-        self.change(part)
 
 
 class Keeper(presence.Presence):
