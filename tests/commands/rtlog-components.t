@@ -13,7 +13,7 @@ orb: builtin
 
 In another name server. What is recorded comes to who is connected, all of it, in its order; then nothing is left:
 
-  $ N=/localhost:$PORT2/test.host_cxt; play() { rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; }
+  $ N=/localhost:$PORT2/test.host_cxt; play() { rm -f told; rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; }
   $ play --nameserver localhost:$PORT2 --when-connected; rtls -l $N
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
   Active    1/1  1/1  0/0  0/0  ConsoleOut0.rtc
@@ -77,7 +77,7 @@ A component that exits goes when it did, with its name:
   $ rtexit test.host_cxt/Motor0.rtc; soon 'rtlog --json -f b.mcap | grep EXITED'; soon 'rtlog -d -f b.mcap | grep components-2.json'
   $ ctl write ConsoleIn0:out 11; soon 'rtlog --json -f b.mcap | grep "data.: 11"'; kill $pid; wait $pid
   [143]
-  $ rtlog -p -f b.mcap --as-components --nameserver localhost:$PORT2 -r 0.2 2> told & pid=$!; soon 'grep bound told'; cat told
+  $ rm told; rtlog -p -f b.mcap --as-components --nameserver localhost:$PORT2 -r 0.2 2> told & pid=$!; soon 'grep bound told'; cat told
   rtlog: 3 components are bound in /localhost:$PORT2
   $ soon '! rtls $N | grep Motor0'; rtls $N; kill $pid; wait $pid; rtls /localhost:$PORT2
   ConsoleIn0.rtc

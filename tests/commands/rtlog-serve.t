@@ -4,7 +4,7 @@ world: these ConsoleIn Motor
 orb: builtin
 
   $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ play() { rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; W=$(sed 's/.*bound in //' told); }
+  $ play() { rm -f told; rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; W=$(sed 's/.*bound in //' told); }
   $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep components-1.json'; for i in 1 2 3 4 5 6 7 8 9 10; do ctl write ConsoleIn0:out $i; done
   $ soon 'rtlog --json -f a.mcap | grep "data.: 10"'; kill $pid; wait $pid
   [143]

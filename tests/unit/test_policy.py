@@ -96,7 +96,7 @@ class Procfiles(unittest.TestCase):
             ("a: b\na.after: a", "wait for each other: a"),
             ("a: 'b", "a: No closing quotation"),
             ("a: b\na.stop: NOW", "no such signal: NOW"),
-            ("a: b\na.stop: INT soon", "a: could not"),
+            ("a: b\na.stop: INT soon", "a: stop: not SIGNAL SECONDS: INT soon"),
             ("a: b\na.restart: x", "a: restart: not one of"),
             ("a.cwd: /", "a: no command"),
             ("a: b\na.env: C", "a: "),
