@@ -1,7 +1,6 @@
 """What a command does before it imports anything else; so this module imports next to nothing."""
 
 import _signal  # which `signal` is made of: that one takes longer to import than all that comes before it
-import gc
 import sys
 
 # new objects after which Python looks for cycles: with its default, 700, that took 4 % of a command's time
@@ -19,9 +18,11 @@ def quietly(name):
     """
     if name != "__main__":
         return
-    gc.set_threshold(GARBAGE)
     if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:
         _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+    import gc
+
+    gc.set_threshold(GARBAGE)
     _import_argparse()
 
 
