@@ -90,7 +90,7 @@ class Tour(unittest.TestCase):
                 ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6"),
                 ("rttrace -t 1 Link0.rtc:out", "1"),
             ]
-            + [("echo nonsense >ConsoleIn0.rtc/state", "1")] * (not mounts.refused()),
+            + [("echo nonsense | tee ConsoleIn0.rtc/state", "1")] * (not mounts.refused()),
             said,
         )
         self.assertNotIn("a key goes on", said, "it waits on terminals only")
