@@ -82,7 +82,12 @@ def add(stage, count, faults):
     """Link0, Link1, …, connected and active; `faults` are words such as held@3."""
     known = dict(reversed(fault.split("@")) for fault in faults)
     for number in range(count):
-        spec = FIRST if number == 0 else LAST if number == count - 1 else MIDDLE
+        if number == 0:
+            spec = FIRST
+        elif number == count - 1:
+            spec = LAST
+        else:
+            spec = MIDDLE
         fault = known.get(str(number), "")
         link = stage.add(
             spec, f"Link{number}", rate=5.0 if fault == "slow" else RATE, running=fault != "halted"

@@ -27,7 +27,12 @@ def make(type_name, number, stamped=False):
     kind = type_name[len("Timed"):]
     if kind.endswith("Seq"):
         numbers = [_one(kind[:-3], number + i) for i in range(LENGTH)]
-        data = bytes(numbers) if kind == "OctetSeq" else "".join(numbers) if kind == "CharSeq" else numbers
+        if kind == "OctetSeq":
+            data = bytes(numbers)
+        elif kind == "CharSeq":
+            data = "".join(numbers)
+        else:
+            data = numbers
     else:
         data = _one(kind, number)
     return getattr(RTC, type_name)(tm, data)

@@ -990,7 +990,7 @@ class Manager:
 
 
 def manager(path):
-    """The Manager at a path. Raises errors.Error if there is none."""
+    """The Manager at a path. Raises errors.Error if there is no manager."""
     found = Manager(path)
     _plain(found._node)()
     return found

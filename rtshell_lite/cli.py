@@ -214,7 +214,7 @@ async def reader_leaves():
     """Raise BrokenPipeError as soon as nobody reads the output: for loop.background."""
     try:
         output = sys.stdout.fileno()
-    except OSError:  # there is none
+    except OSError:  # no such descriptor
         return
     await loop.ready(output, 0)
     if SIGHUP is not None:

@@ -50,7 +50,7 @@ def _chosen(transport=""):
 
 
 def _setting_unknown_to(client):
-    """The first setting in RTCTREE_ORB_ARGS that our own ORB does not obey; '' if there is none."""
+    """The first setting in RTCTREE_ORB_ARGS that our own ORB does not obey; '' if it obeys all."""
     words = []
     for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";"):
         if word:

@@ -220,7 +220,7 @@ class Connection:
         """The object that the port published for the connector; `kinds` names its stub class, by interface
         type.
 
-        Raises Refused when there is none.
+        Raises Refused when the port published no object.
         """
         ior = self.agreed.get(f"dataport.{self.interface}.{self.side}_ior")
         if not ior:

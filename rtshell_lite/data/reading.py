@@ -169,7 +169,7 @@ class Reader(Connection):
             self.idle.ring()
 
     async def _take_next(self, fetch):
-        """Fetch a value, or wait POLL seconds when there is none.
+        """Fetch a value, or wait POLL seconds when the buffer is empty.
         Raises errors.Error when there will be no more.
         """
         try:

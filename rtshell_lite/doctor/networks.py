@@ -122,7 +122,7 @@ async def homes_of(ref):
 
 
 async def outside(refs):
-    """The first address that references publish which is not of this host; '' if there is none."""
+    """The first address that references publish which is not of this host; '' if all are."""
     offered = collections.OrderedDict()
     for ref in refs:
         for host, _ in orb.addresses(ref):

@@ -222,7 +222,7 @@ async def _transport(visit, endpoint, times, used):
 
 async def _other_port(visit, port, used):
     """Another port of name servers, of those given, at which this host accepts connections;
-    None if there is none.
+    None if no other port accepts them.
     """
     for other in sorted(used - {port}):
         try:

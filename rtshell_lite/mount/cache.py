@@ -65,7 +65,7 @@ class CachedAnswer:
         self._in_flight = None
 
     def drop(self):
-        """Free a value that is believed no longer; returns whether there is none."""
+        """Free a value that is believed no longer; returns whether there was nothing to free."""
         if not self.is_fresh():
             self._value = None
         return self._value is None

@@ -49,7 +49,7 @@ class OpenFile:
         return self.flushed()
 
     def flushed(self):
-        """The text to store now that a descriptor is closed; None if there is none."""
+        """The text to store now that a descriptor is closed; None if nothing was written."""
         whole = self._begun
         self._begun = b""
         self._size = 0

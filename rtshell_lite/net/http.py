@@ -109,7 +109,7 @@ async def serve(listener, answer):
 
 
 def _make_room(open_ones):
-    """Close the oldest Connection that gets nothing; False if there is none."""
+    """Close the oldest Connection that gets nothing; False if all get something."""
     stranger = next((each for each in open_ones if not each.is_welcome), None)
     if stranger is None:
         return False

@@ -26,7 +26,7 @@ async def of(node):
 
 
 async def _active(node, ref):
-    """The id of the active set, '' when there is none, as after values were set without activating."""
+    """The id of the active set, '' when no set is active, as after values were set without activating."""
     try:
         return from_wire((await orb.call(node.path, ref, "get_active_configuration_set")).id)
     except errors.Refused as e:

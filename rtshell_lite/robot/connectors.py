@@ -23,8 +23,10 @@ def refuse_duplicate(ends, name, connector_id):
 
 
 def existing(ends, name="", connector_id="", given=None):
-    """The Connector that joins just the Ports `ends`, None if there is none. Raises Failed where there are
-    only others than the one that is asked for: of another name or id, or with other properties.
+    """The Connector that joins just the Ports `ends`, None if they are not joined.
+
+    Raises Failed where there are only others than the one that is asked for: of another name or id, or with
+    other properties.
     """
     wanted = {orb.identity(port.ref) for port in ends}
     others = []

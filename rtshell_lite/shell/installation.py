@@ -30,7 +30,9 @@ def wheel():
 
 
 def command(name):
-    """The path of a command, which may lead into the wheel file; None if there is none. Raises Error."""
+    """The path of a command, which may lead into the wheel file; None if no command has that name.
+    Raises Error.
+    """
     if not wheel():
         return commands().get(name)
     path = os.path.join(COMMANDS, name + ".py")

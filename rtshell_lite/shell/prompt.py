@@ -44,7 +44,7 @@ class Editor:
         try:
             self.readline.read_history_file(os.path.expanduser(HISTORY))
         except OSError:
-            pass  # there is none yet, or it cannot be read
+            pass  # it does not exist yet, or it cannot be read
         return self
 
     def __exit__(self, *_):

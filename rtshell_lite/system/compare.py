@@ -171,7 +171,7 @@ class _State(steps.Step):
             yield steps.Difference("state", None, self.state, actual, None)
 
     def _in_context(self, found):
-        """The state in that context; None where there is none, or where another one counts.
+        """The state in that context; None where that context does not exist, or where another one counts.
 
         That of a member of a composite is stopped; a component that is Active in the context of another
         component is not to be Active in its own, too.

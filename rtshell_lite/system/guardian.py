@@ -83,7 +83,7 @@ def kill(pid, number):
 
 
 def _prctl():
-    """prctl(2), None where there is none."""
+    """prctl(2), None where the system lacks it."""
     try:
         import ctypes
 

@@ -452,7 +452,7 @@ class Schedule:
         return f"it {how} {other.path}, which {failed}"
 
     def next_time(self, now):
-        """The next time after `now` at which something may be due by itself, None if there is none."""
+        """The next time after `now` at which something may be due by itself, None if nothing may."""
         if self.armed is None:
             return None
         times = [action.wait or 0 for action in self._waiting]

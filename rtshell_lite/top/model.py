@@ -78,7 +78,7 @@ class Entry:
         self._flow_until = time.monotonic() + KEPT
 
     def _pause(self, seconds):
-        """How long to wait after a question that those who see it want answered after so many seconds."""
+        """How long to wait after a question: `seconds`, or longer while nobody sees the answer."""
         if self.is_shown:
             return seconds
         return SLOWER * seconds

@@ -6,7 +6,7 @@ from rtshell_lite import errors
 from rtshell_lite.robot import manager, tree
 from rtshell_lite.text import printable
 
-# What rtcat shows of a manager: `profile` a dict, `loaded` and `loadable` lists of file paths; the latter is
+# What rtcat shows of a manager: `profile` a dict, `loaded` and `loadable` lists of file paths; `loadable` is
 # None if the manager refuses it, with the errors.Error `error`.
 About = collections.namedtuple("About", "node profile loaded loadable error")
 

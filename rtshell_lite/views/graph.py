@@ -31,7 +31,7 @@ class Box:
     missing    it is named by connections, but the profile does not have it
     path       the path.Path where it is bound, None if unknown
     process    (host, port) of its process, None if unknown
-    composite  index of the composite whose member it is, None if there is none
+    composite  index of the composite whose member it is, None if it is no member
     counts     of a folded group: how many components are in each state ("" if unknown), else None
     labels     {port: words after its name}: rates, numbers of connections
     origin     what it is in the profile: a model.Component; where that is missing the (component id, instance

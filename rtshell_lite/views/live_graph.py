@@ -76,7 +76,7 @@ def _tie(loose, profile, lost):
 
 
 def _silent(text):
-    """A model.Component for the one at a path; None if that is none."""
+    """A model.Component for the one at a path; None if that is no component."""
     try:
         where = path.parse(text)
     except errors.BadPath:

@@ -104,7 +104,7 @@ def fold(picture, kind, opened=()):
 
 
 def choose_kind(picture, most=MOST):
-    """The finest kind of groups that leaves at most `most` boxes; the coarsest if there is none."""
+    """The finest kind of groups that leaves at most `most` boxes; the coarsest if every kind leaves more."""
     for kind in KINDS:
         if len(fold(picture, kind).boxes) <= most:
             return kind

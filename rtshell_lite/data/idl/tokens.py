@@ -66,7 +66,7 @@ class Token:
         self.column = column
 
     def place(self):
-        """FILE:LINE, spelt for the terminal; without a line where there is none."""
+        """FILE:LINE, spelt for the terminal; without a line where that is unknown."""
         if not self.line:
             return printable(self.file)
         return f"{printable(self.file)}:{self.line}"

@@ -352,7 +352,7 @@ def _float(text):
 
 
 def as_float(number):
-    """The float for an int. Raises ValueError when there is none."""
+    """The float for an int. Raises ValueError when it is too large."""
     try:
         return float(number)
     except OverflowError:
