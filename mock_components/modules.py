@@ -151,7 +151,7 @@ def configuration(flavour, modules, name, context, endpoint, master):
         key, tail = f"manager.modules.{language}.", generation + _PROGRAMS[language]
         pairs += [(key + "manager_cmd", "rtcd" + tail), (key + "profile_cmd", "rtcprof" + tail),
                   (key + "suffixes", SUFFIXES[language][1:]), (key + "load_paths", "")]
-    pairs += [("manager." + key, value) for key, value in _manager(flavour, master) if value is not None]
+    pairs += [("manager." + key, value) for key, value in _manager(flavour, master)]
     pairs += [("os.name", "Linux"), ("os.release", "6.1.0"), ("os.version", "#1 SMP"), ("os.arch", "x86_64"),
               ("os.hostname", "test")]
     pairs += [(key, value) for key, value in _SURROUNDINGS]
@@ -162,15 +162,23 @@ def configuration(flavour, modules, name, context, endpoint, master):
     return pairs
 
 
+NOT_IN_PYTHON = (
+    "modules.config_path",
+    "modules.download_allowed",
+    "modules.init_func_suffix",
+    "modules.init_func_prefix",
+    "components.precreate",
+)
+
+
 def _manager(flavour, master):
     """The rest of the properties below `manager.`; Python lacks some."""
-    python = flavour.language == "Python"
     suffix = SUFFIXES[flavour.language]
     pairs = [
-        ("modules.config_path", None if python else ""),
-        ("modules.download_allowed", None if python else ""),
-        ("modules.init_func_suffix", None if python else ""),
-        ("modules.init_func_prefix", None if python else ""),
+        ("modules.config_path", ""),
+        ("modules.download_allowed", ""),
+        ("modules.init_func_suffix", ""),
+        ("modules.init_func_prefix", ""),
         ("modules.preload", ", ".join(name + suffix for name in PRELOADED)),
         ("is_master", "YES" if master else "NO"),
         ("corba_servant", "YES"),
@@ -179,7 +187,7 @@ def _manager(flavour, master):
         ("auto_shutdown_duration", "20.0" if flavour.modern else "10.0"),
         ("command", flavour.program),
         ("supported_languages", ", ".join(LANGUAGES)),
-        ("components.precreate", None if python else ""),
+        ("components.precreate", ""),
         ("components.preconnect", ""),
         ("components.preactivation", ""),
     ]
@@ -190,6 +198,8 @@ def _manager(flavour, master):
             ("termination_waittime", "0.5"),
             ("nameservers", "default"),
         ]
+    if flavour.language == "Python":
+        return [(key, value) for key, value in pairs if key not in NOT_IN_PYTHON]
     return pairs
 
 
