@@ -18,36 +18,34 @@ class Places:
     """Finds the paths of components: beside a known one, else in its name server, else in all others."""
 
     def __init__(self):
-        self.everywhere = None
+        self._everywhere = None  # by identity: the Paths where that component is bound, once all are known
 
     async def path(self, instance, ref, known):
         """The Path where the component `ref` with this instance name is bound, or None;
         `known` is the Node of one that knows it.
         """
-        directory = known.path.parent()
-        return await self._beside(directory.child(Name(instance, "rtc")), ref) or await self._anywhere(
-            ref, directory.server
-        )
+        beside = known.path.parent().child(Name(instance, "rtc"))
+        if self._everywhere is None:
+            if await self._is_bound(beside, ref):
+                return beside
+            self._everywhere = await self._walk(beside.server)
+        paths = self._everywhere.get(orb.identity(ref), [None])
+        if beside in paths:
+            return beside
+        return paths[0]
 
-    async def _beside(self, path, ref):
+    async def _is_bound(self, path, ref):
         try:
-            if orb.same((await tree.resolve(path)).ref, ref):
-                return path
-            return None
+            return orb.same((await tree.resolve(path)).ref, ref)
         except errors.Error:
-            return None
+            return False
 
-    async def _anywhere(self, ref, server):
-        if self.everywhere is None:
-            self.everywhere = [
-                node
-                for node in await tree.walk_servers(await tree.known_servers(server), managers=False)
-                if node.kind == "component" and node.ref is not None
-            ]
-        for node in self.everywhere:
-            if orb.same(node.ref, ref):
-                return node.path
-        return None
+    async def _walk(self, server):
+        paths = {}  # type: dict
+        for node in await tree.walk_servers(await tree.known_servers(server), managers=False):
+            if node.kind == "component" and node.ref is not None:
+                paths.setdefault(orb.identity(node.ref), []).append(node.path)
+        return paths
 
 
 # ---- the far ends of connections ---------------------------------------------------------------------------

@@ -127,5 +127,5 @@ Where it cannot begin or end:
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 
 invocation: A:out -t 0.3
-broken component: 4
+broken component: 1 4
 examples: asking
