@@ -61,8 +61,8 @@ class Node:
 
     @property
     def endpoint(self):
-        """(host, port) of its process."""
-        if self._endpoint is None:
+        """(host, port) of its process, None where nothing usable is bound to its name."""
+        if self._endpoint is None and self.ref is not None:
             self._endpoint = orb.endpoint(self.ref)
         return self._endpoint
 

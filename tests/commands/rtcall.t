@@ -207,4 +207,5 @@ invocation: A
 invocation: A get_sdo_id --limit 2
 invocation: -l A
 looking: A
+broken component: 0 6
 prepared: echo 'module SimpleService { interface MyService { string echo(in string msg); void set_value(in float value); float get_value(); }; };' >MyService.idl; rtact --wait MyServiceProvider0.rtc

@@ -5,6 +5,7 @@ world: these ConfigSample
 world: hostile --context h.host_cxt/%n.rtc
 world: managers --context m.host_cxt/%n.rtc
 world: zombie 1 --context z.host_cxt/%n.rtc
+faulty: bad-exception
 
   $ has() { for word; do grep -q -e "$word" a.html || echo "no $word"; done; }
   $ rtact --wait Sensor0.rtc Motor0.rtc
@@ -93,6 +94,11 @@ As what a trigger of a recording starts, which adds the name of its file:
 Where nothing can be looked at, the file says so:
 
   $ rtdoctor -q --report a.html localhost:1 > now; echo $?; has 'connection refused'
+  1
+
+A name that is bound to nothing usable:
+
+  $ rtdoctor -q --report a.html localhost:$BAD_EXCEPTION > now; echo $?; has 'Evil0.rtc.*garbled answer'
   1
 
 Files that are no report, wrong usage:
