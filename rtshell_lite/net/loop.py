@@ -797,9 +797,11 @@ class Loop:
         """
         number, exception = self._raised
         self._raised = None
-        outermost = exception.__traceback__.tb_frame.f_code
-        if outermost.co_flags & _COROUTINE or outermost is Task.go_on.__code__:
-            return
+        traceback = exception.__traceback__  # None where no code in Python saw it, before 3.12
+        if traceback is not None:
+            outermost = traceback.tb_frame.f_code
+            if outermost.co_flags & _COROUTINE or outermost is Task.go_on.__code__:
+                return
         self._struck.append(number)
 
     def _strike(self, number):

@@ -212,7 +212,7 @@ class Struck(Exception):
 
 # A process that says how it ended: see Signals. {body} awaits, {between} is plain code.
 CHILD = """
-import os, signal, sys, time, weakref
+import ctypes, os, signal, sys, time, weakref
 from rtshell_lite.net import loop
 loop.PATIENCE = %s
 class Struck(Exception):
@@ -258,17 +258,25 @@ class Signals(Case):
         child.send_signal(signal.SIGINT)
         self.assertEqual(child.communicate()[0], "whole\ncleaned up\nstruck\nTrue\n")
 
-    def test_what_c_code_has_dropped_strikes_again(self):
+    def assert_strikes_again(self, lines):
+        child = self.child("; ".join(lines + ["await loop.sleep(60)"]))
+        child.send_signal(signal.SIGINT)
+        self.assertEqual(child.communicate()[0], "cleaned up\nstruck\nTrue\n")
+
+    def test_an_exception_that_c_code_prints_strikes_again(self):
         """As a callback of the import system has it."""
-        lines = [
+        self.assert_strikes_again([
             "referent = type('Referent', (), {})()",
             "reference = weakref.ref(referent, lambda _: time.sleep(1))",
             "del referent",
-            "await loop.sleep(60)",
-        ]
-        child = self.child("; ".join(lines))
-        child.send_signal(signal.SIGINT)
-        self.assertEqual(child.communicate()[0], "cleaned up\nstruck\nTrue\n")
+        ])
+
+    def test_an_exception_that_c_code_clears_strikes_again(self):
+        self.assert_strikes_again([
+            "answer = lambda self, name: time.sleep(1)",
+            "slow = type('Slow', (), {'__getattr__': answer})()",
+            "ctypes.pythonapi.PyObject_HasAttr(ctypes.py_object(slow), ctypes.py_object('name'))",
+        ])
 
     def test_a_task_that_never_awaits_is_struck(self):
         """It computes for long, or writes to who does not read."""
