@@ -124,7 +124,13 @@ class Store:
                 file.write(self._identity + _checksum(kept) + kept)
             os.replace(temporary, self._name(path), src_dir_fd=here, dst_dir_fd=here)
         except OSError:
-            os.unlink(temporary, dir_fd=here)
+            self._remove(temporary)
+
+    def _remove(self, name):
+        try:
+            os.unlink(name, dir_fd=self._directory)
+        except OSError:  # somebody has removed the directory meanwhile
+            pass
 
     def _name(self, path):
         return path[self._above :].replace(os.sep, ".") + self._end
