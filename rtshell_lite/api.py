@@ -3,15 +3,16 @@ rtctree and rtsprofile.
 
     from rtshell_lite import api
 
-    motor = api.component("/localhost/robot.host_cxt/Motor0.rtc", wait=30) with
-    api.connected("/localhost/robot.host_cxt/Sensor0.rtc:out", motor.path + ":in", subscription_type="flush"):
+    motor = api.component("/localhost/robot.host_cxt/Motor0.rtc", wait=30)
+    with api.connected("/localhost/robot.host_cxt/Sensor0.rtc:out", motor.path + ":in"):
         motor.activate(wait=5)
         print(api.next_value(motor.path + ":out", timeout=2).data)
 
 What is defined here keeps its names, arguments and meanings; more may be added. All other modules may change
 with any version.
 
-Paths are those of the commands; relative ones start at RTCSH_CWD. Failures are errors.Error, with `where`
+Paths are those of the commands; relative ones start at RTCSH_CWD. A profile is what `capture` and
+`load_profile` return, or the name of a file with one. Failures are errors.Error, with `where`
 (the object) and `why`; every remote call has a deadline (`set_timeout`). Functions may be called from any
 thread, also in a program that is a component itself: its ORB, signals and threads are left alone. Rare
 remarks go to stderr, such as that a peer's answer was too long.
@@ -745,7 +746,7 @@ async def restore(profile, create=False, manager=None, rollback=False):
     """
     from rtshell_lite.system import apply, restore as restoring
 
-    outcomes = await restoring.restoring(profile, restoring.Options(create, manager, False))
+    outcomes = await restoring.restoring(_profile(profile), restoring.Options(create, manager, False))
     await apply.carry_out(outcomes, rollback)
     for outcome in outcomes:
         if outcome.failed and outcome.step.required:
@@ -762,7 +763,7 @@ async def check(profile, state="Active", extra=False):
 
     if state not in component.STATES:
         raise ValueError(f"not one of {', '.join(component.STATES)}: {state!r}")
-    result = await compare.compare(profile, state, extra=extra)
+    result = await compare.compare(_profile(profile), state, extra=extra)
     if result.failures:
         raise result.failures[0]
     return [difference.message for difference in result.differences if difference.required]
@@ -778,7 +779,7 @@ def keep(profile, timeout=None, create=False, manager=None, strict=False):
     """
     feed = _Happenings()
     try:
-        feed.begin(profile, create, manager, strict)
+        feed.begin(_profile(profile), create, manager, strict)
         while True:
             yield from feed.next(timeout)
     finally:
@@ -838,6 +839,7 @@ async def _carry_out(profile, kind, transition, wait):
     from rtshell_lite.robot import transitions
     from rtshell_lite.system import plan, run_plan
 
+    profile = _profile(profile)
     planned = plan.make(profile, kind, "the profile")
     progress = run_plan.Progress()
     carried = run_plan.Run(planned.actions, getattr(transitions, transition), progress, wait)
@@ -1011,6 +1013,13 @@ def log(name, idl=()):
         channels = decode.Channels(opened, types)
         for entry in opened.entries():
             yield decode.record(channels, entry)
+
+
+def _profile(given):
+    """The profile that a program means by a profile, or by the name of a file with one."""
+    if hasattr(given, "components"):
+        return given
+    return load_profile(given)
 
 
 def load_profile(name):

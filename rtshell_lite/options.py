@@ -108,13 +108,18 @@ class Parser(argparse.ArgumentParser):
         return options, words
 
     def _check_last(self, option, rest, words):
-        """Refuse `PATH --wait soon`: the last word is meant to be the option's value, and does not look like
-        a path.
+        """Refuse `PATH --wait soon` and `--wait -1 PATH`: the word is meant to be the option's value, and
+        does not look like a path.
         """
         action = self._option_string_actions.get(option)
         is_optional = action is not None and action.nargs == "?" and action.type is seconds
-        if is_optional and words and len(rest) == 1 and _is_word(rest[0]):
-            self.error(f"{option}: not a number of seconds above 0: {rest[0]}")
+        if not is_optional or not rest:
+            return
+        is_last = words and len(rest) == 1
+        is_negative = _begins_as_number(rest[0]) and not self._is_option(rest[0])
+        if is_negative or is_last and _is_word(rest[0]):
+            shown = text.printable(rest[0])
+            self.error(f"argument {option}: not a number of seconds above 0: {shown}")
 
     def _is_option(self, word):
         if _begins_as_number(word):  # -5 is a number, -0 and -0R are options where there is a -0
@@ -213,7 +218,7 @@ def parser(arguments, doc, prog):
             type=seconds,
             metavar="SECONDS",
             default=_default_timeout(),
-            help="how long a peer may stay silent (default: $RTSHELL_TIMEOUT or 3)",
+            help="give up after SECONDS without an answer (default: $RTSHELL_TIMEOUT or 3)",
         )
     parser.add_argument(
         "--version",

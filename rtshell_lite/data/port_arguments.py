@@ -59,7 +59,8 @@ async def need_ports(meant, kind):
             there = [
                 ports.label(port) for port in listed if isinstance(port, ports.Port) and port.type == kind
             ]
-            raise errors.Usage(f"{path!s}: no port specified{ports.choices(there)}")
+            has = ports.choices("it has", there or [f"no {kind}"])
+            raise errors.Usage(f"{path!s}: no port specified{has}")
 
 
 def _named(target, known):

@@ -228,25 +228,31 @@ async def offered(path):
     return [port for port in listed if isinstance(port, Port)]
 
 
-def choices(labels):
-    """What a message says of ports that were meant, perhaps: '; there is …', '' for none."""
+def choices(lead, labels):
+    """What a message says of ports that were meant, perhaps: '; it has a.rtc:out', '' for none."""
     if not labels:
         return ""
     more = ", …" * (len(labels) > MOST_CHOICES)
-    return f"; there is {', '.join(labels[:MOST_CHOICES])}{more}"
+    return f"; {lead} {', '.join(labels[:MOST_CHOICES])}{more}"
 
 
-async def pairs(paths):
-    """The ports of the components at two Paths that can be connected: texts, `a.rtc:out b.rtc:in`."""
-    if len(paths) != 2:
-        return []
-    one, other = [await offered(path) for path in paths]
-    fitting = []
-    for port in one:
-        for far in other:
-            if not mismatches([port, far], {}):
-                fitting.append((port, far))
-    return [" ".join((label(port), label(far))) for port, far in fitting]
+async def meant(paths):
+    """What a message says of the ports that two Paths mean, perhaps: those that can be connected, otherwise
+    those of the first Path without a port.
+    """
+    known = [await offered(path) for path in paths]
+    if len(paths) == 2:
+        fitting = []
+        for port in known[0]:
+            for far in known[1]:
+                if not mismatches([port, far], {}):
+                    fitting.append(f"{label(port)} {label(far)}")
+        if fitting:
+            return choices("these fit:", fitting)
+    for path, there in zip(paths, known):
+        if path.port is None:
+            return choices("it has", [label(port) for port in there])
+    return ""
 
 
 # ---- matching ----------------------------------------------------------------------------------------------

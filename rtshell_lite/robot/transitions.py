@@ -47,7 +47,7 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
 def _with_all(error):
     """A WrongKind that names the option for what is below a directory."""
     where, wanted, kind = error.args
-    if kind in ("directory", "name server"):
+    if kind in ("directory", "name server", "root directory"):
         kind += "; --all takes the components in it"
     return errors.WrongKind(where, wanted, kind)
 

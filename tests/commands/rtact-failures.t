@@ -60,7 +60,7 @@ No such path:
 Not a component:
 
   $ rtact /
-  rtact: /: not a component (it is a root directory)
+  rtact: /: not a component (it is a root directory; --all takes the components in it)
   [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)

@@ -149,10 +149,10 @@ Usage, and no such port:
   rtcon: the following arguments are required: PATH:PORT (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc ConsoleOut0.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; these fit: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified; these fit: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in/
   rtcon: ConsoleOut0.rtc:in/: a port has no directory below it

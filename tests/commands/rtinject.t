@@ -121,7 +121,7 @@ Wrong usage:
   rtinject: the following arguments are required: PATH:PORT[.NAME] (see --help)
   [2]
   $ rtinject -c 1 ConsoleOut0.rtc
-  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtinject -c 1 -r 0 ConsoleOut0.rtc:in
   rtinject: -r 0 is for values from stdin (see --help)

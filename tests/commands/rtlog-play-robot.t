@@ -91,7 +91,7 @@ What cannot be:
   rtlog: b.mcap: its connections are not in it: name ports, or record it with rtlog --events PATH
   [1]
   $ rtlog -p -f b.mcap One.rtc
-  rtlog: /localhost:$PORT/test.host_cxt/One.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/One.rtc:in (see --help)
+  rtlog: /localhost:$PORT/test.host_cxt/One.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/One.rtc:in (see --help)
   [2]
   $ rtlog -p --only x -f a.mcap One.rtc:in
   rtlog: --only, --not and --map need a PATH without a port (see --help)

@@ -109,7 +109,7 @@ Wrong ports:
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: not a DataInPort (it is a DataOutPort)
   [3]
   $ rtlog -p -f b.rtlog ConsoleOut0.rtc
-  rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtlog -p -f b.rtlog Gone0.rtc:in
   rtlog: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path

@@ -37,22 +37,28 @@ A path that begins with what a name server has, in a working directory that is t
   [3]
   $ RTSHELL_FIND=1 RTCSH_CWD=/ rtls ConsoleIn0.rtc; RTSHELL_FIND=1 rtplot ConsoleIn0.rtc
   ConsoleIn0.rtc
-  rtplot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  rtplot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
   [2]
 
 A component in the place of a port:
 
+  $ rtcon ConsoleIn0.rtc
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; it has /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  [2]
+  $ rtcon ConsoleIn0.rtc ConsoleIn0.rtc:out
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; it has /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  [2]
   $ rtcon ConsoleIn0.rtc ConsoleOut0.rtc
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no source port specified; these fit: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no destination port specified; these fit: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in (see --help)
   [2]
   $ rtprint ConsoleIn0.rtc
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
   [2]
   $ rtprint ConsoleOut0.rtc
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified (see --help)
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no port specified; it has no DataOutPort (see --help)
   [2]
   $ rtprint Nothing0.rtc
   rtprint: /localhost:$PORT/test.host_cxt/Nothing0.rtc: no such path
@@ -64,7 +70,13 @@ A component in the place of a port:
 Options:
 
   $ rtact ConsoleIn0.rtc --wait soon
-  rtact: --wait: not a number of seconds above 0: soon (see --help)
+  rtact: argument --wait: not a number of seconds above 0: soon (see --help)
+  [2]
+  $ rtact --wait -1 ConsoleIn0.rtc
+  rtact: argument --wait: not a number of seconds above 0: -1 (see --help)
+  [2]
+  $ rtcwd --find ConsoleIn0.rtc
+  rtcwd: --find is everywhere, not at ConsoleIn0.rtc (see --help)
   [2]
   $ rtprint -n 0 ConsoleIn0.rtc:out
   rtprint: -n 0: no values are printed; without -n there is no end

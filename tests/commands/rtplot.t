@@ -168,7 +168,7 @@ Wrong usage:
   rtplot: nothing to plot: no port specified (see --help)
   [2]
   $ rtplot Source0.rtc
-  rtplot: /localhost:$PORT/test.host_cxt/Source0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/Source0.rtc:number, /localhost:$PORT/test.host_cxt/Source0.rtc:block (see --help)
+  rtplot: /localhost:$PORT/test.host_cxt/Source0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/Source0.rtc:number, /localhost:$PORT/test.host_cxt/Source0.rtc:block (see --help)
   [2]
   $ rtplot --rate --delay Source0.rtc:number
   rtplot: --rate and --delay exclude each other (see --help)

@@ -132,7 +132,7 @@ Wrong usage:
   rtprint: the following arguments are required: PATH:PORT[.NAME][#FORMATTER] (see --help)
   [2]
   $ rtprint ConsoleIn0.rtc
-  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
+  rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out (see --help)
   [2]
   $ rtprint -r 0 ConsoleIn0.rtc:out
   rtprint: argument -r/--rate: not a number of Hz above 0: 0 (see --help)

@@ -113,7 +113,7 @@ Where it cannot begin or end:
   rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no such port: nothing (its ports: out)
   [3]
   $ rttrace Link0.rtc
-  rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no port specified; there is /localhost:$PORT/test.host_cxt/Link0.rtc:out (see --help)
+  rttrace: /localhost:$PORT/test.host_cxt/Link0.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/Link0.rtc:out (see --help)
   [2]
   $ rttrace MyServiceProvider0.rtc:MyService
   rttrace: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not a data port (it is a CorbaPort)

@@ -237,8 +237,8 @@ class World(unittest.TestCase):
             self.assertEqual(api.check(again, "Inactive"), [])
             api.disconnect(self.home + "ConsoleIn0.rtc:out")
             self.assertEqual(len(api.check(again, "Inactive")), 1)
-            api.restore(again)
-            self.assertEqual(api.check(again, "Inactive"), [])
+            api.restore(path)
+            self.assertEqual(api.check(path, "Inactive"), [])
             again.components[0].path_uri += ".gone"
             with self.assertRaises(errors.NotFound):
                 api.restore(again)
