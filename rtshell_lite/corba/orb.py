@@ -5,6 +5,7 @@ only omniORB can do.
 """
 
 import os
+from _functools import partial  # as in net/loop.py
 import types  # noqa: F401  in a type comment
 
 from rtshell_lite import errors
@@ -233,6 +234,14 @@ async def call(where, ref, operation, *args, seconds=None):
         if is_elsewhere:
             raise errors.Unreachable(*e.args)
         raise
+
+
+def repeated(where, ref, schema, *args, seconds=None):
+    """A coroutine function that calls an operation of a Schema again each time, see `call`."""
+    call_again = partial(call, where, ref, schema, *args, seconds=seconds)
+    if ref is None or session.current().slots is not None:
+        return call_again
+    return _orb.repeated(Call(where, ref, schema, args, seconds), call_again)
 
 
 async def each(refs, function, where=None):

@@ -9,6 +9,8 @@ and name servers themselves.
 An operation is asked once, whatever happens: it may move a robot (docs/protocol.md 7).
 """
 
+from _functools import partial  # as in net/loop.py
+
 from rtshell_lite import errors, notes, text
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, tree
@@ -111,13 +113,22 @@ class Provider:
 
         Raises Raised for an exception of its IDL, Refused, MayBeDone, Unreachable.
         """
-        where = f"{self.where} {operation.shown}"
-        schema = self._schema(operation)
-        if schema.is_oneway:
-            await self._check_served(where)
+        where = self._named(operation)
+        ask = partial(orb.call, where, self.ref, self._schema(operation), *values, seconds=limit)
+        return await self._ask_once(operation, ask)
+
+    def repeated(self, operation, values, limit=LIMIT):
+        """A coroutine function that calls an Operation, see `call`, with the same values each time."""
+        where = self._named(operation)
+        ask = orb.repeated(where, self.ref, self._schema(operation), *values, seconds=limit)
+        return partial(self._ask_once, operation, ask)
+
+    async def _ask_once(self, operation, ask):
+        if operation.oneway:
+            await self._check_served(self._named(operation))
         is_over = False
         try:
-            result = await orb.call(where, self.ref, schema, *values, seconds=limit)
+            result = await ask()
             is_over = True
             return result
         except errors.Raised as e:
@@ -128,7 +139,11 @@ class Provider:
             raise await self._meaning(e, operation)
         finally:
             if not is_over:
-                notes.fail(f"{where}: interrupted; {MAYBE}")
+                notes.fail(f"{self._named(operation)}: interrupted; {MAYBE}")
+
+    def _named(self, operation):
+        """An operation of it for messages."""
+        return f"{self.where} {operation.shown}"
 
     def _schema(self, operation):
         if operation.name not in self._schemas:
@@ -144,7 +159,7 @@ class Provider:
 
     async def _meaning(self, e, operation):
         """The errors.Error that says what a failure of a call means."""
-        where = f"{self.where} {operation.shown}"
+        where = self._named(operation)
         name, completed = e.exception or ("", None)
         if isinstance(e, errors.Silent) and not name:
             return errors.MayBeDone(where, e.why)

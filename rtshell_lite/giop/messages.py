@@ -26,6 +26,8 @@ LITTLE = 1
 _CODE_SETS = struct.pack("<IIIIII", 1, 1, 12, 1, 0x00010001, 0x00010109)
 _LENGTH = struct.Struct("<I")
 _START = struct.Struct("<8sIIIHH")
+_PLAIN = b"GIOP\1\2\1\1"
+_PLAIN_HEAD = struct.Struct("<8sIIII")
 _PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
 
@@ -76,6 +78,27 @@ def request(number, version, mode, target, operation, arguments, is_oneway=False
             write(out, value)
     _LENGTH.pack_into(out, 8, len(out) - HEADER)
     return out
+
+
+def is_newest(request):
+    """Whether a request is of GIOP 1.2."""
+    return request[5] == 2
+
+
+def renumber(request, number):
+    """Put another number into a request of GIOP 1.2."""
+    _LENGTH.pack_into(request, HEADER, number)
+
+
+def plain_reply(data, number):
+    """Where the results begin if `data` are just the reply to a request, whole, in little endian, without an
+    exception or contexts, as almost all are; else 0.
+    """
+    if len(data) < _PLAIN_HEAD.size:
+        return 0
+    if _PLAIN_HEAD.unpack_from(data) != (_PLAIN, len(data) - HEADER, number, NO_EXCEPTION, 0):
+        return 0
+    return _PLAIN_HEAD.size
 
 
 def whole(kind, payload=b"", minor=2, order="<", more=False):

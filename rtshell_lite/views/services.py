@@ -89,10 +89,7 @@ class Repeated:
 
     async def run(self, values, limit, rate, number):
         """Yield a line for each call, if that is wanted; else the first failure is reported."""
-
-        def call():
-            return self.provider.call(self.operation, values, limit)
-
+        call = self.provider.repeated(self.operation, values, limit)
         async for seconds, result, error in repeating.calls(call, rate, number):
             self.figures.add(seconds, error)
             if isinstance(error, errors.Raised):

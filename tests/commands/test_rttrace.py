@@ -67,7 +67,7 @@ class Chains(unittest.TestCase):
                 )
                 self.assertEqual(status, 1, said)
         print(
-            "%d faults named in %.1f s at most, %.1f s in the mean"
+            "figures: %d faults named in %.1f s at most, %.1f s in the mean"
             % (ROUNDS, max(took), sum(took) / len(took))
         )
 

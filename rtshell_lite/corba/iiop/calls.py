@@ -14,7 +14,7 @@ from rtshell_lite.text import printable
 PADDING = 7  # octets that an ORB may leave at the end of a reply
 FORWARDS = 8  # at most, from one object to another
 LONGEST_NAME = 60  # characters of the name of a system exception; the longest of CORBA 3.0 has 23
-_GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
+GARBLED = (ValueError, StructError, IndexError, RecursionError)  # what reading values raises
 _OBJECT = (descriptors.OBJECT, "", "Object")
 
 
@@ -126,7 +126,7 @@ class Request:
             if len(data) > self.max_reply:
                 raise ValueError(f"more than {self.max_reply} octets")
             if status == messages.NO_EXCEPTION:
-                value = _values(self.operation.results[little], data, at, self.is_once)
+                value = values(self.operation.results[little], data, at, self.is_once)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label, completed = _system_exception(data, at, little)
                 if (
@@ -142,7 +142,7 @@ class Request:
             else:
                 self._forward(status, data, at, little)
                 return True
-        except _GARBLED as e:
+        except GARBLED as e:
             error = self._error(e)
             if self.is_once and status == messages.NO_EXCEPTION:
                 error.exception = "MARSHAL", 0
@@ -185,7 +185,7 @@ class Request:
 
     def failed(self, e):
         """It ends with an errors.Error for an exception."""
-        if isinstance(e, _GARBLED + (OSError, connections.Closed)):
+        if isinstance(e, GARBLED + (OSError, connections.Closed)):
             e = self._error(e)
         self.resume(None, e)
 
@@ -233,7 +233,7 @@ def _system_exception(data, at, little):
     return name, label, completed
 
 
-def _values(readers, data, at, is_all=False):
+def values(readers, data, at, is_all=False):
     """What a reply holds: one value, a tuple, or None. With `is_all`, more octets than those are a fault."""
     values = []
     for read in readers:

@@ -6,7 +6,7 @@ import sys
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors, idl, ior, references
-from rtshell_lite.corba.iiop.peers import invoke  # noqa: F401: orb.py calls it
+from rtshell_lite.corba.iiop.peers import invoke, repeated  # noqa: F401: orb.py calls them
 from rtshell_lite.path import split_address
 from rtshell_lite.text import from_wire, to_wire
 

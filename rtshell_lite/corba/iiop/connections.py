@@ -108,6 +108,7 @@ class Connection:
         self._out = bytearray()  # what is to be sent
         self._not_begun = {}  # requests until there is a connection, by number
         self._oneway = []  # numbers of those that are over when they have been sent
+        self._early = b""  # the first of what came, as `exchange` has received it
         self._pieces = []
         self._have = 0
         self._need = messages.HEADER
@@ -203,7 +204,7 @@ class Connection:
         """Add a request to what is to be sent, see `flush`; its callback gets the error."""
         self._number += 1
         try:
-            octets = request.octets(self._number, self._version, self._via)
+            octets = self.octets(request, self._number)
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()
@@ -214,6 +215,10 @@ class Connection:
             self._not_begun[self._number] = octets
         else:
             self._out += octets
+
+    def octets(self, request, number):
+        """A request as it is sent here. Raises what calls.Request.octets raises."""
+        return request.octets(number, self._version, self._via)
 
     def flush(self):
         """Send what can be sent at once. Raises OSError."""
@@ -228,6 +233,30 @@ class Connection:
             request = self.requests.pop(self._oneway.pop(), None)
             if request is not None:
                 request.resume(None, None)
+
+    def exchange(self, octets):
+        """Send a request to a peer that is asked nothing else, and wait for a moment: its number, which is
+        put into the octets, and what has come, b"" for nothing. What is left to do is found out by `flush`
+        and `replies`, errors included.
+        """
+        self._number += 1
+        messages.renumber(octets, self._number)
+        try:
+            sent = self._socket.send(octets, _AT_ONCE)
+        except OSError:
+            sent = 0
+        if sent < len(octets):
+            self._out += octets[sent:]
+            return self._number, b""
+        try:
+            self._early = self._socket.recv(PIECE)
+        except OSError:
+            pass
+        return self._number, self._early
+
+    def has_taken(self):
+        """What `exchange` returned was the whole reply."""
+        self._early = b""
 
     def is_stray(self, number):
         """Whether nobody waits, or has waited, for a reply with this number: some peers repeat replies.
@@ -305,7 +334,8 @@ class Connection:
         found = []  # type: list
         try:
             for _ in range(AT_A_TIME):
-                piece = self._socket.recv(PIECE, 0 if may_wait else _AT_ONCE)
+                piece = self._early or self._socket.recv(PIECE, 0 if may_wait else _AT_ONCE)
+                self._early = b""
                 if not piece:
                     raise Closed()
                 self._take(piece, found)
@@ -388,7 +418,7 @@ class Connection:
 
     def has_begun(self):
         """Whether a reply has begun to come that is not whole yet."""
-        return bool(self._pieces or self._to_discard or self._fragments.begun)
+        return bool(self._early or self._pieces or self._to_discard or self._fragments.begun)
 
     # ---- ending ----
 

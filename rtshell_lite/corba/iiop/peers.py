@@ -13,7 +13,7 @@ from struct import error as StructError
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.corba.iiop import calls, connections
-from rtshell_lite.giop import messages
+from rtshell_lite.giop import allowance, messages
 from rtshell_lite.net import loop
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
@@ -31,10 +31,14 @@ async def invoke(call):
         peers = here.peers = Peers(here)
     wait = loop.Wait()
     request = calls.Request(call, wait.end)
-    endpoint = request.endpoint
     peers.submit(request)
     if here.has_nothing_else():
-        peers.ask_alone(endpoint)
+        peers.ask_alone(request.endpoint)
+    return await _outcome(peers, request, wait)
+
+
+async def _outcome(peers, request, wait):
+    endpoint = request.endpoint
     try:
         return await wait
     except errors.Silent as e:
@@ -46,6 +50,74 @@ async def invoke(call):
     finally:
         if not wait.is_over:
             peers.withdraw(request)
+
+
+def repeated(call, otherwise):
+    """A coroutine function that makes an orb.Call, of a Schema, again each time; `otherwise` is one, too, for
+    what is not as usual.
+    """
+    return _Repeated(call, otherwise).ask
+
+
+class _Repeated:
+    """A call that is made again and again: its request is made into octets once for a connection. As long as
+    nothing else is to be done, and each reply comes at once, whole and without an exception, nothing else
+    knows of it.
+    """
+
+    def __init__(self, call, otherwise):
+        self._call = call
+        self._otherwise = otherwise
+        self._readers = call.operation.operation.results[messages.LITTLE]
+        self._loop = loop.current()
+        self._peer = None  # type: _Peer
+        self._connection = None  # type: connections.Connection  # that the octets are for
+        self._octets = None
+
+    async def ask(self):
+        """Its result; raises what `invoke` raises."""
+        if not self._is_ready():
+            value = await self._otherwise()
+            self._prepare()
+            return value
+        begun = time.monotonic()
+        number, data = self._connection.exchange(self._octets)
+        at = messages.plain_reply(data, number)
+        if at:
+            allowance.begin()
+            try:
+                value = calls.values(self._readers, data, at, True)
+                self._connection.has_taken()
+                return value
+            except calls.GARBLED:
+                pass  # it is read again, and what is wrong is said, as for any other request
+        wait = loop.Wait()
+        request = calls.Request(self._call, wait.end)
+        request.sent = begun
+        peers = self._loop.peers
+        peers.take_over(self._peer, number, request)
+        return await _outcome(peers, request, wait)
+
+    def _is_ready(self):
+        connection = self._connection
+        if connection is None or connection is not self._peer.connection:
+            return False
+        if connection.requests or not connection.is_quiet:
+            return False
+        return self._loop.is_one_awaited() and self._loop.has_nothing_else()
+
+    def _prepare(self):
+        """Make the octets for the connection that there is, if it speaks GIOP 1.2 and stays."""
+        request = calls.Request(self._call, None)
+        self._peer = self._loop.peers.peer(request.endpoint)
+        self._connection = None
+        connection = self._peer.connection
+        if connection is None or request.is_oneway or request.endpoint in connections.of_one_reply:
+            return
+        octets = connection.octets(request, 0)
+        if messages.is_newest(octets):
+            self._octets = octets
+            self._connection = connection
 
 
 class _Peer:
@@ -189,6 +261,14 @@ class Peers:
         if connection.is_quiet and connection.requests:
             self._changed.discard(peer)
             self._take(peer, True)
+
+    def take_over(self, peer, number, request):
+        """Go on with a request that `exchange` of its connection has sent."""
+        peer.connection.requests[number] = request
+        self._asked.add(peer)
+        self._changed.add(peer)
+        self._begin_checking()
+        self._take(peer, False)
 
     def _send_all(self):
         while self._changed:
