@@ -12,7 +12,7 @@ from giop_peers import CLOSE, Calls, Peer, answer
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, orb
 from rtshell_lite.corba.iiop import calls, client, connections
-from rtshell_lite.giop import messages
+from rtshell_lite.giop import descriptors, messages, operations
 
 PART = 3  # a short run takes one in PART of its tests
 
@@ -224,6 +224,79 @@ class Loop(Calls):
 
         value, = self.run_tasks((ref, twice))
         self.assertEqual((value.why, asked), ("connection lost", [2]))
+
+    def test_a_call_that_is_repeated(self):
+        """Each gets its own answer, in whatever form it comes; an exception and a silence end only theirs."""
+        def reply(number):
+            whole = answer(number, struct.pack("<i", number))
+            if number == 3:  # a stray before it
+                return answer(1, struct.pack("<i", 77)) + whole
+            if number == 4:  # in fragments
+                return whole[:6] + b"\3" + whole[7:8] + struct.pack("<I", 12) + whole[12:24] + (
+                    b"GIOP\1\2\1\7" + struct.pack("<I", 8) + whole[12:16] + whole[24:])
+            if number == 5:
+                name = b"IDL:omg.org/CORBA/NO_PERMISSION:1.0\0"
+                return answer(number, struct.pack("<I", len(name)) + name + struct.pack("<II", 0, 1), 2)
+            if number == 6:  # with octets too many
+                return answer(number, bytes(64))
+            if number == 7:
+                return answer(number, struct.pack(">i", number), order=">")
+            if number == 9:  # nothing for now
+                return b""
+            if number == 10:
+                return answer(9, bytes(4)) + whole
+            return whole
+
+        def play(pending):
+            octets = b"".join(reply(number) for number, _ in pending)
+            pending.clear()
+            return octets or None
+
+        peer = self.script(play)
+        get = operations.Schema("get", [], [descriptors.LONG], {})
+        call = None
+
+        async def repeat():
+            nonlocal call
+            call = orb.repeated("w", peer.ref, get, seconds=0.3)
+            return [await outcome() for _ in range(12)]
+
+        async def outcome():
+            try:
+                return await call()
+            except errors.Error as e:
+                return e.why
+
+        self.assertEqual(self.wait_for(repeat()), [
+            1, 2, 3, 4, "CORBA.NO_PERMISSION", "garbled answer (60 octets more than it should have)", 7,
+            8, "no answer within 0.3s", 10, 11, 12])
+        self.assertEqual(peer.connections, 1)
+
+    def test_a_call_that_is_repeated_is_never_sent_twice(self):
+        def play(pending):
+            asked.extend(pending)
+            octets = b"".join(answer(number, bytes(4)) for number, _ in pending)
+            pending.clear()
+            if len(asked) == 3:
+                return b""
+            return octets or None
+
+        asked = []
+        peer = self.script(play)
+        get = operations.Schema("get", [], [descriptors.LONG], {})
+
+        async def repeat():
+            call = orb.repeated("w", peer.ref, get, seconds=1)
+            found = []
+            for _ in range(4):
+                try:
+                    found.append(await call())
+                except errors.ConnectionLost:
+                    found.append("lost")
+            return found
+
+        self.assertEqual(self.wait_for(repeat()), [0, 0, "lost", 0])
+        self.assertEqual((len(asked), peer.connections), (4, 2))
 
     def test_requests_given_up_before_there_was_a_connection_are_not_sent(self):
         connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
