@@ -122,7 +122,7 @@ class Modules:
         return [factory(spec, self.flavour) for spec in self.factories.values()]
 
 
-# ---- what a manager tells of itself ----
+# ---- what a manager says of itself ----
 
 LANGUAGES = ("C++", "Python", "Java")
 _PROGRAMS = {"C++": "", "Python": "_python", "Java": "_java"}
@@ -132,14 +132,20 @@ def configuration(flavour, modules, name, context, endpoint, master):
     """All properties of a manager, as pairs; those of its profile are the ones that begin with `manager.`."""
     generation = "2" if flavour.modern else ""
     product = "OpenRTM-aist-" + flavour.version
+    above = ""
+    if "/" in context:
+        above = context.rpartition("/")[0] + "/"
+    pid = str(os.getpid())
+    if flavour.integer_pid:
+        pid = omniany.to_any(os.getpid())
     pairs = [
         ("config.version", flavour.version),
         ("openrtm.name", product),
         ("openrtm.version", flavour.version),
         ("manager.instance_name", name),
         ("manager.name", "manager"),
-        ("manager.naming_formats", context.rpartition("/")[0] + "/%n.mgr" if "/" in context else "%n.mgr"),
-        ("manager.pid", omniany.to_any(os.getpid()) if flavour.integer_pid else str(os.getpid())),
+        ("manager.naming_formats", above + "%n.mgr"),
+        ("manager.pid", pid),
     ]
     if not flavour.modern:
         pairs.append(("manager.refstring_path", "/var/log/rtcmanager.ref"))
@@ -149,16 +155,32 @@ def configuration(flavour, modules, name, context, endpoint, master):
     ]
     for language in LANGUAGES:
         key, tail = f"manager.modules.{language}.", generation + _PROGRAMS[language]
-        pairs += [(key + "manager_cmd", "rtcd" + tail), (key + "profile_cmd", "rtcprof" + tail),
-                  (key + "suffixes", SUFFIXES[language][1:]), (key + "load_paths", "")]
+        pairs += [
+            (key + "manager_cmd", "rtcd" + tail),
+            (key + "profile_cmd", "rtcprof" + tail),
+            (key + "suffixes", SUFFIXES[language][1:]),
+            (key + "load_paths", ""),
+        ]
     pairs += [("manager." + key, value) for key, value in _manager(flavour, master)]
-    pairs += [("os.name", "Linux"), ("os.release", "6.1.0"), ("os.version", "#1 SMP"), ("os.arch", "x86_64"),
-              ("os.hostname", "test")]
+    pairs += [
+        ("os.name", "Linux"),
+        ("os.release", "6.1.0"),
+        ("os.version", "#1 SMP"),
+        ("os.arch", "x86_64"),
+        ("os.hostname", "test"),
+    ]
     pairs += [(key, value) for key, value in _SURROUNDINGS]
-    pairs += [("corba.args", ""), ("corba." + flavour.endpoint_key, endpoint), ("corba.id", "omniORB"),
-              ("corba.nameservers", "localhost"), ("corba.master_manager", "localhost:2810"),
-              ("corba.nameservice.replace_endpoint", "NO"), ("corba.update_master_manager.enable", "YES"),
-              ("corba.update_master_manager.interval", "10.0"), ("naming.formats", context)]
+    pairs += [
+        ("corba.args", ""),
+        ("corba." + flavour.endpoint_key, endpoint),
+        ("corba.id", "omniORB"),
+        ("corba.nameservers", "localhost"),
+        ("corba.master_manager", "localhost:2810"),
+        ("corba.nameservice.replace_endpoint", "NO"),
+        ("corba.update_master_manager.enable", "YES"),
+        ("corba.update_master_manager.interval", "10.0"),
+        ("naming.formats", context),
+    ]
     return pairs
 
 

@@ -89,13 +89,14 @@ async def _at_managers(missing):
             wanted.setdefault(word, {})[each.instance_name] = capture.shown_path(each)
     words = sorted(wanted)[:MOST]
     answers = await session.each(words, _listed_by, lambda word: (word, word))
-    return {
-        wanted[word][name]: f"the manager {word} has it"
-        for word, answer in zip(words, answers)
-        if not isinstance(answer, errors.Error)
-        for name, _ in answer
-        if name in wanted[word]
-    }
+    found = {}
+    for word, answer in zip(words, answers):
+        if isinstance(answer, errors.Error):
+            continue
+        listed = {name for name, _ in answer}
+        for name in listed & set(wanted[word]):
+            found[wanted[word][name]] = f"the manager {word} has it"
+    return found
 
 
 async def _listed_by(word):

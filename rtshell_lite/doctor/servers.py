@@ -369,15 +369,11 @@ async def _probes(nodes):
     """{(host, port): None, or the errors.Error} of a TCP connection to each address that references
     publish.
     """
-    wanted = sorted(
-        {
-            endpoint
-            for node in nodes
-            if node.ref is not None and node.kind not in ("server", "directory")
-            for endpoint in orb.addresses(node.ref)
-            if endpoint[0] and endpoint[1]
-        }
-    )
+    published = set()
+    for node in nodes:
+        if node.ref is not None and node.kind not in ("server", "directory"):
+            published.update(orb.addresses(node.ref))
+    wanted = sorted((host, port) for host, port in published if host and port)
     answers = await session.each(
         wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address)
     )

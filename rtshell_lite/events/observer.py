@@ -157,13 +157,7 @@ def observer(node, interface, kinds, heard, beat=BEAT, more=()):
     if len(kinds) == len(KINDS):
         wanted = "ALL"
     else:
-        wanted = ",".join(
-            status
-            for kind in KINDS
-            if kind in kinds or kind == "RTC_STATUS"
-            for status in KINDS[kind]
-            if kind != "HEARTBEAT" and (kind != "FSM_EVENT" or interface == FSM_OBSERVER)
-        )
+        wanted = ",".join(_statuses(interface, kinds))
     beats = {
         OBSERVER: ["heartbeat"],
         FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
@@ -172,6 +166,17 @@ def observer(node, interface, kinds, heard, beat=BEAT, more=()):
     for name in beats:
         properties += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]
     return Subscription(node, interface, properties, heard)
+
+
+def _statuses(interface, kinds):
+    """The kinds of status that an observer of these kinds of events asks for."""
+    asked = []
+    for kind, statuses in KINDS.items():
+        if kind == "HEARTBEAT" or kind == "FSM_EVENT" and interface != FSM_OBSERVER:
+            continue
+        if kind in kinds or kind == "RTC_STATUS":
+            asked += statuses
+    return asked
 
 
 def logger(node, level, names, heard):

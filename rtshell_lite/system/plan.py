@@ -234,13 +234,16 @@ def _remove_free(waiting):
 
 
 def _optional_before_required(actions):
-    return [
-        'action {%d} depends on an optional action: "%s"' % (action.number, after.text)
-        for action in actions
-        if action.required
-        for after in action.after
-        if not actions[after.number - 1].required
-    ]
+    mistakes = []
+    for action in actions:
+        if not action.required:
+            continue
+        for after in action.after:
+            if not actions[after.number - 1].required:
+                mistakes.append(
+                    'action {%d} depends on an optional action: "%s"' % (action.number, after.text)
+                )
+    return mistakes
 
 
 def dependents(actions, numbers):

@@ -148,12 +148,14 @@ def _value_ticks(panel, low, high):
     series = list(panel.series.values())
     if series and all(each.names for each in series):
         known = sorted((value, name) for each in series for value, name in each.names.items())
-        return [
-            (value, name if cells(name) < 11 else name[:9] + "…")
-            for value, name in known
-            if low <= value <= high
-        ]
+        return [(value, _short(name)) for value, name in known if low <= value <= high]
     return plot.ticks(low, high, 6)
+
+
+def _short(name):
+    if cells(name) < 11:
+        return name
+    return name[:9] + "…"
 
 
 def _x(picture, moment):

@@ -108,11 +108,9 @@ def tidy(content):
             joined += ["".join(items)]
         else:
             joined += items
-    return [
-        item
-        for item in joined
-        if not isinstance(item, str) or (item if len(joined) == 1 else item.strip(" \t\r\n"))
-    ]
+    if len(joined) == 1:
+        return [item for item in joined if item != ""]
+    return [item for item in joined if not isinstance(item, str) or item.strip(" \t\r\n")]
 
 
 class Element:

@@ -39,17 +39,22 @@ class Watched:
     """A process, and how large it was at which time; with `terminal`, it has one of its own."""
 
     def __init__(self, name, words, feed=None, terminal=False):
-        self.name, self.feed = name, feed
+        self.name = name
+        self.feed = feed
+        stdin = subprocess.DEVNULL
         if terminal:
             self.output, inside = terminal_pair()
+            stdin = inside
         else:
             self.output = inside = open(os.path.join(around.top, name + ".out"), "w+b")
+        if feed:
+            stdin = subprocess.PIPE
         self.process = running.start(
             words,
             around.directory(name),
             {"RTCTREE_NAMESERVERS": server[1:]},
             stdout=inside,
-            stdin=subprocess.PIPE if feed else inside if terminal else subprocess.DEVNULL,
+            stdin=stdin,
             stderr=subprocess.STDOUT,
         )
         self.seen = []
@@ -57,7 +62,7 @@ class Watched:
             inside.close()
             threading.Thread(target=drain, args=(self.output,), daemon=True).start()
 
-    def look(self):
+    def measure(self):
         """Record its size; give it more input, and discard its output."""
         proc = "/proc/%d/" % self.process.pid
         with open(proc + "statm") as file:
@@ -146,7 +151,7 @@ class LongRuns(unittest.TestCase):
             time.sleep(SECONDS / 60)  # a period, not a wait for something
             around.ctl("observed", "log", "Motor0", "ERROR", "motor", "hot")
             for each in watched:
-                each.look()
+                each.measure()
         said = []
         for each in watched:
             before, after = each.halves()

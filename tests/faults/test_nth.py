@@ -130,7 +130,10 @@ def exited(lane):
     found = {}
     for number, path, name in ((0, lane.a, "ConsoleIn0"), (1, lane.b, "ConsoleOut0")):
         there = lane.ctl(number, "components")
-        found[path] = name not in there if there is not None else True if lane.has_ended(number) else None
+        if there is not None:
+            found[path] = name not in there
+        else:
+            found[path] = lane.has_ended(number) or None
     return found
 
 

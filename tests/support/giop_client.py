@@ -61,27 +61,33 @@ def request(
     def octets(data):
         return struct.pack(order + "I", len(data)) + data
 
-    known = struct.pack(order + "II", 1, 7) + octets(contexts) if contexts else struct.pack(order + "I", 0)
+    known = struct.pack(order + "I", 0)
+    if contexts:
+        known = struct.pack(order + "II", 1, 7) + octets(contexts)
     asks = kind == requests.REQUEST
     head = bytes(12)
-    if minor < 2:
-        head = aligned(head + known, 4) if asks else head
-        head += struct.pack(order + "I", number) + (
-            bytes([is_answered]) + b"\xee" * (3 if minor else 0) if asks else b""
-        )
-        head = aligned(head, 4) + octets(key)
-        if asks:
-            head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + octets(b"who")
-    else:
-        head += struct.pack(order + "I", number) + (
-            bytes([3 if is_answered else 0]) + b"\xee" * 3 if asks else b""
-        )
-        head += struct.pack(order + "H", 0) + b"\xee\xee" + octets(key)
-        if asks:
-            head = aligned(aligned(head, 4) + octets(operation.encode() + b"\0"), 4) + known
-            head = aligned(head, 8) if body else head
-    if minor < 2 and body:
+    if asks and minor < 2:
+        head = aligned(head + known, 4)
+    head += struct.pack(order + "I", number)
+    if asks and minor < 2:
+        head += bytes([is_answered])
+    elif asks:
+        head += bytes([3 * is_answered])
+    if asks and minor > 0:
+        head += b"\xee" * 3
+    if minor == 2:
+        head += struct.pack(order + "H", 0)
+    head = aligned(head, 4) + octets(key)
+    if asks:
+        head = aligned(head, 4) + octets(operation.encode() + b"\0")
+    if asks and minor < 2:
+        head = aligned(head, 4) + octets(b"who")
+    elif asks:
+        head = aligned(head, 4) + known
+    if body and minor < 2:
         head = aligned(head, 4)
+    elif body and asks:
+        head = aligned(head, 8)
     return messages.whole(kind, head[12:] + body, minor, order)
 
 
@@ -95,19 +101,14 @@ def text(words, order="<"):
 
 def fragments(message, *cuts):
     """A message as one with fragments, cut at these places."""
-    order, minor = ("<" if message[6] & 1 else ">"), message[5]
-    parts = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
-    ahead = message[12:16] if minor == 2 else b""
-    return [
-        messages.whole(
-            message[7] if i == 0 else messages.FRAGMENT,
-            (b"" if i == 0 else ahead) + part,
-            minor,
-            order,
-            i < len(parts) - 1,
-        )
-        for i, part in enumerate(parts)
-    ]
+    order = "<" if message[6] & 1 else ">"
+    minor = message[5]
+    number = message[12:16] if minor == 2 else b""
+    first, *others = [message[a:b] for a, b in zip((12,) + cuts, cuts + (len(message),))]
+    found = [messages.whole(message[7], first, minor, order, bool(others))]
+    for left, part in zip(reversed(range(len(others))), others):
+        found.append(messages.whole(messages.FRAGMENT, number + part, minor, order, left > 0))
+    return found
 
 
 class Client:

@@ -49,18 +49,26 @@ def value(rng, descriptor, depth=4):
         return rng.choice("aé日'\\")
     if sort in (STRING, WSTRING):
         text = "".join(rng.choice(LETTERS) for _ in range(rng.randrange(6)))
-        return text[:descriptor[1] // (1 if sort == WSTRING else 4)] if descriptor[1] else text
+        if not descriptor[1]:
+            return text
+        octets = 1 if sort == WSTRING else 4  # at most, of a letter
+        return text[:descriptor[1] // octets]
     if sort == ENUM:
         return rng.choice(descriptor[3])
     if sort in (SEQUENCE, ARRAY):
-        size = (
-            descriptor[2]
-            if sort == ARRAY
-            else rng.randrange(min(descriptor[2] or 5, 5) + 1) if depth > 0 else 0
-        )
+        if sort == ARRAY:
+            size = descriptor[2]
+        elif depth > 0:
+            size = rng.randrange(min(descriptor[2] or 5, 5) + 1)
+        else:
+            size = 0
         values = [value(rng, descriptor[1], depth - 1) for _ in range(size)]
         inner = kind(target(descriptor[1]))
-        return bytes(values) if inner == OCTET else "".join(values) if inner == CHAR else values
+        if inner == OCTET:
+            return bytes(values)
+        if inner == CHAR:
+            return "".join(values)
+        return values
     if sort == STRUCT:
         return descriptor[1](*[value(rng, inner, depth - 1) for _, inner in descriptors.members(descriptor)])
     if sort == FIXED:

@@ -194,9 +194,13 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
         )
 
     lacks_omniorb = not environments.fetch_omniorb(python)
+    if accept:
+        shells = ["dash"]
+    else:
+        shells = shell and [shell]
     return [
         job(path, shell)
-        for path, shell in transcripts.cases(patterns, ["dash"] if accept else shell and [shell])
+        for path, shell in transcripts.cases(patterns, shells)
         if short.has_turn(path, shell, setting.orb)
         and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
         and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))
@@ -355,19 +359,13 @@ def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
-    modules = (
-        ["compat/test_real", "compat/test_real_keep"]
-        if args.real
-        else (
-            []
-            if args.accept
-            else [
-                module
-                for module in test_modules()
-                if not args.all or version == FULL[0] or not says(module, "ONCE")
-            ]
-        )
-    )
+    if args.real:
+        modules = ["compat/test_real", "compat/test_real_keep"]
+    elif args.accept:
+        modules = []
+    else:
+        is_first = not args.all or version == FULL[0]
+        modules = [module for module in test_modules() if is_first or not says(module, "ONCE")]
     jobs = module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, modules)
     if args.real:
         return jobs

@@ -18,15 +18,14 @@ def channel(number=0, **about):
 
 def chunk(body, crc=None, compression="", size=None, within=None):
     """A chunk of these octets, and what it says of them."""
-    return mcap.record(
-        mcap.CHUNK,
-        mcap.CHUNK_HEAD.pack(
-            1, 2, len(body) if size is None else size, zlib.crc32(body) if crc is None else crc
-        ),
-        mcap.string(compression),
-        struct.pack("<Q", len(body) if within is None else within),
-        body,
-    )
+    if size is None:
+        size = len(body)
+    if crc is None:
+        crc = zlib.crc32(body)
+    if within is None:
+        within = len(body)
+    head = mcap.CHUNK_HEAD.pack(1, 2, size, crc)
+    return mcap.record(mcap.CHUNK, head, mcap.string(compression), struct.pack("<Q", within), body)
 
 
 def message(number=0, moment=1, data=b"\0\1\0\0x"):

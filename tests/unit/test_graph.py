@@ -184,10 +184,11 @@ class Dot(unittest.TestCase):
                     self.check(rtsprofile.load(file.read(), name))
 
 
-ARMS = {"─": (
-    "lr"
-), "═": "lr", "<": "lr", "│": "ud", "║": "ud", "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu", "┤": "lud",
-        "╣": "lud", "┬": "lrd", "╦": "lrd", "┴": "lru", "╩": "lru", "┼": "lrud", "╬": "lrud"}
+ARMS = {
+    "─": "lr", "═": "lr", "<": "lr", "│": "ud", "║": "ud",
+    "┐": "ld", "╗": "ld", "┘": "lu", "╝": "lu",
+    "┤": "lud", "╣": "lud", "┬": "lrd", "╦": "lrd", "┴": "lru", "╩": "lru", "┼": "lrud", "╬": "lrud",
+}
 STEPS = {"l": (0, -1, "r"), "r": (0, 1, "l"), "u": (-1, 0, "d"), "d": (1, 0, "u")}
 
 
@@ -206,11 +207,8 @@ def reached(lines, row, column):
         elif way == "l" or back not in ARMS[sign]:  # what only passes is stepped over
             todo.append((row, column, way))
         else:
-            todo += [
-                (row, column, arm)
-                for arm in ARMS[sign]
-                if arm == way or arm in ("l" if way in "ud" else "ud")
-            ]
+            turns = "l" if way in "ud" else "ud"
+            todo += [(row, column, arm) for arm in ARMS[sign] if arm in way + turns]
     return rows
 
 

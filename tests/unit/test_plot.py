@@ -75,10 +75,9 @@ class Series(unittest.TestCase):
     def test_peaks_survive_thinning(self):
         count = 100000
         series = plot.Series("a", (START, START + count))
+        peaks = {3: -100.0, 77777: 100.0}
         for number in range(count):
-            series.add(
-                START + number, 100.0 if number == 77777 else -100.0 if number == 3 else math.sin(number)
-            )
+            series.add(START + number, peaks.get(number, math.sin(number)))
         series.flush()
         self.assertLessEqual(len(series.points), 4 * plot.COLUMNS + 4)
         found = [number for _, number, _ in series.points]

@@ -106,14 +106,16 @@ def properties(nvlist, only=None):
     `only`: those of this name.
     """
     only = only and only.encode()
-    return [
-        (
-            sys.intern(_text(name)),
-            _text(value) if type(value) is bytes else _as_text(value.content, value.descriptor),
-        )
-        for name, value in nvlist
-        if not only or name == only
-    ]
+    found = []
+    for name, value in nvlist:
+        if only and name != only:
+            continue
+        if type(value) is bytes:
+            text = _text(value)
+        else:
+            text = _as_text(value.content, value.descriptor)
+        found.append((sys.intern(_text(name)), text))
+    return found
 
 
 def _text(octets):
