@@ -20,7 +20,9 @@ class RingBuffer:
 
     def __init__(self):
         self.values = collections.deque()
-        self.length, self.policy, self.timeout = LENGTH, "overwrite", 1.0
+        self.length = LENGTH
+        self.policy = "overwrite"
+        self.timeout = 1.0
         self.changed = threading.Condition()
 
     def configure(self, properties, side):

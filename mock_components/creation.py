@@ -35,7 +35,8 @@ def extract(line, key):
     found = re.search(rf"[?&]{re.escape(key)}=([^&?]*)", line)
     if not found:
         return None, line
-    before, after = line[:found.start()], line[found.end():]
+    before = line[:found.start()]
+    after = line[found.end():]
     if after and "?" not in before:
         after = "?" + after[1:]
     return found.group(1).strip(), before + after

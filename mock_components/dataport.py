@@ -132,8 +132,12 @@ class DataPort(Port):
 class OutPort(DataPort):
     """Sends by itself (push) or hands out (pull)."""
 
-    side, other_side, port_type = "outport", "inport", "DataOutPort"
-    served, fan, interface = "pull", "fan_out", "OutPortCdr"
+    side = "outport"
+    other_side = "inport"
+    port_type = "DataOutPort"
+    served = "pull"
+    fan = "fan_out"
+    interface = "OutPortCdr"
 
     def __init__(self, component, name, type_name):
         super().__init__(component, name, type_name)
@@ -187,8 +191,12 @@ class InPort(DataPort):
     else's connection.
     """
 
-    side, other_side, port_type = "inport", "outport", "DataInPort"
-    served, fan, interface = "push", "fan_in", "InPortCdr"
+    side = "inport"
+    other_side = "outport"
+    port_type = "DataInPort"
+    served = "push"
+    fan = "fan_in"
+    interface = "InPortCdr"
 
     def __init__(self, component, name, type_name):
         super().__init__(component, name, type_name)

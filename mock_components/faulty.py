@@ -329,7 +329,8 @@ def parse(arguments):
     """(place to bind in or None, {name: mode}) of a command line."""
     place = None
     if arguments[:1] == ["--bind"]:
-        place, arguments = arguments[1], arguments[2:]
+        place = arguments[1]
+        arguments = arguments[2:]
     modes = {}
     for argument in arguments:
         name, _, mode = argument.partition("=")

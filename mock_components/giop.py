@@ -8,7 +8,7 @@ COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
 CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
 REQUEST, REPLY, LOCATE_REQUEST, LOCATE_REPLY, FRAGMENT = 0, 1, 3, 4, 7
-LITTLE, MORE = 1, 2     # flags of a message
+LITTLE, MORE = 1, 2  # flags of a message
 NO_EXCEPTION, SYSTEM_EXCEPTION = 0, 2
 
 Request = collections.namedtuple("Request", "version type id expects_reply key operation arguments")
@@ -19,7 +19,9 @@ class Reader:
     """
 
     def __init__(self, data, little, position=12):
-        self.data, self.order, self.position = data, "<" if little else ">", position
+        self.data = data
+        self.order = "<" if little else ">"
+        self.position = position
 
     def number(self, code="I"):
         size = struct.calcsize(code)

@@ -154,7 +154,8 @@ def configuration(flavour, modules, name, context, endpoint, master):
         ("manager.modules.abs_path_allowed", "YES"),
     ]
     for language in LANGUAGES:
-        key, tail = f"manager.modules.{language}.", generation + _PROGRAMS[language]
+        key = f"manager.modules.{language}."
+        tail = generation + _PROGRAMS[language]
         pairs += [
             (key + "manager_cmd", "rtcd" + tail),
             (key + "profile_cmd", "rtcprof" + tail),

@@ -91,7 +91,8 @@ def expand(formats, instance_name, profile):
     }
     names = []
     for one in formats.split(","):
-        out, chars = "", iter(one.strip())
+        out = ""
+        chars = iter(one.strip())
         for char in chars:
             out += values.get(next(chars, "%"), "") if char == "%" else char
         names.append(out)

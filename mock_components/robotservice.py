@@ -20,7 +20,8 @@ def _operations(name):
     """(given, returned, raised) of each operation of an interface, for omniORB, and the classes of its
     exceptions.
     """
-    made, classes = {}, {}
+    made = {}
+    classes = {}
     for operation in CONTENTS.interfaces[f"IDL:Mock/{name}:1.0"].all_operations().values():
         schema = operation.schema()
         given, returned = [
@@ -72,7 +73,10 @@ class Robot(Counter):
 
     def __init__(self):
         super().__init__()
-        self.speed, self.speech, self.joints, self.busy = 1.0, [], [], threading.Lock()
+        self.speed = 1.0
+        self.speech = []
+        self.joints = []
+        self.busy = threading.Lock()
         self.reference = None
 
     def _get_speed(self):

@@ -38,7 +38,9 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         self.participating = []         # None where a context has left
         self.ended = None               # called when the component has ended
         # the last execution: when, for how many cycles; cycles since then
-        self.executed, self.cycles, self.between = 0.0, 1, 0
+        self.executed = 0.0
+        self.cycles = 1
+        self.between = 0
         for _ in range(options.contexts):
             self.own_context()
         self.configuration = configuration.Configuration(self, spec.sets(flavour), spec.active_set)
@@ -74,7 +76,8 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
 
     def properties(self):
         """The properties of the component profile, roughly in the order of real ones."""
-        flavour, options = self.flavour, self.options
+        flavour = self.flavour
+        options = self.options
         endpoint = self.process.endpoint
         pairs = list(self.identity().items())
         pairs += self.spec.nature(flavour)
@@ -110,7 +113,8 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
 
     def _with_arguments(self, pairs):
         """The properties, replaced and extended by those given to create_component."""
-        given, known = self.options.arguments, {name for name, _ in pairs}
+        given = self.options.arguments
+        known = {name for name, _ in pairs}
         return ([(name, given.get(name, value)) for name, value in pairs] +
                 [(name, value) for name, value in given.items()
                  if name not in known and not configuration.of_a_set(name)])
@@ -149,9 +153,11 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         return [cxt for cxt in self.participating if cxt is not None]
 
     def _context(self, handle):
-        contexts, index = [cxt.reference for cxt in self.owned], handle
+        contexts = [cxt.reference for cxt in self.owned]
+        index = handle
         if handle >= self.FIRST_PARTICIPATING:
-            contexts, index = self.participating, handle - self.FIRST_PARTICIPATING
+            contexts = self.participating
+            index = handle - self.FIRST_PARTICIPATING
         return contexts[index] if 0 <= index < len(contexts) else None
 
     def get_context(self, handle):
@@ -191,7 +197,9 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         cycles = driving.cycles() if driving else 1
         for _ in range(max(1, cycles - self.between)):
             self._read()
-        self.executed, self.cycles, self.between = time.monotonic(), cycles, 0
+        self.executed = time.monotonic()
+        self.cycles = cycles
+        self.between = 0
 
     def read_between(self):
         """Read what the cycles since the last execution have to read: a short buffer would be full for most

@@ -24,7 +24,9 @@ class World:
     """A running world: `address` of its name server, HOST:PORT; `home`, the path of its components."""
 
     def __init__(self, address, control):
-        self.address, self.home, self.control = address, f"/{address}/{CONTEXT}", control
+        self.address = address
+        self.home = f"/{address}/{CONTEXT}"
+        self.control = control
 
     def path(self, name):
         """The path of what is bound by a name, ConsoleIn0.rtc, or of a port of it, ConsoleIn0.rtc:out."""

@@ -25,7 +25,8 @@ class Source(Component):
         return RTC.RTC_OK
 
     def _send(self, halt):
-        number, due = 0, time.monotonic()
+        number = 0
+        due = time.monotonic()
         while not halt.wait(max(0, due - time.monotonic())):
             number += 1
             stamped = values.make("TimedLong", number, True)

@@ -184,7 +184,8 @@ class Provider(Transport):
         self.limit = float(get(profile.properties, "dataport.buffer.read.timeout", "1.0"))
         self.news = threading.Condition()
         self.last = None
-        self.serving, self.answered = 0, -ANSWERING
+        self.serving = 0
+        self.answered = -ANSWERING
         self.fragile = port.flavour.busy_get == "die" and len(profile.ports) == 1
         self.serve({"corba_cdr": OutPortCdr, "data_service": DataPullService})
 

@@ -39,7 +39,8 @@ class Name(Record):
 
     __slots__ = ()
     _fields = ("id", "kind")
-    id, kind = item(0), item(1)
+    id = item(0)
+    kind = item(1)
 
     def __str__(self):
         if not self.id and not self.kind:
@@ -60,7 +61,10 @@ class Path(Record):
 
     __slots__ = ()
     _fields = ("server", "names", "port", "directory")
-    server, names, port, directory = item(0), item(1), item(2), item(3)
+    server = item(0)
+    names = item(1)
+    port = item(2)
+    directory = item(3)
 
     def __str__(self):
         if self.server is None:

@@ -117,7 +117,8 @@ def printable_flags(s):
             plain = False
             base = ""
         elif kind in ("Mn", "Me"):
-            marks, plain = marks + 1, marks < MARKS
+            plain = marks < MARKS
+            marks += 1
         else:
             if c != " ":
                 marks = 0

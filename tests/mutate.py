@@ -48,7 +48,8 @@ class Source:
     """The text of a module, and the positions of its nodes in bytes."""
 
     def __init__(self, data):
-        self.data, self.tree = data, ast.parse(data)
+        self.data = data
+        self.tree = ast.parse(data)
         self.meaning = ast.dump(self.tree)
         self.lines = [0]
         for line in data.splitlines(True):
@@ -126,7 +127,8 @@ def mutations(source):
 
 def _between(source, left, right, operators):
     """Other operators between two operands."""
-    start, end = source.end(left), source.start(right)
+    start = source.end(left)
+    end = source.start(right)
     gap = source.data[start:end].decode()
     found = re.match(r"[\s)\\]*([-+*/<>=!]+|(?:is|not|and|or|in)(?: +(?:not|in)\b)?)", gap)
     for new in operators.get(found.group(1), ()) if found else ():
@@ -242,7 +244,8 @@ def covering(path):
         if "/idl_stubs/" not in file
     ]
     arrows = {file: set(imported(file)) for file in files}
-    near, reached = [path], {path}
+    near = [path]
+    reached = {path}
     for file in near:
         near += [other for other in files if file in arrows[other] and other not in reached]
         reached.update(near)
@@ -283,7 +286,8 @@ class Probed:
     """While it lasts, the package in a copy of the checkout writes down which functions are entered."""
 
     def __init__(self, copy):
-        self.package, self.aside = os.path.join(copy, "rtshell_lite"), os.path.join(copy, ".rtshell_lite")
+        self.package = os.path.join(copy, "rtshell_lite")
+        self.aside = os.path.join(copy, ".rtshell_lite")
         self.file = os.path.join(copy, ".entered")
         shutil.copytree(self.package, self.aside)
         with open(os.path.join(self.aside, "probes.py"), "w") as file:
@@ -332,9 +336,14 @@ class Tests:
         sys.path.insert(0, os.path.join(copy, "tests", "support"))
         import runner  # of the copy: all that it starts is of the copy, too
         runner.hear_signals()
-        self.copy, self.python, self.runner, self.marker = copy, python, runner, runner.leftovers.mark()
+        self.copy = copy
+        self.python = python
+        self.runner = runner
+        self.marker = runner.leftovers.mark()
         self.environment = dict(os.environ, PYTHONPATH=copy, PYTHONDONTWRITEBYTECODE="1")
-        self.limits, self.entered, self.killed = {}, {}, collections.Counter()
+        self.limits = {}
+        self.entered = {}
+        self.killed = collections.Counter()
 
     def passes(self, name, limit):
         """Does a test pass within so many seconds?"""
@@ -448,7 +457,9 @@ def spoil(module, tests, args):
     print("%s, covered by: %s" % (module, " ".join(names)), flush=True)
     survived = 0
     for start, end, new in chosen:
-        data, function, tried = source.spoilt(start, end, new), source.function(start), 0
+        data = source.spoilt(start, end, new)
+        function = source.function(start)
+        tried = 0
         for name in tests.concerned(names, function and "%s:%d" % (module, function)):
             if tests.fails(name, os.path.join(tests.copy, inner), data):
                 break
@@ -465,7 +476,8 @@ def spoil(module, tests, args):
 
 
 def main():
-    args, python = options(), find_python()
+    args = options()
+    python = find_python()
     if not python:
         sys.exit("mutate.py: no Python with omniORBpy is here; tests/run makes one")
     with tempfile.TemporaryDirectory(prefix="rt-mutate-") as directory:

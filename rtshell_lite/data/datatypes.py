@@ -268,7 +268,8 @@ def _imported(name, path):
 
     orb.start()
     start.find_installed()
-    own, sys.path[:0] = list(sys.path), path
+    own = list(sys.path)
+    sys.path[:0] = path
     try:
         stubs.lend_standard()
         return importlib.import_module(name)

@@ -26,7 +26,8 @@ class Spread:
         if self.count == 1:
             self.least = self.mean = self.most = number
             return
-        self.least, self.most = min(self.least, number), max(self.most, number)
+        self.least = min(self.least, number)
+        self.most = max(self.most, number)
         step = number - self.mean
         self.mean += step / self.count
         self._squares += step * (number - self.mean)

@@ -157,7 +157,8 @@ class Backlog:
 
     def fill(self, now):
         """The buffer refused a value at `now`, because it was full."""
-        self._at, self.waiting = now, min(self.length, self.taken)
+        self._at = now
+        self.waiting = min(self.length, self.taken)
         if self._last is None:
             self._last = None, self.taken
         moment, taken = self._last

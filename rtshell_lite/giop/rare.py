@@ -44,7 +44,9 @@ def _fixed_digits(text, digits, scale):
     match = re.match(r"([-+]?)(\d+)(?:\.(\d*))?\Z", text, re.ASCII)
     if match is None:
         raise Fault("not a decimal number")
-    sign, whole, fraction = match.group(1), match.group(2).lstrip("0"), (match.group(3) or "").rstrip("0")
+    sign = match.group(1)
+    whole = match.group(2).lstrip("0")
+    fraction = (match.group(3) or "").rstrip("0")
     if len(fraction) > scale or len(whole) > digits - scale:
         raise Fault(f"more than {digits} digits, {scale} of them after the point")
     return sign, whole + fraction.ljust(scale, "0")

@@ -49,7 +49,8 @@ class Mount:
         self.ttl = ttl
         self.read_only = read_only
         self.tasks = loop.Group()
-        self.cache, self.liveness = Cache(self.tasks), Liveness(self.tasks, ttl, self.fail)
+        self.cache = Cache(self.tasks)
+        self.liveness = Liveness(self.tasks, ttl, self.fail)
         self._changes = {}  # {where: deque of the changes to make there}
         self.errors = collections.deque(maxlen=MOST_ERRORS)
         self.contexts = weakref.WeakValueDictionary()

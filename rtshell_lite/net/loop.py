@@ -277,7 +277,8 @@ async def stream(items, function, key=None):
         for number in range(len(batch.items)):
             if batch.results[number] is _TO_COME:
                 await batch.wait_for(number)
-            result, batch.results[number] = batch.results[number], None
+            result = batch.results[number]
+            batch.results[number] = None
             yield result
     finally:
         for task in tasks:

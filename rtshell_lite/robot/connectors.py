@@ -200,7 +200,8 @@ async def disconnect_all(pairs, dry_run=False):
     """`disconnect` each (Port, Connector): a line or an errors.Error for each;
     a connector of two of the ports is removed once.
     """
-    results, seen = [], set()  # type: list, set
+    results = []  # type: list
+    seen = set()  # type: set
     for port, connector in pairs:
         if connector.id in seen:
             continue

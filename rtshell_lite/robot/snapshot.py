@@ -55,7 +55,8 @@ class Snapshot:
     error = None
     ports = refusing = dropped = of_tools = owned = participating = states = organisations = composites = ()
     configuration = profile = written = stamp = None
-    members, names = {}, {}  # type: dict, dict
+    members = {}  # type: dict
+    names = {}  # type: dict
 
     def __init__(self, node, others=(), rest=0):
         self.node = node

@@ -67,7 +67,8 @@ class Kept(presence.Followed):
         self.hands = {}
         self.said = {}
         self.since = time.time()
-        self.drives, self.drivers = [], []
+        self.drives = []
+        self.drivers = []
         # False for one whose state is nobody's business here
         self.is_started = site.component.property(policy.PREFIX + STATE) != "any"
 

@@ -90,7 +90,8 @@ def _distinct(names):
         number = 1
         wanted = name
         while wanted in seen:
-            number, wanted = number + 1, f"{name}_{number + 1}"
+            number += 1
+            wanted = f"{name}_{number}"
         seen.add(wanted)
         distinct.append(wanted)
     return distinct

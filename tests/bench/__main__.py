@@ -111,9 +111,12 @@ class Bench:
     """A name server and what runs against it."""
 
     def __init__(self, rounds, only, peer):
-        self.rounds, self.only, self.peer = rounds, only, peer
+        self.rounds = rounds
+        self.only = only
+        self.peer = peer
         worlds.start_name_server()
-        self.meter, self.directory = Meter(), tempfile.TemporaryDirectory()
+        self.meter = Meter()
+        self.directory = tempfile.TemporaryDirectory()
         self.place = "127.0.0.1:%d" % worlds.Server.port
         known = {name: value for name, value in worlds.ENVIRONMENT.items() if name not in (
             "PYTHONDONTWRITEBYTECODE", "PYTHONUNBUFFERED")}  # nobody's robot compiles at every start
@@ -161,7 +164,8 @@ class Bench:
 
     def compare(self, world, size, command, floor, told, undo):
         """One line of the table."""
-        words, told = self.words(command, size), self.words(told, size, True)
+        words = self.words(command, size)
+        told = self.words(told, size, True)
         ways = {"floor": lambda: self.floor(floor, told), "ours": lambda: self.ours(words),
                 "builtin": lambda: self.ours(words, "builtin"), "peer": lambda: self.theirs(words)}
         if not self.peer:
@@ -192,7 +196,8 @@ class Bench:
             kind: ",".join(str(status) for status in sorted({int(one[3]) for one in found}))
             for kind, found in measured.items()
         }
-        own, floor = medians["ours"], medians["floor"]
+        own = medians["ours"]
+        floor = medians["floor"]
         text = "%-50s %5d  %6.0f %6.0f %5.2f  %6.0f %6.0f  %5.1f %5.1f %5.2f  %6d  %s" % (
             command,
             size,

@@ -51,7 +51,8 @@ class Mounted:
 
 def spent(words, environment, mounted=None):
     """(CPU of a command and its children, of the server; seconds)"""
-    before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    begun = time.monotonic()
     served = mounted.cpu() if mounted else 0
     subprocess.run(words, env=environment, stdout=subprocess.DEVNULL, check=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -48,7 +48,8 @@ def sender():
     while True:
         for name in data:
             for carrier in list(source.port(name).transports.values()):
-                begun, count = time.monotonic(), 0
+                begun = time.monotonic()
+                count = 0
                 while carrier._send(data[name]):
                     count += 1
                     ended = time.monotonic()
@@ -64,7 +65,9 @@ def bare():
     from mock_components.idl import RTC, OpenRTM, SDOPackage
     from rtshell_lite.corba import stubs
     import CosNaming
-    server, name, number = sys.argv[2], sys.argv[3], int(sys.argv[4])
+    server = sys.argv[2]
+    name = sys.argv[3]
+    number = int(sys.argv[4])
     orb = CORBA.ORB_init(
         ["bare", "-ORBgiopMaxMsgSize", "33554432", "-ORBendPoint", "giop:tcp:127.0.0.1:"], CORBA.ORB_ID
     )

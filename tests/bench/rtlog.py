@@ -212,7 +212,9 @@ def whole(file, seconds):
                 used, sum(map(int, stat.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK")
             )
         time.sleep(0.2)
-    last, lost, octets = {}, 0, 0
+    last = {}
+    lost = 0
+    octets = 0
     with logfile.load(file) as log:
         names = [channel.name for channel in log.channels]
         for entry in log.entries():
@@ -301,7 +303,9 @@ class Flight:
     def judge(self):
         """(files, complete ones, seconds from a failure until it was known)"""
         self.process.wait()
-        good, late, files = 0, [], sorted(glob.glob(self.name + "-2*.mcap"))
+        good = 0
+        late = []
+        files = sorted(glob.glob(self.name + "-2*.mcap"))
         for file, failed in zip(files, self.failures):
             with logfile.load(file) as log:
                 first = log.started

@@ -98,8 +98,10 @@ class Terminal:
 
     def __init__(self, name, home):
         words, setup = SHELLS[name]
-        self.home, self.said = home, b""
-        self.process, self.master = None, None
+        self.home = home
+        self.said = b""
+        self.process = None
+        self.master = None
         pid, self.master = pty.fork()
         if pid == 0:
             os.chdir(home)

@@ -364,7 +364,8 @@ class Readme(Case):
 
     def in_shells(self, name, arguments, before, after):
         """Run a script in both shells, between a preparation and a check; returns its output."""
-        path, outputs = self.script(name), []
+        path = self.script(name)
+        outputs = []
         for shell in "dash", "busybox ash":
             if shutil.which(shell.split()[0]):
                 with self.subTest(shell):

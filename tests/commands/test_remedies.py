@@ -264,7 +264,8 @@ class Following(unittest.TestCase):
     def follow(self, name):
         if "unmount" in FAULTS[name].mends and mounts.refused():
             self.skipTest("nothing can be mounted here: " + mounts.refused())
-        fault, rest = FAULTS[name], list(FAULTS[name].mends)
+        fault = FAULTS[name]
+        rest = list(FAULTS[name].mends)
         number = list(FAULTS).index(name)
         server = self.around.name_server("names%d" % number)
         for words in fault.worlds:
@@ -289,7 +290,8 @@ class Following(unittest.TestCase):
             return rest
         which = [name for name in named(each.remedy) if name in fault.mends]
         self.assertTrue(which, "not expected of this fault: %s" % (each,))
-        before, end = facts(server), time.monotonic() + worlds.LIMIT
+        before = facts(server)
+        end = time.monotonic() + worlds.LIMIT
         left, err = self.examined(doctor, settings, [each.remedy])
         while each in left and time.monotonic() < end:  # components change their states in their next cycles
             left, _ = self.examined(

@@ -148,7 +148,8 @@ class Everything(Worlds):
             + ["MyServiceProvider", "ConfigSample"]
         )
         self.addCleanup(here.close)
-        there, third = worlds.World("these", *away), worlds.World("composite")
+        there = worlds.World("these", *away)
+        third = worlds.World("composite")
         self.addCleanup(third.close)
         try:
             self.make(dice)
@@ -266,7 +267,8 @@ class Faults(Worlds):
             self.assertEqual(len(set(there)), 1, "half connected: " + step.title)
             return there[0]
         uri = step.sites[0].where[1:]
-        one, other = now[uri], then[uri]
+        one = now[uri]
+        other = then[uri]
         if step.kind == "configuration":
             mine, wanted = [
                 {

@@ -89,7 +89,8 @@ class AtThePrompt(unittest.TestCase):
         self.pid, self.terminal = pty.fork()
         if self.pid == 0:
             os.execvpe("rtsh", ["rtsh"], variables)
-        self.screen, self.ended = "", False
+        self.screen = ""
+        self.ended = False
         self.addCleanup(self.end)
         self.shows(r"test\.host_cxt> ")
 

@@ -102,7 +102,9 @@ class Tour(unittest.TestCase):
     def test_chapters_wait_for_a_key_on_a_terminal(self):
         """Ctrl-C ends the tour, and leaves the terminal as it was, and no file."""
         self.needs_omninames()
-        waits, looking, connecting = "a key goes on", "m1  Looking\x1b", "m2  Connecting\x1b"
+        waits = "a key goes on"
+        looking = "m1  Looking\x1b"
+        connecting = "m2  Connecting\x1b"
         for words, talk in ([], [(waits, b"x"), (looking, b""), (waits, b"\3")]), (
             ["--no-pause"],
             [(looking, b""), (connecting, b"\3")],
@@ -112,7 +114,8 @@ class Tour(unittest.TestCase):
                 if child == 0:
                     signal.signal(signal.SIGINT, signal.SIG_DFL)
                     os.execvpe("sh", self.words + words, self.environment)
-                before, said = termios.tcgetattr(terminal), ""
+                before = termios.tcgetattr(terminal)
+                said = ""
                 for data in tools.printed_on(terminal):
                     said += data.decode("utf-8", "replace")
                     while talk and talk[0][0] in said:

@@ -118,7 +118,8 @@ class Unpacked(Robot):
 
     def test_links_in_the_place(self):
         """They may lead anywhere."""
-        place, outside = os.path.join(self.directory, "place"), os.path.join(self.directory, "outside")
+        place = os.path.join(self.directory, "place")
+        outside = os.path.join(self.directory, "outside")
         os.mkdir(place)
         os.mkdir(outside)
         os.symlink(outside, os.path.join(place, "lib"))

@@ -135,7 +135,8 @@ def prepare(robot):
     done(["rtact", "--wait", "10"] + [path(part) for part in active])
     robot.feeder = start(["rtinject", "--anyway", "-n", "-1", "-r", "100", "-c", "1", path("Sensor") + ":in"])
     done(["rtprint", "-n", "1", "-t", "30", path("Sensor") + ":out"])
-    robot.connected, robot.active = robot.connectors(), active
+    robot.connected = robot.connectors()
+    robot.active = active
 
 
 def start(words, stdin=subprocess.DEVNULL):
@@ -306,7 +307,8 @@ class Real(unittest.TestCase):
     def test_5_contexts(self):
         """A component in the execution context of another one: Active in one of them, Inactive in all."""
         def share(robot):
-            owner, part = robot.path("Sensor"), robot.path("MyServiceProvider")
+            owner = robot.path("Sensor")
+            part = robot.path("MyServiceProvider")
             for number in range(ROUNDS):
                 done(["rtec", owner, "attach", part])
                 if number % 2:  # as hrpsys does
@@ -403,7 +405,8 @@ class Real(unittest.TestCase):
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % robot.rate])
             before = robot.reads()
             status, words = ended(start(["rtlog", "-q", "-p", "-f", robot.label + "-play.rtlog", reader]))
-            read, refused = robot.reads() - before, sum(map(int, re.findall(r"it refused (\d+) of", words)))
+            read = robot.reads() - before
+            refused = sum(map(int, re.findall(r"it refused (\d+) of", words)))
             self.unharmed(robot, "rtlog -p")
             if status != (5 if refused else 0) or read + refused != count:
                 raise AssertionError(
@@ -427,7 +430,8 @@ class Real(unittest.TestCase):
             read = collections.Counter()
             done(["rtec", robot.path("ConsoleOut"), "rate", "%d" % max(RATES)])
             for number in range(max(1, ROUNDS // 10)):
-                before, values = robot.reads(), "".join("%d\n" % (number * 1000 + i) for i in range(300))
+                before = robot.reads()
+                values = "".join("%d\n" % (number * 1000 + i) for i in range(300))
                 process = start(
                     ["rtinject", "-r", "0", robot.path("ConsoleOut") + ":in"], stdin=subprocess.PIPE
                 )

@@ -52,7 +52,8 @@ class Keeping(unittest.TestCase):
             implementation, implementation.name[0].lower(), 100, worlds.Server.port, PARTS
         )
         self.random = random.Random(SEED)
-        self.hands, self.taken = set(), []
+        self.hands = set()
+        self.taken = []
         try:
             self.rounds()
         finally:

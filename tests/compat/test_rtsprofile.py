@@ -87,7 +87,9 @@ PIECES = [
 
 class PyYAML(unittest.TestCase):
     def test_files_that_it_writes_are_read(self):
-        rng, maker, compared = random.Random(1), random_profiles.Maker(1), 0
+        rng = random.Random(1)
+        maker = random_profiles.Maker(1)
+        compared = 0
         for _ in range(COUNT):
             data = maker.data()
             if rng.random() < 0.2:

@@ -47,7 +47,8 @@ def setUpModule():
     server = around.name_server()
     around.world(server, "wicked")
     home = path.parse(server + "/test.host_cxt")
-    profile, log = os.path.join(around.top, "wicked.yaml"), os.path.join(around.top, "wicked.rtlog")
+    profile = os.path.join(around.top, "wicked.yaml")
+    log = os.path.join(around.top, "wicked.rtlog")
     around.done(["rtcryo", "-q", "-y", "-o", profile, server])
     around.done(["rtlog", "-q", "-f", log, "-i", "-e", "4", port("lines", "out"), port("c1", "out")])
 
@@ -70,7 +71,10 @@ class Case:
     """A command line, and the components that it is about."""
 
     def __init__(self, number, command, line, key):
-        self.number, self.command, self.line, self.key = number, command, line, key
+        self.number = number
+        self.command = command
+        self.line = line
+        self.key = key
         self.on_terminal = number % 2 == 0
 
     def __str__(self):

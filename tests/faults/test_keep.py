@@ -199,7 +199,8 @@ class Storm(unittest.TestCase):
             try:
                 found, failures = self.robot.differences()
             except errors.Error as e:
-                found, failures = {("", str(e))}, []
+                found = {("", str(e))}
+                failures = []
             if found == self.hands and not failures:
                 return
             if time.monotonic() > end:
@@ -219,12 +220,14 @@ class Storm(unittest.TestCase):
         number = self.random.randrange(PROCESSES)
         before = len(self.reported_by_hand())
         if self.random.random() < 0.5:
-            where, check = name("Out", number), "state"
+            where = name("Out", number)
+            check = "state"
             if (where, check) in self.hands:
                 return
             self.ctl_state(where, "rtdeact")
         else:
-            where, check = name("Set", number), "configuration"
+            where = name("Set", number)
+            check = "configuration"
             if (where, check) in self.hands:
                 return
             done = running.run(
@@ -446,7 +449,8 @@ class Steps(unittest.TestCase):
             world = worlds.World("these", *words)
             self.addCleanup(world.close)
         self.ends = Robot.ends(0, 0)
-        self.directory, self.file = directory, os.path.join(directory, "robot.rtsys")
+        self.directory = directory
+        self.file = os.path.join(directory, "robot.rtsys")
         self.well("rtcon", "-i", "straight0", *map(str, self.ends))
         self.well("rtcryo", "--all", "-o", self.file, "127.0.0.1:%d" % worlds.Server.port)
         every = 1 if running.THOROUGH else 9

@@ -118,7 +118,8 @@ class Hung(Case):
 
     def test_a_thousand_readers(self):
         """They wait for hung files; everything else goes on, on few threads."""
-        before, errors = threading.stack_size(1 << 18), []
+        before = threading.stack_size(1 << 18)
+        errors = []
         try:
             files = [
                 (context, "Mock%d.rtc" % i, name)
@@ -143,7 +144,8 @@ class Hung(Case):
             self.assertEqual(len(os.listdir(os.path.join(self.root, "many.host_cxt"))), 20)
             self.assertEqual(self.read("many.host_cxt", "Mock1.rtc", "state"), "Inactive\n")
             self.assertIn("Mock0.rtc", os.listdir(os.path.join(self.root, "hung.host_cxt")))
-            slowest, most = max(slowest, time.monotonic() - begun), max(most, self.threads())
+            slowest = max(slowest, time.monotonic() - begun)
+            most = max(most, self.threads())
         for reader in readers:
             reader.join(worlds.LIMIT)
         print("figures: %d readers of hung files: looks elsewhere took up to %.2f s, %d threads, %d kB" % (
@@ -168,7 +170,8 @@ class Hung(Case):
             )
             time.sleep(0.5)
             self.assertIsNone(reader.poll())
-            waited, begun = self.waited(reader), time.monotonic()
+            waited = self.waited(reader)
+            begun = time.monotonic()
             reader.send_signal(signal.SIGINT)
             os.waitid(os.P_PID, reader.pid, os.WEXITED | os.WNOWAIT)
             taken = time.monotonic() - begun
@@ -195,7 +198,8 @@ class Hung(Case):
 class Long(Case):
     def test_it_does_not_grow(self):
         """All of it is listed and read again and again, written, connected and disconnected."""
-        seen, home = [], os.path.join(self.root, "test.host_cxt", "ConsoleIn0.rtc")
+        seen = []
+        home = os.path.join(self.root, "test.host_cxt", "ConsoleIn0.rtc")
         place = os.path.join(self.root, "many.host_cxt")
         link = os.path.join(home, "ports/out/connections/again")
         for _ in range(ROUNDS):

@@ -109,7 +109,11 @@ class Scenario:
     """
 
     def __init__(self, name, words, truth, before=(), ends=()):
-        self.name, self.words, self.truth, self.before, self.ends = name, words, truth, before, ends
+        self.name = name
+        self.words = words
+        self.truth = truth
+        self.before = before
+        self.ends = ends
 
 
 def states(wanted):
@@ -294,7 +298,11 @@ class Case:
     """One scenario in which the `nth` call of an operation to a world ends in some way."""
 
     def __init__(self, scenario, world, operation, nth, kind):
-        self.scenario, self.world, self.operation, self.nth, self.kind = scenario, world, operation, nth, kind
+        self.scenario = scenario
+        self.world = world
+        self.operation = operation
+        self.nth = nth
+        self.kind = kind
 
     def __str__(self):
         return "%s: call %d of %s to world %s: %s" % (

@@ -53,7 +53,11 @@ class Case:
     """One command line and one peer, as name server or as component."""
 
     def __init__(self, number, command, line, mode, role):
-        self.number, self.command, self.line, self.mode, self.role = number, command, line, mode, role
+        self.number = number
+        self.command = command
+        self.line = line
+        self.mode = mode
+        self.role = role
 
     def __str__(self):
         return "%s %s, %s as %s" % (self.command, self.line, self.mode, self.role)
@@ -84,7 +88,8 @@ class Case:
             RTSHELL_TIMEOUT=str(running.TIMEOUT),
         )
         self.found = list(self.problems())
-        self.ran.out, self.ran.err = self.ran.out[-2000:], self.ran.err[-2000:]
+        self.ran.out = self.ran.out[-2000:]
+        self.ran.err = self.ran.err[-2000:]
         return self
 
     def limit(self):
@@ -105,7 +110,8 @@ class Case:
 
     def problems(self):
         """What is wrong with what it did, but how long it took."""
-        ran, lines = self.ran, self.ran.err.decode("utf-8", "replace").splitlines()
+        ran = self.ran
+        lines = ran.err.decode("utf-8", "replace").splitlines()
         is_told = b"Traceback" in ran.err or b"Traceback" in ran.out or b"internal error" in ran.err
         if is_told or ran.status in (70, 141) or ran.status > 128:
             yield "a bug"

@@ -112,7 +112,9 @@ class Case:
 
     def __init__(self, number, command, line, span, which):
         dice = random.Random(number)
-        self.command, self.line, self.which = command, line, which
+        self.command = command
+        self.line = line
+        self.which = which
         self.moment = dice.uniform(0.02, span)
 
     def __str__(self):
@@ -185,7 +187,8 @@ def wrong_files(where, command):
 
 
 def cases():
-    found, dice = [], random.Random(7)
+    found = []
+    dice = random.Random(7)
     for command, lines in sorted(invocations.stated("invocation").items()):
         found += [(command, dice.choice(lines), 0.4) for _ in range(TIMES)]
     for command, lines in sorted(invocations.stated("lasting").items()):
@@ -249,7 +252,8 @@ class Signals(unittest.TestCase):
             for which in ("\x03", signal.SIGTERM, signal.SIGHUP) * (10 if running.THOROUGH else 2):
                 if (words[0], which) == ("rtsh", "\x03"):
                     which = "\x04"  # Ctrl-C ends a line only
-                screen, moment = Screen(words), dice.uniform(0.05, 0.8)
+                screen = Screen(words)
+                moment = dice.uniform(0.05, 0.8)
                 with self.subTest(words=words, which=which, moment=moment):
                     time.sleep(moment)
                     if isinstance(which, str):

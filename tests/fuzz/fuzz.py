@@ -185,7 +185,10 @@ def fuzz(target, seed, seconds=None, cases=None, report=print):
     wrong)]).
     """
     end = time.monotonic() + seconds if seconds else None
-    number, read, wrong, slowest = 0, 0, [], 0.0
+    number = 0
+    read = 0
+    wrong = []
+    slowest = 0.0
     target.prepare()
     try:
         with limits() if target.alone else contextlib.suppress():
@@ -252,7 +255,8 @@ def options(known):
 
 def main():
     known = targets()
-    args, status = options(known), 0
+    args = options(known)
+    status = 0
     for name in args.target or known:
         seen = set()
         for number, data, why in fuzz(known[name](), args.seed, args.seconds, args.cases)[2]:

@@ -80,8 +80,11 @@ class Robot:
     """A port behind which all recorded objects live; `changed` is {(operation, number): message}."""
 
     def __init__(self, recorded, changed):
-        self.recorded, self.changed, self.counts = recorded, changed, {}
-        self.lock, self.connections = threading.Lock(), []
+        self.recorded = recorded
+        self.changed = changed
+        self.counts = {}
+        self.lock = threading.Lock()
+        self.connections = []
         self.listener = socket.socket()
         self.listener.bind(("127.0.0.1", 0))
         self.listener.listen(64)
@@ -162,7 +165,9 @@ class Replies(fuzz.Target):
     ended_by_omniorb = 0
 
     def prepare(self):
-        self.recorded, self.child, self._counts = load(), None, {}
+        self.recorded = load()
+        self.child = None
+        self._counts = {}
         for words in COMMANDS:  # which replies a command gets, so that no change is in vain
             robot = Robot(self.recorded, {})
             said = self._run(words, robot)
@@ -286,7 +291,8 @@ class Replies(fuzz.Target):
 class Builtin(Replies):
     """The same for our own ORB."""
 
-    name, orb = "builtin", "builtin"
+    name = "builtin"
+    orb = "builtin"
 
 
 # ---- the child ------------------------------------------------------------------------------------------------  # noqa: E501
@@ -297,11 +303,14 @@ def serve():
     import io
     from rtshell_lite import cli, notes
     from rtshell_lite.shell import installation
-    files, modules, out = installation.commands(), {}, sys.stdout
+    files = installation.commands()
+    modules = {}
+    out = sys.stdout
     notes.listener = cli._hear
     faulthandler.enable()
     for line in sys.stdin:
-        asked, before = json.loads(line), _memory()
+        asked = json.loads(line)
+        before = _memory()
         name, *words = asked["words"]
         if name not in modules:
             modules[name] = installation.load(files[name], "fuzzed_" + name)
@@ -313,7 +322,9 @@ def serve():
             io.BytesIO(), "utf-8", "backslashreplace", line_buffering=True
         )
         status = cli.command(modules[name].arguments, modules[name].run, modules[name].__doc__, words)
-        said, sys.stdout, sys.stderr = sys.stdout.buffer.getvalue().decode("utf-8"), out, sys.__stderr__
+        said = sys.stdout.buffer.getvalue().decode("utf-8")
+        sys.stdout = out
+        sys.stderr = sys.__stderr__
         out.write(json.dumps({"status": status, "said": said, "grown": _memory() - before}) + "\n")
         out.flush()
     os._exit(0)

@@ -88,7 +88,8 @@ class Paths(Target):
 
 class Profiles(Target):
     def prepare(self):
-        real, above = [], TESTS
+        real = []
+        above = TESTS
         while above != os.path.dirname(above) and not real:
             above = os.path.dirname(above)
             real = files(above, "shared", "data", "profiles", "*")
@@ -260,7 +261,8 @@ class Logs(Target):
         """Records, of which one or two are spoilt; those within a chunk, too."""
         bodies = [(kind, octets[start:end]) for kind, _, start, end in mcap.walk(octets)]
         for _ in range(rng.choice((1, 1, 2))):
-            chance, at = rng.random(), rng.randrange(len(bodies))
+            chance = rng.random()
+            at = rng.randrange(len(bodies))
             kind, body = bodies[at]
             if chance < 0.1:
                 del bodies[at]
@@ -372,7 +374,8 @@ class Idl(Target):
         data = bytearray()
         for write, value in zip(made.arguments, arguments):
             write(data, value)
-        maker, at = marshal.ValueMaker("<"), 0
+        maker = marshal.ValueMaker("<")
+        at = 0
         for parameter in operation.given():
             _, at = maker.reader(parameter.type)(bytes(data), at)
         same(at, len(data), operation.idl())
@@ -626,7 +629,8 @@ class Cdr(Target):
             datatypes.check(one.descriptor, one.name)
         except errors.BadType as e:
             raise Refused(str(e))
-        known, refused = {}, None
+        known = {}
+        refused = None
         for _, inner in descriptors.walk(one.descriptor, ""):
             if descriptors.kind(inner) in (descriptors.STRUCT, descriptors.UNION, descriptors.ENUM):
                 known[descriptors.type_id(inner)] = inner

@@ -34,7 +34,10 @@ def port_names(component):
 class Composites:
     """A composite of three members."""
 
-    flavour, once, sync, answer = None, True, [], "RTC_OK"
+    flavour = None
+    once = True
+    sync = []
+    answer = "RTC_OK"
 
     def setUp(self):
         self.world = worlds.World("composite", "--flavour", self.flavour, "--rate", "100")
@@ -178,7 +181,8 @@ class Cpp11(Composites, unittest.TestCase):
 class Cpp12(Composites, unittest.TestCase):
     """It answers with an error, and does it all the same."""
 
-    flavour, answer = "cpp12", "RTC_ERROR"
+    flavour = "cpp12"
+    answer = "RTC_ERROR"
 
 
 class Cpp2(Composites, unittest.TestCase):
@@ -187,7 +191,9 @@ class Cpp2(Composites, unittest.TestCase):
 
 
 class Py2(Composites, unittest.TestCase):
-    flavour, once, sync = "py2", False, Cpp2.sync
+    flavour = "py2"
+    once = False
+    sync = Cpp2.sync
 
 
 class Worlds(unittest.TestCase):

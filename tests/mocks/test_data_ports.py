@@ -288,8 +288,10 @@ class Ports(flavours.Flavoured):
     def test_data_flows(self):
         """From a counting component to a reading one, by push of each kind and by pull, in both byte orders.
         """
-        component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")
-        reader, reading = self.world.component("ConsoleOut0"), self.world.context("ConsoleOut0")
+        component = self.world.component("ConsoleIn0")
+        context = self.world.context("ConsoleIn0")
+        reader = self.world.component("ConsoleOut0")
+        reading = self.world.context("ConsoleOut0")
         for comp, cxt in ((component, context), (reader, reading)):
             cxt.activate_component(comp)
             eventually(lambda: cxt.get_component_state(comp) == RTC.ACTIVE_STATE, "active")

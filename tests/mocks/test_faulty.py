@@ -81,14 +81,16 @@ def context_at(port):
 
 def ask(port):
     """The first call that fails and how, in words, and the seconds until then."""
-    begin, step = time.monotonic(), "_is_a"
+    begin = time.monotonic()
+    step = "_is_a"
     try:
         context = context_at(port)
         context._is_a(giop.CONTEXT)
         step = "list"
         bindings, _ = context.list(10000)
         step = "resolve"
-        found, step = context.resolve(bindings[0].binding_name), "_non_existent"
+        found = context.resolve(bindings[0].binding_name)
+        step = "_non_existent"
         found._non_existent()
     except CORBA.SystemException as error:
         return step, omniORB.minorCodeToString(error), time.monotonic() - begin

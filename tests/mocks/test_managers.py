@@ -52,11 +52,17 @@ def values(profiles, name):
 class Flavoured:
     """A world with a master, and what its implementation does."""
 
-    words, starts = (), True
-    sticky, twins, unknown, pid = False, 2, "BAD_PARAMETER", str
+    words = ()
+    starts = True
+    sticky = False
+    twins = 2
+    unknown = "BAD_PARAMETER"
+    pid = str
     copies = 2                      # of a module that master and slave have, in the master's list
-    long_form, other_form = "RTC:::Controller::", "RTC:::Controller:"
-    suffix, missing = ".so", []
+    long_form = "RTC:::Controller::"
+    other_form = "RTC:::Controller:"
+    suffix = ".so"
+    missing = []
 
     @classmethod
     def setUpClass(cls):
@@ -272,7 +278,8 @@ class Slaves(Flavoured):
 
 
 class Cpp2(Slaves, unittest.TestCase):
-    words, missing = ("--flavour", "cpp2"), ["refstring_path"]
+    words = ("--flavour", "cpp2")
+    missing = ["refstring_path"]
     copies = 1
 
 
@@ -281,15 +288,21 @@ class Cpp12(Slaves, unittest.TestCase):
 
 
 class Py2(Slaves, unittest.TestCase):
-    sticky, twins, pid, starts = True, 1, int, False
-    suffix, missing = ".py", ["refstring_path", "components.precreate", "modules.config_path"]
+    sticky = True
+    twins = 1
+    pid = int
+    starts = False
+    suffix = ".py"
+    missing = ["refstring_path", "components.precreate", "modules.config_path"]
 
 
 class Cpp11(Flavoured, unittest.TestCase):
     """C++ 1.1: the master creates itself, and does not look for modules."""
 
-    words, unknown = ("--flavour", "cpp11"), "RTC_OK"
-    long_form, other_form = "RTC:::Controller:", "RTC:::Controller::"
+    words = ("--flavour", "cpp11")
+    unknown = "RTC_OK"
+    long_form = "RTC:::Controller:"
+    other_form = "RTC:::Controller::"
 
     @classmethod
     def hosting(cls):

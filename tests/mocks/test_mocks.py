@@ -33,8 +33,11 @@ class Components(flavours.Flavoured):
 
     def test_life_cycle(self):
         """Return codes of activate, deactivate and reset in every state."""
-        component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")
-        inactive, active, error = RTC.INACTIVE_STATE, RTC.ACTIVE_STATE, RTC.ERROR_STATE
+        component = self.world.component("ConsoleIn0")
+        context = self.world.context("ConsoleIn0")
+        inactive = RTC.INACTIVE_STATE
+        active = RTC.ACTIVE_STATE
+        error = RTC.ERROR_STATE
         for state, operation, expected, after in (
             (inactive, "deactivate", "PRECONDITION_NOT_MET", inactive),
             (inactive, "reset", "PRECONDITION_NOT_MET", inactive),
@@ -61,14 +64,16 @@ class Components(flavours.Flavoured):
 
     def test_strangers_in_a_context(self):
         """Components that are not in the context, and nil."""
-        context, stranger = self.world.context("ConsoleIn0"), self.world.component("ConsoleOut0")
+        context = self.world.context("ConsoleIn0")
+        stranger = self.world.component("ConsoleOut0")
         self.assertEqual(str(context.activate_component(stranger)), "BAD_PARAMETER")
         self.assertEqual(str(context.get_component_state(stranger)), "CREATED_STATE")
         self.assertEqual(outcome(context.activate_component, None), self.nil_component)
         self.assertEqual(str(context.remove_component(stranger)), "BAD_PARAMETER")
 
     def test_start_stop_rate(self):
-        component, context = self.world.component("ConsoleOut0"), self.world.context("ConsoleOut0")
+        component = self.world.component("ConsoleOut0")
+        context = self.world.context("ConsoleOut0")
         self.assertEqual(str(context.start()), "PRECONDITION_NOT_MET")
         self.assertEqual(str(context.stop()), "RTC_OK")
         self.assertEqual(str(context.stop()), "PRECONDITION_NOT_MET")
@@ -88,7 +93,8 @@ class Components(flavours.Flavoured):
         context.set_rate(100)
 
     def test_contexts_and_handles(self):
-        component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")
+        component = self.world.component("ConsoleIn0")
+        context = self.world.context("ConsoleIn0")
         self.assertEqual(component.get_context_handle(context), 0)
         self.assertEqual(component.get_context_handle(self.world.context("ConsoleOut0")), -1)
         self.assertTrue(component.get_context(0)._is_equivalent(context))

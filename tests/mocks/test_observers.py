@@ -87,7 +87,8 @@ class Observers(Case):
     def test_life_cycle(self):
         """The configuration is taken over first; a failing callback is not reported, the error is."""
         observer = self.observe("ConsoleIn0", Observer(), observed_status="RTC_STATUS,CONFIGURATION")
-        component, context = self.world.component("ConsoleIn0"), self.world.context("ConsoleIn0")
+        component = self.world.component("ConsoleIn0")
+        context = self.world.context("ConsoleIn0")
         context.activate_component(component)
         self.world.ctl("error", "ConsoleIn0")
         context.reset_component(component)
@@ -105,7 +106,8 @@ class Observers(Case):
 
     def test_contexts(self):
         observer = self.observe("Motor0", Observer(), observed_status="EC_STATUS")
-        component, context = self.world.component("Motor0"), self.world.context("Motor0")
+        component = self.world.component("Motor0")
+        context = self.world.context("Motor0")
         context.stop()
         context.start()
         context.set_rate(5)
@@ -123,7 +125,8 @@ class Observers(Case):
         """Connections, and data as often as was asked for."""
         observer = self.observe("ConsoleOut0", FsmObserver(), observed_status="PORT_PROFILE",
                                 port_profile__receive_event__min_interval="0")
-        out, inp = self.world.port("ConsoleIn0", "out"), self.world.port("ConsoleOut0", "in")
+        out = self.world.port("ConsoleIn0", "out")
+        inp = self.world.port("ConsoleOut0", "in")
         _, profile = out.connect(connector([out, inp]))
         self.world.ctl("write", "ConsoleIn0:out", "1")
         self.world.ctl("write", "ConsoleIn0:out", "2")
@@ -142,7 +145,8 @@ class Observers(Case):
     def test_configuration(self):
         """With a blank after the colon."""
         observer = self.observe("Motor0", Observer())
-        configuration, component = self.configuration, self.world.component("Motor0")
+        configuration = self.configuration
+        component = self.world.component("Motor0")
         self.world.context("Motor0").activate_component(component)
         self.assertEqual(observer.next(2)[1], ("RTC_STATUS", "ACTIVE:0"))
         eventually(

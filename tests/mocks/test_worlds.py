@@ -42,19 +42,22 @@ class Worlds(unittest.TestCase):
     def test_slow_transitions(self):
         """RTC_ERROR after half a second, and the change later; a context of 1 Hz takes up to a second."""
         world = self.world("slow")
-        component, context = world.component("Slow0"), world.context("Slow0")
+        component = world.component("Slow0")
+        context = world.context("Slow0")
         start = time.monotonic()
         self.assertEqual(str(context.activate_component(component)), "RTC_ERROR")
         self.assertGreater(time.monotonic() - start, 0.45)
         eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active in the end")
-        component, context = world.component("Lazy0"), world.context("Lazy0")
+        component = world.component("Lazy0")
+        context = world.context("Lazy0")
         self.assertEqual(str(context.activate_component(component)), "RTC_OK")
 
     def test_transitions_that_answer_at_once(self):
         """C++ 1.1, and contexts with sync_transition NO, change later than they answer."""
         for words in (("--flavour", "cpp11"), ("--async",)):
             world = self.world("slow", *words)
-            component, context = world.component("Slow0"), world.context("Slow0")
+            component = world.component("Slow0")
+            context = world.context("Slow0")
             self.assertEqual([str(context.activate_component(component)) for _ in range(2)], ["RTC_OK"] * 2)
             self.assertEqual(context.get_component_state(component), RTC.INACTIVE_STATE)
             eventually(
@@ -64,7 +67,8 @@ class Worlds(unittest.TestCase):
     def test_rtorb(self):
         """RtORB's bare names, one connection a port, no ids of others."""
         world = self.world("two", "--flavour", "rtorb")
-        out, inp = world.port("ConsoleIn0", "out"), world.port("ConsoleOut0", "in")
+        out = world.port("ConsoleIn0", "out")
+        inp = world.port("ConsoleOut0", "in")
         profile = out.get_port_profile()
         self.assertEqual(
             (profile.name, value(profile.properties, "dataport.data_type")), ("out", "TimedLong")
@@ -79,7 +83,8 @@ class Worlds(unittest.TestCase):
     def test_java(self):
         """Java asks the other ports for doubles, and shows the last value."""
         world = self.world("two", "--flavour", "java")
-        out, inp = world.port("ConsoleIn0", "out"), world.port("ConsoleOut0", "in")
+        out = world.port("ConsoleIn0", "out")
+        inp = world.port("ConsoleOut0", "in")
         codes = [outcome(out.connect, connector([out, inp])) for _ in range(2)]
         self.assertEqual(codes, ["RTC_OK", "PRECONDITION_NOT_MET"])
         world.ctl("write", "ConsoleIn0:out", "5")
@@ -107,7 +112,8 @@ class Worlds(unittest.TestCase):
 
     def test_errors(self):
         world = self.world("error")
-        component, context = world.component("Err0"), world.context("Err0")
+        component = world.component("Err0")
+        context = world.context("Err0")
         self.assertEqual(str(context.activate_component(component)), "RTC_OK")
         eventually(lambda: context.get_component_state(component) == RTC.ERROR_STATE, "error")
 
@@ -116,19 +122,22 @@ class Worlds(unittest.TestCase):
         """
         for flavour in ("cpp11", "cpp12", "cpp2", "py2", "java"):
             world = self.world("error", "--flavour", flavour, "--rate", "5")
-            component, context = world.component("ErrStart0"), world.context("ErrStart0")
+            component = world.component("ErrStart0")
+            context = world.context("ErrStart0")
             self.assertEqual(str(context.activate_component(component)), "RTC_OK")
             eventually(lambda: context.get_component_state(component) == RTC.ACTIVE_STATE, "active")
             eventually(lambda: context.get_component_state(component) == RTC.ERROR_STATE, "error")
         world = self.world("error", "--flavour", "rtorb")
-        component, context = world.component("ErrStart0"), world.context("ErrStart0")
+        component = world.component("ErrStart0")
+        context = world.context("ErrStart0")
         context.activate_component(component)
         self.assertEqual(context.get_component_state(component), RTC.ERROR_STATE)
 
     def test_participating(self):
         """A context of another component has handle 1000, and leaves again."""
         world = self.world("contexts")
-        multi, driver = world.component("Multi0"), world.context("Driver0")
+        multi = world.component("Multi0")
+        driver = world.context("Driver0")
         self.assertEqual(len(multi.get_owned_contexts()), 2)
         self.assertEqual(multi.get_context_handle(driver), 1000)
         self.assertTrue(multi.get_context(1000)._is_equivalent(driver))
@@ -141,7 +150,8 @@ class Worlds(unittest.TestCase):
     def test_exit(self):
         """The object is gone at once, its name a little later."""
         world = self.world("linked")
-        component, port = world.component("ConsoleIn0"), world.port("ConsoleIn0", "out")
+        component = world.component("ConsoleIn0")
+        port = world.port("ConsoleIn0", "out")
         self.assertEqual(str(component.exit()), "RTC_OK")
         self.assertTrue(component._non_existent() and port._non_existent())
         self.assertEqual(outcome(component.exit), "OBJECT_NOT_EXIST")

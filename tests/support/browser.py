@@ -66,7 +66,8 @@ class Browser:
         )
         for end in [its_in, its_out] + far:
             os.close(end)
-        self.reading, self.writing = own_in, own_out
+        self.reading = own_in
+        self.writing = own_out
         self.rest = b""
         self.count = 0
         self.events = []

@@ -21,9 +21,13 @@ class Dialect(relay.Relay):
 
     def __init__(self, minor, order="<", piece=None, strict=False):
         super().__init__()
-        self.minor, self.order, self.piece, self.strict = minor, order, piece, strict
+        self.minor = minor
+        self.order = order
+        self.piece = piece
+        self.strict = strict
         self.types = {}  # {key of an object: its repository id}
-        self.reader, self.writer = _Reader("<", self.types), marshal.Maker(order)
+        self.reader = _Reader("<", self.types)
+        self.writer = marshal.Maker(order)
         self.translated, self.untranslated = set(), set()  # operations; a robot may mix byte orders
 
     def refused(self, message):

@@ -119,7 +119,8 @@ def build_wheel(python):
         return wheel
     builder = _builder(python)
     with tempfile.TemporaryDirectory(prefix="rt-build-") as directory:
-        source, out = os.path.join(directory, "source"), os.path.join(directory, "out")
+        source = os.path.join(directory, "source")
+        out = os.path.join(directory, "out")
         os.mkdir(source)
         for name in SOURCES:
             copy(os.path.join(ROOT, name), os.path.join(source, name))

@@ -33,15 +33,24 @@ def plain(start, interfaces):
 class Cpp11:
     """OpenRTM-aist 1.1.2."""
 
-    flavour, author, property_count = "cpp11", ("Noriaki Ando, AIST", "1.0"), None
-    language, endpoint, uuid, waits = ("C++", "compile", "1.1.2", ""), "corba.endpoint", 4, False
-    nil_component, activate_stopped, sleeps = "BAD_PARAMETER", ("RTC_OK", "INACTIVE_STATE"), False
-    context_properties, ext_trig = ["type", "rate"], True
+    flavour = "cpp11"
+    author = ("Noriaki Ando, AIST", "1.0")
+    property_count = None
+    language = ("C++", "compile", "1.1.2", "")
+    endpoint = "corba.endpoint"
+    uuid = 4
+    waits = False
+    nil_component = "BAD_PARAMETER"
+    activate_stopped = ("RTC_OK", "INACTIVE_STATE")
+    sleeps = False
+    context_properties = ["type", "rate"]
+    ext_trig = True
     out_properties = plain(OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr") + [
         "dataport.data_value"
     ]
     in_properties = plain(IN, "corba_cdr")
-    no_service_profile, no_sdo_service = "InternalError", "InternalError"
+    no_service_profile = "InternalError"
+    no_sdo_service = "InternalError"
     added = {
         (False, "push"): ["corba_cdr.inport_ior", "corba_cdr.inport_ref"],
         (True, "push"): ["corba_cdr.inport_ior"],
@@ -55,38 +64,54 @@ class Cpp11:
         "RTC_OK",
         [],
     )
-    short_put, empty, readback, obeys_big = "MARSHAL", "BUFFER_EMPTY", "PORT_OK", True
-    empty_id, bad_activate, number, set_creates = "InternalError", "InvalidParameter", "98765", True
+    short_put = "MARSHAL"
+    empty = "BUFFER_EMPTY"
+    readback = "PORT_OK"
+    obeys_big = True
+    empty_id = "InternalError"
+    bad_activate = "InvalidParameter"
+    number = "98765"
+    set_creates = True
     no_set, cannot_activate, parameter = (
         "Unknown exception",
         "Configuration::activate_configuration_set()",
         None,
     )
-    service, service_sleeps = ("myservice0", "MyService"), True
-    dead_port, dead_component = None, None
+    service = ("myservice0", "MyService")
+    service_sleeps = True
+    dead_port = None
+    dead_component = None
 
 
 class Cpp12(Cpp11):
     """OpenRTM-aist 1.2.2."""
 
     flavour = "cpp12"
-    language, endpoint, waits = ("C++", "compile", "1.2.2", ""), "corba.endpoints", True
+    language = ("C++", "compile", "1.2.2", "")
+    endpoint = "corba.endpoints"
+    waits = True
     activate_stopped = ("RTC_OK", "ACTIVE_STATE")
     ext_trig = False
     out_properties = plain(
         OUT + ["dataport.subscription_type=flush,new,periodic"], "corba_cdr,direct,shared_memory"
     )
     in_properties = plain(IN, "corba_cdr,direct,shared_memory")
-    no_service_profile, no_sdo_service = "InvalidParameter", "InvalidParameter"
-    direct, double, obeys_big = "RTC_ERROR", "PRECONDITION_NOT_MET", False
+    no_service_profile = "InvalidParameter"
+    no_sdo_service = "InvalidParameter"
+    direct = "RTC_ERROR"
+    double = "PRECONDITION_NOT_MET"
+    obeys_big = False
 
 
 class Cpp2(Cpp12):
     """OpenRTM-aist 2.1."""
 
-    flavour, author, property_count = "cpp2", ("AIST", "2.0.0"), 43
+    flavour = "cpp2"
+    author = ("AIST", "2.0.0")
+    property_count = 43
     language = ("C++", "compile", "2.1.0", "")
-    activate_stopped, sleeps = ("RTC_ERROR", "INACTIVE_STATE"), True
+    activate_stopped = ("RTC_ERROR", "INACTIVE_STATE")
+    sleeps = True
     context_properties = ["sync_transition", "transition_timeout", "type", "rate", "name"]
     out_properties = modern(
         OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES],
@@ -97,26 +122,36 @@ class Cpp2(Cpp12):
     added = {(False, "push"): ["outport", "inport", "corba_cdr.inport_ior", "corba_cdr.inport_ref"],
              (True, "push"): ["inport", "corba_cdr.inport_ior", "outport", "corba_cdr.inport_ref"],
              (False, "pull"): ["outport", "corba_cdr.outport_ior", "inport", "corba_cdr.outport_ref"]}
-    marshaling, short_put = "RTC_ERROR", "PORT_OK"
+    marshaling = "RTC_ERROR"
+    short_put = "PORT_OK"
     service = ("myservice", "SimpleService::MyService")
-    dead_port, dead_component = "TRANSIENT", "COMM_FAILURE"
+    dead_port = "TRANSIENT"
+    dead_component = "COMM_FAILURE"
 
 
 class Py2:
     """OpenRTM-aist-Python 2.1."""
 
-    flavour, author, property_count = "py2", ("Shinji Kurihara", "1.0"), 41
+    flavour = "py2"
+    author = ("Shinji Kurihara", "1.0")
+    property_count = 41
     language = ("Python", "script", "2.1.0", "IDL:OpenRTM/ComponentObserver:1.0")
-    endpoint, uuid, waits = "corba.endpoints", 1, True
-    nil_component, activate_stopped, sleeps = "BAD_PARAM", ("RTC_ERROR", "INACTIVE_STATE"), True
-    context_properties, ext_trig = ["sync_transition", "transition_timeout", "type", "rate"], False
+    endpoint = "corba.endpoints"
+    uuid = 1
+    waits = True
+    nil_component = "BAD_PARAM"
+    activate_stopped = ("RTC_ERROR", "INACTIVE_STATE")
+    sleeps = True
+    context_properties = ["sync_transition", "transition_timeout", "type", "rate"]
+    ext_trig = False
     out_properties = modern(
         OUT + ["dataport.subscription_type=" + MODES, "dataport.io_mode=" + MODES],
         "push,pull,duplex",
         "corba_cdr,csp_channel,data_service,direct,shared_memory",
     )
     in_properties = modern(IN, "push,pull,duplex", "corba_cdr,csp_channel,data_service,direct,shared_memory")
-    no_service_profile, no_sdo_service = "InternalError", "InvalidParameter"
+    no_service_profile = "InternalError"
+    no_sdo_service = "InvalidParameter"
     added = {
         (False, "push"): [
             "outport.data_type",
@@ -137,14 +172,27 @@ class Py2:
             "inport.data_type",
         ],
     }
-    periodic, endian, marshaling, direct = "RTC_OK", "RTC_ERROR", "RTC_ERROR", "RTC_ERROR"
-    double, half = "PRECONDITION_NOT_MET", ["half"]
-    short_put, empty, readback, obeys_big = "PORT_OK", "BAD_PARAM", "BAD_PARAM", True
-    empty_id, bad_activate, number, set_creates = "UNKNOWN", "InternalError", "5", False
-    no_set, cannot_activate = "No such ConfigurationSet", "Configuration.activate_configuration_set()"
+    periodic = "RTC_OK"
+    endian = "RTC_ERROR"
+    marshaling = "RTC_ERROR"
+    direct = "RTC_ERROR"
+    double = "PRECONDITION_NOT_MET"
+    half = ["half"]
+    short_put = "PORT_OK"
+    empty = "BAD_PARAM"
+    readback = "BAD_PARAM"
+    obeys_big = True
+    empty_id = "UNKNOWN"
+    bad_activate = "InternalError"
+    number = "5"
+    set_creates = False
+    no_set = "No such ConfigurationSet"
+    cannot_activate = "Configuration.activate_configuration_set()"
     parameter = "BAD_PARAM"
-    service, service_sleeps = ("myservice0", "MyService"), True
-    dead_port, dead_component = "TRANSIENT", "TRANSIENT"
+    service = ("myservice0", "MyService")
+    service_sleeps = True
+    dead_port = "TRANSIENT"
+    dead_component = "TRANSIENT"
 
 
 class Flavoured:
@@ -157,7 +205,8 @@ class Flavoured:
     def setUpClass(cls):
         cls.world = worlds.World(*(cls.types.split() + ["--flavour", cls.flavour, "--rate", "100"]))
         cls.far = worlds.World("these", "ConsoleOut:Far0", "--flavour", cls.flavour)
-        cls.out, cls.inp = cls.world.port("ConsoleIn0", "out"), cls.world.port("ConsoleOut0", "in")
+        cls.out = cls.world.port("ConsoleIn0", "out")
+        cls.inp = cls.world.port("ConsoleOut0", "in")
 
     @classmethod
     def tearDownClass(cls):

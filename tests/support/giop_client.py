@@ -20,7 +20,8 @@ class Port:
     interface = "OpenRTM.InPortCdr"
 
     def __init__(self):
-        self.taken, self.came = [], threading.Semaphore(0)
+        self.taken = []
+        self.came = threading.Semaphore(0)
 
     def put(self, data):
         if data == b"raise":
@@ -129,7 +130,8 @@ class Client:
                 return b""
             self.data += piece
         size = 12 + messages.size(self.data)
-        found, self.data = self.data[:size], self.data[size:]
+        found = self.data[:size]
+        self.data = self.data[size:]
         return found
 
     def ask(self, *messages):
@@ -170,7 +172,9 @@ class Serving:
     """A loop on a thread, which serves."""
 
     def __init__(self):
-        self.loop, self._began, self._over = None, threading.Event(), loop.Bell()
+        self.loop = None
+        self._began = threading.Event()
+        self._over = loop.Bell()
         self._thread = threading.Thread(
             target=lambda: loop.run(self._run(), session=session.Session(LIMIT)), daemon=True
         )
@@ -185,7 +189,8 @@ class Serving:
 
     def call(self, function, *args):
         """What function(*args) returns, or raises, on that thread."""
-        box, done = [], threading.Event()
+        box = []
+        done = threading.Event()
 
         def work():
             try:
@@ -211,7 +216,8 @@ class Served(unittest.TestCase):
     def setUp(self):
         self.serving = Serving()
         self.addCleanup(self.serving.close)
-        self.port, self.observer = Port(), Observer()
+        self.port = Port()
+        self.observer = Observer()
         self.key, self.withdraw = self.serve(self.port)
         self.observed, _ = self.serve(self.observer)
 

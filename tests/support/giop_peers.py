@@ -24,7 +24,8 @@ class Peer:
         self.listening = socket.socket()
         self.listening.bind(("127.0.0.1", 0))
         self.listening.listen(5)
-        self.answers, self.asked = list(answers), 0
+        self.answers = list(answers)
+        self.asked = 0
         self.port = self.listening.getsockname()[1]
         threading.Thread(target=self._serve, daemon=True).start()
 
@@ -66,7 +67,9 @@ class Script:
         self.listening = socket.socket()
         self.listening.bind(("127.0.0.1", 0))
         self.listening.listen(5)
-        self.play, self.most, self.connections = play, 0, 0
+        self.play = play
+        self.most = 0
+        self.connections = 0
         self.ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % self.listening.getsockname()[1])
         threading.Thread(target=self._serve, daemon=True).start()
 
@@ -80,7 +83,8 @@ class Script:
             threading.Thread(target=self._talk, args=(connection,), daemon=True).start()
 
     def _talk(self, connection):
-        data, pending = b"", []
+        data = b""
+        pending = []
         with connection, contextlib.suppress(ConnectionError):
             while True:
                 piece = connection.recv(65536)

@@ -126,7 +126,8 @@ def mocks_alone():
 
 def unused_name(name):
     """The name for one more peer of that name: two, two2, two3 …"""
-    known, number = name, 1
+    known = name
+    number = 1
     while os.path.exists(session_file(known + ".pid")):
         number += 1
         known = "%s%d" % (name, number)

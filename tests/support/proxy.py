@@ -14,13 +14,18 @@ class Proxy:
 
     def __init__(self):
         self.lock = threading.Lock()
-        self.port, self.target = 0, None
-        self.listener, self.open = None, []
+        self.port = 0
+        self.target = None
+        self.listener = None
+        self.open = []
         self.reset()
 
     def reset(self):
         """Start again without faults, and count calls from 0; listen again if it had stopped."""
-        self.calls, self.nth, self.kind, self.hangs = 0, None, None, False
+        self.calls = 0
+        self.nth = None
+        self.kind = None
+        self.hangs = False
         if self.listener is None:
             self.listener = socket.socket()
             self.listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -31,12 +36,15 @@ class Proxy:
 
     def fail(self, nth, kind):
         """Let the nth next call end in one of KINDS."""
-        self.calls, self.nth, self.kind = 0, nth, kind
+        self.calls = 0
+        self.nth = nth
+        self.kind = kind
 
     def close(self):
         """Close everything, as a process does when it ends."""
         with self.lock:
-            closing, self.open = [self.listener] + self.open, []
+            closing = [self.listener] + self.open
+            self.open = []
             self.listener = None
         for each in filter(None, closing):
             end(each)
@@ -83,7 +91,9 @@ class Link:
     """A connection of a client, and its connection to the name server."""
 
     def __init__(self, client, server):
-        self.client, self.server, self.loses = client, server, False
+        self.client = client
+        self.server = server
+        self.loses = False
 
     def answer(self):
         try:

@@ -54,7 +54,8 @@ async def _answer(path):
 class Cplusplus:
     """The examples of a directory with programs."""
 
-    name, more = "C++", ""
+    name = "C++"
+    more = ""
 
     def __init__(self, directory):
         found = glob.glob(os.path.join(glob.escape(directory), "**", "*Comp"), recursive=True)
@@ -111,10 +112,13 @@ class Robot:
     """Components of one implementation, each in a process of its own, bound below a context of their own."""
 
     def __init__(self, implementation, label, rate, name_server, parts=tuple(PARTS)):
-        self.implementation, self.label, self.rate = implementation, label, rate
+        self.implementation = implementation
+        self.label = label
+        self.rate = rate
         self.home = "/127.0.0.1:%d/%s.host_cxt" % (name_server, label)
         self.directory = tempfile.TemporaryDirectory(prefix="rt-real-")
-        self.processes, self.nodes = {}, {}
+        self.processes = {}
+        self.nodes = {}
         self.harm = None  # what was wrong first: reported once, and the rest is not tried
         try:
             for part in parts:

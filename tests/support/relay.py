@@ -18,7 +18,9 @@ class Relay:
 
     def __init__(self):
         # ports: of ours by those behind, and the reverse
-        self.fronts, self._real, self._lock = {}, {}, threading.Lock()
+        self.fronts = {}
+        self._real = {}
+        self._lock = threading.Lock()
 
     def front(self, port):
         """The port in front of another one."""

@@ -79,7 +79,9 @@ def die_with_parent():
 
 
 def main():
-    path, module, patterns = sys.argv[1], sys.argv[2], sys.argv[3:]
+    path = sys.argv[1]
+    module = sys.argv[2]
+    patterns = sys.argv[3:]
     threading.Thread(target=die_with_parent, daemon=True).start()
     here = os.path.dirname(os.path.join(TESTS, module))
     found = unittest.defaultTestLoader.discover(here, os.path.basename(module) + ".py", here)

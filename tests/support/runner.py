@@ -179,7 +179,8 @@ def mocks_alone():
 
 def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, accept=False):
     """Jobs for the transcripts under a shell (None: all); `in_matrix`: those that have their turn."""
-    missing, label = transcripts.missing_shells(), " ".join(filter(None, (python.version, setting.orb)))
+    missing = transcripts.missing_shells()
+    label = " ".join(filter(None, (python.version, setting.orb)))
 
     def job(path, shell):
         name = transcripts.case_name(path, shell)
@@ -238,8 +239,10 @@ class Score:
     """The outcomes so far, which are printed as they come."""
 
     def __init__(self):
-        self.counts, self.reasons = {"pass": 0, "fail": 0, "skip": 0}, {}
-        self.left, self.begun = 0, time.monotonic()
+        self.counts = {"pass": 0, "fail": 0, "skip": 0}
+        self.reasons = {}
+        self.left = 0
+        self.begun = time.monotonic()
 
     def progress(self):
         """On a terminal, a line that the next one replaces."""
@@ -289,7 +292,8 @@ def run_jobs(jobs, score):
 
 
 def _run_some(jobs, lanes, score):
-    waiting, finished = queue.Queue(), queue.Queue()
+    waiting = queue.Queue()
+    finished = queue.Queue()
     score.left += len(jobs)
     for job in jobs:
         waiting.put(job)
@@ -475,7 +479,8 @@ def main():
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
     short.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
     environments.need_loopback()
-    marker, score = leftovers.mark(), Score()
+    marker = leftovers.mark()
+    score = Score()
     held = environments.lock()
     try:
         wheel = environments.build_wheel(builder())

@@ -40,8 +40,14 @@ class Ran:
     """
 
     def __init__(self, words, status, out, err, seconds, waited, resident, said):
-        self.words, self.status, self.out, self.err = words, status, out, err
-        self.seconds, self.waited, self.resident, self.said = seconds, waited, resident, said
+        self.words = words
+        self.status = status
+        self.out = out
+        self.err = err
+        self.seconds = seconds
+        self.waited = waited
+        self.resident = resident
+        self.said = said
 
     def __str__(self):
         return "%s: status %d, %.2f s (%.2f s for a processor), %d kB\n%s%s" % (
@@ -147,7 +153,8 @@ def sample(cases, count, seed=1):
 
     RTSHELL_SEED, the day in .ci/run, chooses others.
     """
-    cases, seed = list(cases), "%s%d" % (os.environ.get("RTSHELL_SEED", ""), seed)
+    cases = list(cases)
+    seed = "%s%d" % (os.environ.get("RTSHELL_SEED", ""), seed)
     if THOROUGH or len(cases) <= count:
         return cases
     ranks = [zlib.crc32(("%s %s" % (seed, case)).encode()) for case in cases]
@@ -163,7 +170,8 @@ class Surroundings:
     def __init__(self):
         self.top = tempfile.mkdtemp(prefix="rt-faults-")
         processes.open_session(self.top)
-        self.processes, self.worlds = [], {}
+        self.processes = []
+        self.worlds = {}
         self.lock = threading.Lock()
 
     def name_server(self, name="names", published=None, options=()):

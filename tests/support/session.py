@@ -118,7 +118,8 @@ def write_tool(path, command):
 
 def play(request, environment, home):
     """Run all steps in one shell: pairs of output and status, and what went wrong with the session itself."""
-    script, output = tools.session_file("script"), tools.session_file("output")
+    script = tools.session_file("script")
+    output = tools.session_file("output")
     with open(script, "w", encoding="utf-8") as file:
         file.write(
             "_mark() { _status=$?; printf '%%s%%s %%s\\n' '%s' $1 $_status; return $_status; }\n" % MARK

@@ -63,7 +63,8 @@ def has_turn(path, shell, orb):
     if not is_chosen():
         return True
     number = zlib.crc32(os.path.basename(path).encode())
-    known, turns = sorted(transcripts.SHELLS), orbs()[-1:] + (OF_OMNIORB - 1) * orbs()[:1]
+    known = sorted(transcripts.SHELLS)
+    turns = orbs()[-1:] + (OF_OMNIORB - 1) * orbs()[:1]
     number, chosen_shell = divmod(number, len(known))
     number, chosen_orb = divmod(number, len(turns))
     is_meant = number % OF_FAILURES == 0 or not path.endswith(("-faults.t", "-failures.t"))

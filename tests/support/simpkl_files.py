@@ -12,9 +12,11 @@ def _class(module, name):
     return type(name, (object,), {"__module__": module})
 
 
-PortSpec, CurPos = _class("rtshell.port_types", "PortSpec"), _class("rtshell.simpkl_log", "CurPos")
+PortSpec = _class("rtshell.port_types", "PortSpec")
+CurPos = _class("rtshell.simpkl_log", "CurPos")
 EntryTS = _class("rtshell.ilog", "EntryTS")
-Time, TimedLong = _class("rtctree.rtc.RTC", "Time"), _class("rtctree.rtc.RTC", "TimedLong")
+Time = _class("rtctree.rtc.RTC", "Time")
+TimedLong = _class("rtctree.rtc.RTC", "TimedLong")
 CLASSES = (PortSpec, CurPos, EntryTS, Time, TimedLong)
 
 

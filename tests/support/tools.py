@@ -38,7 +38,8 @@ def play_ctl(words):
     from mock_components import asking
     where = os.environ.get("MOCK_CONTROL", "")
     if words and words[0].startswith("@"):
-        where, words = control(words[0][1:]), words[1:]
+        where = control(words[0][1:])
+        words = words[1:]
     return asking.ask(where, words)
 
 
@@ -120,7 +121,8 @@ def play_within(words):
     begun = time.monotonic()
     process = spawn(words[1:])
     os.waitid(os.P_PID, process, os.WEXITED | os.WNOWAIT)
-    taken, waited = time.monotonic() - begun, waited_for_processor(process)
+    taken = time.monotonic() - begun
+    waited = waited_for_processor(process)
     status = shell_status(os.waitpid(process, 0)[1])
     if taken < least or taken - waited > most:
         sys.stdout.write("took %.2f s (%.2f s of it for a processor), not %s\n" % (taken, waited, words[0]))
@@ -231,7 +233,8 @@ NAMES = [name[5:].replace("_", "-") for name in sorted(globals()) if name.starts
 
 def main():
     sys.path.insert(0, HERE)
-    name, words = sys.argv[1], sys.argv[2:]
+    name = sys.argv[1]
+    words = sys.argv[2:]
     try:
         return globals()["play_" + name.replace("-", "_")](words)
     except Exception as e:  # Failed among them, by two names: `processes` imports this file, too

@@ -66,7 +66,9 @@ class Step:
 
 def parse(text):
     """Split a transcript into lines of prose and Steps, in their order."""
-    items, blanks, step = [], [], None
+    items = []
+    blanks = []
+    step = None
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip():
             blanks.append("")
@@ -84,7 +86,8 @@ def parse(text):
                 blanks = []
         else:
             items += blanks + [line]
-            blanks, step = [], None
+            blanks = []
+            step = None
     return items + blanks
 
 
@@ -174,12 +177,14 @@ def _align(expected, actual):
             longest[i][j] = (
                 1 + longest[i + 1][j + 1] if same[i][j] else max(longest[i + 1][j], longest[i][j + 1])
             )
-    merged, i = [], 0
+    merged = []
+    i = 0
     for j, line in enumerate(actual):
         while i < len(expected) and not same[i][j] and longest[i + 1][j] >= longest[i][j + 1]:
             i += 1
         if i < len(expected) and same[i][j]:
-            line, i = expected[i], i + 1
+            line = expected[i]
+            i = i + 1
         merged.append(line)
     return merged
 

@@ -101,7 +101,8 @@ class World(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         worlds.start_name_server()
-        cls.world, cls.configured = worlds.World("console"), worlds.World("config")
+        cls.world = worlds.World("console")
+        cls.configured = worlds.World("config")
         cls.home = "/127.0.0.1:%d/test.host_cxt/" % worlds.Server.port
 
     @classmethod
@@ -149,7 +150,8 @@ class World(unittest.TestCase):
 
     def test_connections_and_values(self):
         source, sink = (api.component(self.home + name) for name in ("ConsoleIn0.rtc", "ConsoleOut0.rtc"))
-        one, other = source.path + ":out", sink.path + ":in"
+        one = source.path + ":out"
+        other = sink.path + ":in"
         with api.connected(one, other, subscription_type="flush") as made:
             self.assertEqual(source.ports()[0].connections, [made])
         self.assertEqual(source.ports()[0].connections, [])
@@ -181,7 +183,8 @@ class World(unittest.TestCase):
             api.next_value(port, timeout=0.3)
 
     def test_components_do_not_wait_while_the_program_looks_at_a_value(self):
-        coming, came = api.values(self.home + "ConsoleIn0.rtc:out", timeout=worlds.LIMIT), threading.Event()
+        coming = api.values(self.home + "ConsoleIn0.rtc:out", timeout=worlds.LIMIT)
+        came = threading.Event()
 
         def write():
             while not came.is_set():
@@ -201,7 +204,8 @@ class World(unittest.TestCase):
         self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").ports()[0].connections, [])
 
     def test_a_system_is_kept(self):
-        one, other = self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"
+        one = self.home + "ConsoleIn0.rtc:out"
+        other = self.home + "ConsoleOut0.rtc:in"
         api.connect(one, other)
         profile = api.capture(self.home)
         profile.components = [
@@ -230,7 +234,8 @@ class World(unittest.TestCase):
     def test_systems(self):
         with api.connected(self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"), \
                 tempfile.TemporaryDirectory() as directory:
-            profile, path = api.capture(self.home), os.path.join(directory, "robot.rtsys")
+            profile = api.capture(self.home)
+            path = os.path.join(directory, "robot.rtsys")
             api.dump_profile(profile, path)
             again = api.load_profile(path)
             self.assertEqual(again, profile)
@@ -419,7 +424,8 @@ class Robot(unittest.TestCase):
             api.manager(self.home + "nosuch.mgr")
 
     def test_connections_are_objects(self):
-        one, other = self.home + "ConsoleIn0.rtc:out", self.home + "ConsoleOut0.rtc:in"
+        one = self.home + "ConsoleIn0.rtc:out"
+        other = self.home + "ConsoleOut0.rtc:in"
         made = api.connect(one, other, subscription_type="flush")
         (connection,) = api.component(self.home + "ConsoleIn0.rtc").connections()
         self.assertEqual((connection.id, sorted(connection.ports)), (made, [one, other]))

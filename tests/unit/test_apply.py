@@ -64,7 +64,9 @@ class Switch(steps.Step):
 
     def __init__(self, where, *found, undoes=True):
         super().__init__([], where, where)
-        self.on, self.undoes, self.coming = False, undoes, list(found)
+        self.on = False
+        self.undoes = undoes
+        self.coming = list(found)
 
     def questions(self):
         return [sites.Question(self.endpoint, self.where, self.look)]

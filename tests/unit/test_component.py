@@ -15,7 +15,8 @@ NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
 class Asked:
     """Answers calls, by operation; names a Node."""
 
-    path, typed = NODE.path, None
+    path = NODE.path
+    typed = None
 
     def __init__(self, **answers):
         self.answers = answers

@@ -26,7 +26,8 @@ class Sets:
     where = "/localhost/a.rtc"
 
     def __init__(self, values, active=""):
-        self.values, self.active = values, active
+        self.values = values
+        self.active = active
 
     def sets(self, with_hidden=False):
         return [

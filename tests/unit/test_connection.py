@@ -23,8 +23,13 @@ LIMIT = 10.0  # seconds that anything may take
 def idle_reader():
     """The part of a push Reader that closes it, for a port that sends nothing."""
     reader = reading.Reader.__new__(reading.Reader)
-    reader.dataflow, reader.agreed, reader.served = "push", {"dataport.subscription_type": "periodic"}, None
-    reader.first, reader.last, reader.count, reader.heaviest = 0.0, 0.0, 0, 0
+    reader.dataflow = "push"
+    reader.agreed = {"dataport.subscription_type": "periodic"}
+    reader.served = None
+    reader.first = 0.0
+    reader.last = 0.0
+    reader.count = 0
+    reader.heaviest = 0
     reader.renew()
     return reader
 
@@ -33,9 +38,12 @@ class Connection:
     """Replaces a connection.Connection; signals come while it is opened or closed."""
 
     def __init__(self, strikes=()):
-        self.strikes, self.endpoint, self.where = strikes, ("here", 1), "/a.rtc:out"
+        self.strikes = strikes
+        self.endpoint = ("here", 1)
+        self.where = "/a.rtc:out"
         self.failure = self.connector = None
-        self.is_closing, self.is_looking = False, loop.Bell()
+        self.is_closing = False
+        self.is_looking = loop.Bell()
 
     async def strike(self, step):
         if step in self.strikes:
@@ -116,8 +124,10 @@ class Struck(unittest.TestCase):
 
     def test_a_value_that_is_on_its_way_is_waited_for(self):
         """Else nobody knows whether the component is taking it, and the connection stays."""
-        writer, taken = writing.Writer.__new__(writing.Writer), []
-        writer.little, writer.unanswered = True, False
+        writer = writing.Writer.__new__(writing.Writer)
+        taken = []
+        writer.little = True
+        writer.unanswered = False
 
         async def put(data):
             os.kill(os.getpid(), signal.SIGINT)
@@ -177,7 +187,8 @@ class Closing(unittest.TestCase):
         """While its answer is on its way the publisher does not use the connector; a moment later it may
         again.
         """
-        reader, turns = idle_reader(), []
+        reader = idle_reader()
+        turns = []
         reader.stop()
 
         def take():
@@ -212,7 +223,8 @@ class Early(unittest.TestCase):
 class Live(unittest.TestCase):
     def test_values_are_sent_to_ends_that_answer(self):
         """Silent ones only if there is nobody else; those whose connection failed otherwise never."""
-        silent, refused = errors.Silent("a", "no answer"), errors.Refused("a", "no")
+        silent = errors.Silent("a", "no answer")
+        refused = errors.Refused("a", "no")
         for failures, expected in (
             ((None, silent, refused), [0]),
             ((silent, refused, silent), [0, 2]),

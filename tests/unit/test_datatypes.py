@@ -98,7 +98,8 @@ class Standard(unittest.TestCase):
     def test_beside_omniorb(self):
         """The same bytes, except padding, and the same values, in both byte orders."""
         omniorb.start()
-        rng, count = random.Random(1), 0
+        rng = random.Random(1)
+        count = 0
         for name, typecode in self.every():
             if "WChar" in name:
                 continue  # omniORB cannot read them

@@ -66,7 +66,8 @@ class Echoes(unittest.TestCase):
     def both(self):
         """Let both ORBs have their turn."""
         for name in ("builtin", "omniorb"):
-            orb._orb, os.environ["RTSHELL_ORB"] = None, name
+            orb._orb = None
+            os.environ["RTSHELL_ORB"] = name
             yield name
 
     async def call(self, name, given):

@@ -51,7 +51,8 @@ class Case(unittest.TestCase):
 
     def seen_while(self, do):
         """The modes of all temporary files, and how they were opened, while do() runs."""
-        found, real = [], os.open
+        found = []
+        real = os.open
 
         def spy(path, flags, permissions=0o777, **more):
             fd = real(path, flags, permissions, **more)
@@ -80,7 +81,9 @@ class Writing(Case):
 
     def test_a_private_file_stays_private_at_every_moment(self):
         for name, way in WAYS.items():
-            path, real, seen = self.path(name, "old", 0o600), os.replace, []
+            path = self.path(name, "old", 0o600)
+            real = os.replace
+            seen = []
 
             def spy(source, target):
                 seen.append(mode(source))
@@ -110,7 +113,8 @@ class Writing(Case):
             self.assertFalse(os.path.islink(self.path(name)))
 
     def test_a_link_that_appears_at_the_last_moment_is_not_followed(self):
-        canary, real = self.path("canary"), files.destination
+        canary = self.path("canary")
+        real = files.destination
 
         def late(name):
             found = real(name)
@@ -195,7 +199,8 @@ class Writing(Case):
             self.assertEqual(sorted(os.listdir(self.top))[0][:1] == ".", False)
 
     def test_a_recorder_that_comes_too_late_does_not_replace(self):
-        path, real = self.path("log", "old"), writer.lock
+        path = self.path("log", "old")
+        real = writer.lock
 
         def late(file, name):
             if file.mode == "rb":
@@ -261,7 +266,8 @@ class Endless(Case):
                 way(fifo)
 
     def test_a_fifo_that_somebody_reads_gets_it(self):
-        fifo, taken = self.fifo(), []
+        fifo = self.fifo()
+        taken = []
         reader = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)
         self.addCleanup(os.close, reader)
         thread = threading.Thread(target=files.write, args=(fifo, "abc"))
@@ -340,7 +346,8 @@ class WorkingDirectory(Case):
 class Wheels(unittest.TestCase):
     def test_which_fit(self):
         """A stable ABI of an older Python fits, one of a newer Python does not."""
-        minor, machine = sys.version_info[1], sysconfig.get_platform().rpartition("-")[2]
+        minor = sys.version_info[1]
+        machine = sysconfig.get_platform().rpartition("-")[2]
         for tags, fits in (
             ("py3-none-any", True),
             ("cp3%d-cp3%d-linux_%s" % (minor, minor, machine), True),

@@ -118,7 +118,8 @@ class Doors(unittest.TestCase):
         """Run work(port) on a thread beside a Door, until `wanted` records have come: (those, what was
         reported).
         """
-        records, reported = [], []
+        records = []
+        reported = []
 
         async def main():
             door = forward.Door(0, allowed)

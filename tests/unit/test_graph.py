@@ -196,11 +196,13 @@ def reached(lines, row, column):
     """Rows where the line that starts at this border ends: out to its lane, up and down there, back to the
     left.
     """
-    todo, rows = [(row, column, "r")], set()
+    todo = [(row, column, "r")]
+    rows = set()
     while todo:
         row, column, way = todo.pop()
         step, aside, back = STEPS[way]
-        row, column = row + step, column + aside
+        row = row + step
+        column = column + aside
         sign = lines[row][column]
         if sign == "<":
             rows.add(row)

@@ -31,9 +31,11 @@ class Picture:
         self.texts = {
             (int(text.get("x")), int(text.get("y")), text.text or "") for text in root.findall(SVG + "text")
         }
-        self.lines, self.turns = [], []
+        self.lines = []
+        self.turns = []
         # (x, y); ("x" or "y", where, from, to) of straight lines beside and below the boxes
-        self.points, self.tracks = [], []
+        self.points = []
+        self.tracks = []
         for path in root.findall(SVG + "path"):
             x, y = re.match(r"M(-?\d+),(-?\d+)", path.get("d")).groups()
             around = re.search(r"V(-?\d+) H(-?\d+)\Z", path.get("d"))

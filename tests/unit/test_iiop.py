@@ -145,7 +145,8 @@ class Calls(giop_peers.Calls):
         """Where nobody listens at the first address, the next one is asked, for the key that the object has
         there.
         """
-        peer, dead = Peer(answer(1), answer(2)), socket.socket()
+        peer = Peer(answer(1), answer(2))
+        dead = socket.socket()
         self.addCleanup(peer.close)
         self.addCleanup(dead.close)
         dead.bind(("127.0.0.1", 0))  # and does not listen

@@ -156,7 +156,8 @@ class Hostile(Served):
         self.assertLess(remembered(), 32 << 20)
 
     def test_answers_that_nobody_reads(self):
-        here, ask = self.client(), request(self.key, "_non_existent")
+        here = self.client()
+        ask = request(self.key, "_non_existent")
         here.socket.settimeout(1)
         with self.assertRaises((socket.timeout, ConnectionError)):  # the latter: it has asked too much
             while True:
@@ -181,7 +182,8 @@ class Hostile(Served):
 
     def test_a_caller_that_only_asks_is_limited(self):
         """A connection that delivers nothing may not ask without end."""
-        here, ask = self.client(), request(self.key, "_non_existent")
+        here = self.client()
+        ask = request(self.key, "_non_existent")
         with mock.patch.object(server, "MOST_ASKED", 20):
             for _ in range(20):
                 self.assertEqual(result(here.ask(ask)), b"\0")
@@ -207,11 +209,13 @@ class Hostile(Served):
             self.assertIn(first.last_words()[7:8], (bytes([messages.CLOSE]), b""))
 
     def test_idle_and_unfinished_connections_end(self):
-        idle, half = self.client(), self.client()
+        idle = self.client()
+        half = self.client()
         for each in (idle, half):
             self.assertEqual(result(each.ask(request(self.key, "_non_existent"))), b"\0")
         half.send(b"GIOP")
-        busy, now = self.client(), time.monotonic()
+        busy = self.client()
+        now = time.monotonic()
         with mock.patch.object(server, "UNFINISHED", 0.5), mock.patch.object(server, "SWEEP", 0.1), \
                 mock.patch.object(server, "MOST_ASKED", 10**6):
             while time.monotonic() < now + 0.2:
@@ -226,7 +230,8 @@ class Hostile(Served):
         """Somebody who is idle gives way, and the thread does not end."""
         idle = self.client()
         self.assertEqual(result(idle.ask(request(self.key, "_non_existent"))), b"\0")
-        true, failures = self.server.listening, [OSError(24, "Too many open files")]
+        true = self.server.listening
+        failures = [OSError(24, "Too many open files")]
 
         class Listening:
             def accept(self):

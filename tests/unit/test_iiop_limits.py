@@ -24,7 +24,8 @@ class Slowly(Script):
     """Answers one request each tenth of a second."""
 
     def _talk(self, connection):
-        data, pending = b"", []
+        data = b""
+        pending = []
         connection.settimeout(0.1)
         with connection:
             while True:
@@ -44,7 +45,8 @@ class Slowly(Script):
 class Time(Calls):
     def test_no_call_begins_after_the_end_of_the_session(self):
         """However quickly those before were answered."""
-        peer, asked = self.script_of(answer), []
+        peer = self.script_of(answer)
+        asked = []
 
         async def ask():
             for number in range(10):
@@ -107,7 +109,9 @@ class Connections(Calls):
         stale = []
         for _ in range(3):
             one = connections.Connection(endpoint)
-            one.waits_for, one.has_answered, one._candidates = None, True, None
+            one.waits_for = None
+            one.has_answered = True
+            one._candidates = None
             one._socket, far = _socket.socketpair()
             stale.append((one, far))
         connections._idle[endpoint] = [one for one, _ in stale]
@@ -142,7 +146,8 @@ class Names(Calls):
     def test_few_are_looked_up_at_a_time(self):
         """Each takes a thread, and a hostile name server gives thousands."""
         self.session.timeout = 0.5
-        free, most = threading.Event(), []
+        free = threading.Event()
+        most = []
 
         def hanging(host, port, family, kind, protocol, flags):
             if not flags:
@@ -162,7 +167,8 @@ class Names(Calls):
     def test_a_dead_host_with_many_processes(self):
         """Its name is looked up once, and others are looked up beside it."""
         self.session.timeout = 1.0
-        free, asked = threading.Event(), []
+        free = threading.Event()
+        asked = []
         self.addCleanup(free.set)
         peer = self.script_of(lambda number: answer(number))
         _, host, port, _ = peer.ref.address
@@ -199,7 +205,8 @@ class Readers(unittest.TestCase):
         """It is made again: in rtsh others are to use it."""
         nvlist = orb.idl.descriptor("IDL:org.omg/SDOPackage/NVList:1.0")
         for nth in range(1, 8):
-            maker, made = marshal.Maker("<"), []
+            maker = marshal.Maker("<")
+            made = []
 
             def struck(descriptor):
                 made.append(descriptor)

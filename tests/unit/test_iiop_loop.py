@@ -29,7 +29,8 @@ class Loop(Calls):
             pending.clear()
             return replies
 
-        done, peer = [], self.script(play)
+        done = []
+        peer = self.script(play)
 
         async def ask():
             return await orb.call("w", peer.ref, "_non_existent")
@@ -167,7 +168,8 @@ class Loop(Calls):
         )
         for octets in (CLOSE, b"HTTP/1.1 400 Bad", b"GIOP\1\2\1\7" + bytes(4)):
             peer = before(octets)
-            start, ended = time.monotonic(), []
+            start = time.monotonic()
+            ended = []
 
             async def ask():
                 try:
@@ -215,7 +217,8 @@ class Loop(Calls):
             asked.append(number)
             return whole[:6] + b"\3" + whole[7:] + CLOSE
 
-        asked, peer = [], self.script(play)
+        asked = []
+        peer = self.script(play)
         ref = client.narrow(peer.ref, "RTC.RTObject")
 
         async def twice():
@@ -338,7 +341,8 @@ class Loop(Calls):
             pending.clear()
             return b"" if lost else replies or None
 
-        losses, peer = [], self.script(play)
+        losses = []
+        peer = self.script(play)
 
         async def ask():
             return await orb.call("w", peer.ref, "_non_existent")
@@ -366,7 +370,8 @@ class Loop(Calls):
                 raise socket.gaierror(0, "late")
             return real(host, port, *how)
 
-        real, hosts._socket = hosts._socket.getaddrinfo, FakeSockets(look_up)
+        real = hosts._socket.getaddrinfo
+        hosts._socket = FakeSockets(look_up)
         self.addCleanup(setattr, hosts, "_socket", hosts._socket.real)
         slow, here = [
             client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x")
@@ -386,7 +391,8 @@ class FakeSockets:
     """The module _socket with another resolver."""
 
     def __init__(self, look_up):
-        self.real, self.getaddrinfo = hosts._socket, look_up
+        self.real = hosts._socket
+        self.getaddrinfo = look_up
 
     def __getattr__(self, name):
         return getattr(self.real, name)

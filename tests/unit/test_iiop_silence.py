@@ -94,7 +94,9 @@ class Silence(Calls):
             return at_once(pending)
 
         blocking = threading.Event()
-        one, third, other = self.script(at_once), self.script(at_once), self.script(meanwhile)
+        one = self.script(at_once)
+        third = self.script(at_once)
+        other = self.script(meanwhile)
         refs = iter([one.ref, third.ref])
 
         async def block():

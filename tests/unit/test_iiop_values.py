@@ -124,10 +124,12 @@ class Values(unittest.TestCase):
             for name in vars(RTC)
             if name.startswith("_tc_") and "WChar" not in name and "WString" not in name
         ):
-            descriptor, code = idl.known(f"IDL:RTC/{name[4:]}:1.0"), getattr(RTC, name)
+            descriptor = idl.known(f"IDL:RTC/{name[4:]}:1.0")
+            code = getattr(RTC, name)
             if descriptor is None or descriptors.kind(descriptor) != descriptors.STRUCT:
                 continue
-            data, again = bytearray(), bytearray()
+            data = bytearray()
+            again = bytearray()
             cdr.codec(descriptor, True)[1](data, random_values.value(rng, descriptor))
             found = self.read(code, omniORB.cdrUnmarshal(code, bytes(data), 1))
             marshal.Maker("<").writer(found.descriptor)(again, found.content)

@@ -138,7 +138,8 @@ class Found(unittest.TestCase):
         parsed.
         """
         texts = {"a%d" % number: SERVICE.replace("M", "M%d" % number) for number in range(50)}
-        read, parsed = [], []
+        read = []
+        parsed = []
         own = library._text, library.parser.read_file
 
         def text(path, *rest):
@@ -148,7 +149,8 @@ class Found(unittest.TestCase):
         def read_file(path, *rest):
             parsed.append(os.path.basename(path))
             return own[1](path, *rest)
-        library._text, library.parser.read_file = text, read_file
+        library._text = text
+        library.parser.read_file = read_file
         try:
             with tree(b="module N { interface Other { void Service(in long part); }; };", **texts) as made:
                 types = datatypes.Types().load()

@@ -64,7 +64,8 @@ class Tasks(Case):
         self.assertLess(time.monotonic() - begun, 5)
 
     def test_few_of_one_key_run_at_a_time(self):
-        now, most = {"a": 0, "b": 0}, {"a": 0, "b": 0}
+        now = {"a": 0, "b": 0}
+        most = {"a": 0, "b": 0}
 
         async def ask(key):
             now[key] += 1

@@ -108,7 +108,8 @@ class Names(unittest.TestCase):
                 self.assertEqual(nodes.file_name(name), spelt)
 
     def test_long_names(self):
-        one, other = nodes.file_name("日" * 100), nodes.file_name("日" * 100 + "!")
+        one = nodes.file_name("日" * 100)
+        other = nodes.file_name("日" * 100 + "!")
         self.assertNotEqual(one, other)
         for name in (one, other, nodes.file_name("x" * 100000)):
             self.assertLessEqual(len(name.encode()), nodes.NAME_MAX)
@@ -154,8 +155,11 @@ class Feeds(Case):
         raise errors.Failed("connection", "lost")
 
     def prepare(self):
-        self.connections, self.served, self.errors = 0, [], []
-        self.end, self.closed = loop.Bell(), loop.Wait()
+        self.connections = 0
+        self.served = []
+        self.errors = []
+        self.end = loop.Bell()
+        self.closed = loop.Wait()
         self.feed = streams.Feed(mock.Mock(tasks=self.tasks), self.follow)
 
     def reader(self):
@@ -224,7 +228,8 @@ class Streams(Case):
 
     def test_readers_wait(self):
         async def check():
-            stream, came = self.prepare(), []
+            stream = self.prepare()
+            came = []
 
             async def read():
                 came.append(await stream.read(0, 100))
@@ -274,7 +279,9 @@ class Answers(Case):
 
     def prepare(self, seconds, ask=None):
         """A CachedAnswer: how often it has been asked; it is answered when `self.gate` is open."""
-        self.cache, self.gate, self.calls = cache.Cache(self.tasks), loop.Wait(), 0
+        self.cache = cache.Cache(self.tasks)
+        self.gate = loop.Wait()
+        self.calls = 0
         return cache.CachedAnswer(self.cache, lambda: ("peer", "peer"), ask or self.ask, seconds)
 
     async def ask(self):
@@ -404,7 +411,8 @@ class Served(Case):
     def prepare(self):
         self.mount = nodes.Mount("/m", 1.0)
         self.tasks = self.mount.tasks
-        self.replies, self.server = [], None
+        self.replies = []
+        self.server = None
         self.root = Top(self.mount)
         self.server = server.Server(self.mount, self.root, None, lambda: None)
         patch = mock.patch(
@@ -517,7 +525,9 @@ class Slow(nodes.File):
 
     def __init__(self, above, name):
         super().__init__(above, name)
-        self.gate, self.text, self.stored = loop.Wait(), "text", []
+        self.gate = loop.Wait()
+        self.text = "text"
+        self.stored = []
 
     async def content(self):
         while not self.gate.is_over:
@@ -532,7 +542,8 @@ class Slow(nodes.File):
 
 
 class Top(nodes.Directory):
-    path, where = "", "/m"
+    path = ""
+    where = "/m"
 
     def __init__(self, mount):
         super().__init__(None, "")

@@ -116,7 +116,8 @@ class Ending(unittest.TestCase):
         """End a watch of components in these processes, of which some are known to be silent, as Ctrl-C does;
         returns what is noted.
         """
-        notes, session = [], Session(60)
+        notes = []
+        session = Session(60)
         session.silent.update((endpoint, (time.monotonic(), "no answer within 60s")) for endpoint in silent)
 
         async def watched():

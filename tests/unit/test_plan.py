@@ -224,7 +224,11 @@ class World:
         self.schedule = plan.Schedule(actions, "Active")
         self.fate = fate
         self.now = 0.0
-        self.told, self.ended, self.started, self.reasons = {}, {}, {}, {}  # when, by name; why not
+        # times by name, and reasons of what did not happen
+        self.told = {}
+        self.ended = {}
+        self.started = {}
+        self.reasons = {}
 
     def run(self):
         happening = []
@@ -351,10 +355,14 @@ class Random:
     """A random plan without circles, and what must hold when it is carried out."""
 
     def __init__(self, case, seed):
-        self.case, rng = case, random.Random(seed)
+        self.case = case
+        rng = random.Random(seed)
         names = ["C%d" % number for number in range(rng.randint(1, 10))]
         self.required = {name: rng.random() < 0.7 for name in names}
-        self.order, self.wait, self.after, conditions = {}, {}, {}, []
+        self.order = {}
+        self.wait = {}
+        self.after = {}
+        conditions = []
         for number, name in enumerate(names):
             kind = rng.choice(["", "order", "wait", "after", "both"])
             if kind:
@@ -367,7 +375,8 @@ class Random:
             others = names[:number] if kind in ("after", "both") else []
             for other in rng.sample(others, min(len(others), 2)):
                 # never just when something ends
-                sync, timeout = rng.random() < 0.5, rng.choice([0, 0, 313, 1009])
+                sync = rng.random() < 0.5
+                timeout = rng.choice([0, 0, 313, 1009])
                 self.after.setdefault(name, []).append((other, sync, timeout))
                 conditions.append(after(name, other, sync=sync, timeout=timeout, sequence=self.order[name]))
             if kind == "after" and not others:
@@ -380,7 +389,8 @@ class Random:
         self.world = play(
             [component(name, self.required[name]) for name in shuffled], *conditions, **self.fate
         )
-        self.names, self.message = names, "seed %d" % seed
+        self.names = names
+        self.message = "seed %d" % seed
 
     def check(self):
         self.case.assertEqual(

@@ -115,7 +115,8 @@ class Series(unittest.TestCase):
         self.assertEqual([point[1] for point in series.points], [10, 10, 10, 0, 0, 0])
 
     def test_rates_of_counts_cover_the_time_and_have_equal_axes(self):
-        fast, slow = statistics.Counts(), statistics.Counts()
+        fast = statistics.Counts()
+        slow = statistics.Counts()
         for number in range(1000):
             fast.add(START + number * SECOND // 100)
         for number in range(50):  # half of the time

@@ -44,7 +44,8 @@ class Trials(unittest.TestCase):
         self.addCleanup(patch.stop)
 
     def test_the_first_at_once_then_twice_as_long_each_time(self):
-        trial, delays = policy.Trial(policy.parse(burst="100/60", delay="0.5-4")), []
+        trial = policy.Trial(policy.parse(burst="100/60", delay="0.5-4"))
+        delays = []
         for _ in range(6):
             trial.fail()
             delays.append(trial.until - self.now)

@@ -251,7 +251,8 @@ class Disconnecting(Case):
         """disconnect() with these answers, in turn: values, or errors to raise. Returns the operations asked
         for; of another port than this with the name of that. `ends` are the references of the connector.
         """
-        asked, script = [], list(answers)
+        asked = []
+        script = list(answers)
 
         async def call(where, ref, operation, *args):
             asked.append(operation if ref == "A.out" else f"{operation} {ref}")

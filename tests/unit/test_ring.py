@@ -81,7 +81,8 @@ class Ring(Case):
     def test_a_trigger_keeps_before_and_after(self):
         for make in (self.parts, self.memory):
             self.kept.clear()
-            made, incidents = make(), self.incidents()
+            made = make()
+            incidents = self.incidents()
             for wait in (10, 3, 17.3):
                 self.run_for(wait, made, incidents)
                 at = self.number - 1
@@ -94,7 +95,8 @@ class Ring(Case):
             self.assertEqual(len(self.kept), 3)
 
     def test_what_happens_meanwhile_is_another_cause(self):
-        made, incidents = self.memory(), self.incidents()
+        made = self.memory()
+        incidents = self.incidents()
         self.run_for(5, made, incidents)
         for words in ("first", "second", "third"):
             incidents.trigger(words)
@@ -107,7 +109,8 @@ class Ring(Case):
             self.assertIn(words, data)
 
     def test_names_are_never_taken_twice(self):
-        made, incidents = self.memory(), self.incidents(1, 0)
+        made = self.memory()
+        incidents = self.incidents(1, 0)
         for _ in range(3):
             incidents.trigger("../../x y\x1b", START)
             self.run_for(1, made, incidents)
@@ -116,7 +119,8 @@ class Ring(Case):
 
     def test_what_is_pending_is_not_removed(self):
         """Even if it is copied slowly."""
-        made, incidents = self.parts(), self.incidents(4, 2)
+        made = self.parts()
+        incidents = self.incidents(4, 2)
         self.run_for(10, made, incidents)
         incidents.trigger("x")
         at = self.number
@@ -130,7 +134,8 @@ class Ring(Case):
         """A busy machine learns late of what has happened, and writes late what has come."""
         for make in (lambda: self.parts(), lambda: self.memory(4 + ring.LATE)):
             self.kept.clear()
-            made, incidents = make(), self.incidents(4, 2)
+            made = make()
+            incidents = self.incidents(4, 2)
             self.run_for(20, made, incidents)
             incidents.trigger("x", int((self.clock.now - 1.5) * 1e9))
             at = self.number - 15
@@ -150,7 +155,8 @@ class Ring(Case):
 
     def test_a_writer_that_stood_still_removes_nothing_that_is_pending(self):
         for make in (self.parts, self.memory):
-            made, incidents = make(), self.incidents(4, 2)
+            made = make()
+            incidents = self.incidents(4, 2)
             self.run_for(20, made, incidents)
             incidents.trigger("x")
             at = self.number
@@ -170,7 +176,8 @@ class Ring(Case):
         self.assertIn(self.number, [int(data) for _, _, _, data in made.past(came - SECOND, came)])
 
     def test_an_end_keeps_what_there_is(self):
-        made, incidents = self.memory(), self.incidents(4, 100)
+        made = self.memory()
+        incidents = self.incidents(4, 100)
         self.run_for(3, made, incidents)
         incidents.trigger("x")
         self.run_for(1, made, incidents)
@@ -195,7 +202,8 @@ class Taking(unittest.TestCase):
     def test_all_that_came_before_it_was_taken_is_written(self):
         """Or a trigger's file could lack its end."""
         work = recorder.Recorder()
-        sent, written = [], []
+        sent = []
+        written = []
         work._append = lambda batch, taken: written.append(
             (taken, [message.received for _, message in batch])
         )
@@ -231,7 +239,8 @@ class Conditions(unittest.TestCase):
         """How many times a condition held for TimedLongs of these numbers."""
         (condition,) = triggers.parse([words])
         type = datatypes.Types().named("TimedLong")
-        taken, count = [], 0
+        taken = []
+        count = 0
         take = condition.wrapped((name,), type, taken.append)
         for number in numbers:
             take(types.SimpleNamespace(data=struct.pack("<IIi", 0, 0, number), little=True))

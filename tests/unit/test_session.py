@@ -21,7 +21,8 @@ class Calls(unittest.TestCase):
 
     def setUp(self):
         session.Session.answered.clear()
-        self.session, self.release = session.Session(TIMEOUT), threading.Event()
+        self.session = session.Session(TIMEOUT)
+        self.release = threading.Event()
         self.addCleanup(self.release.set)
         for name, fake in (
             ("_made", lambda item: item.call.ref[1]()),
@@ -84,7 +85,8 @@ class Calls(unittest.TestCase):
         self.assertLessEqual(len(asked), omniorb.IN_FLIGHT)
 
     def test_at_most_four_calls_are_in_flight_to_one_process(self):
-        under_way, most = [], []
+        under_way = []
+        most = []
 
         def call():
             under_way.append(1)

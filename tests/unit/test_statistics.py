@@ -222,7 +222,8 @@ class Meters(unittest.TestCase):
     def rates(self, *looks, failure=None, reader=None):
         """The Rates of a meter at these looks: (when, octets of each value that has come since the last one).
         """
-        meter, found = statistics.Meter("a.rtc:out", failure), []
+        meter = statistics.Meter("a.rtc:out", failure)
+        found = []
         meter.reader = reader
         for when, sizes in looks:
             for size in sizes:
@@ -245,7 +246,8 @@ class Meters(unittest.TestCase):
         )
 
     def test_a_failed_port_has_no_rate(self):
-        gone, lost = errors.Gone("a.rtc"), errors.Unreachable("a.rtc", "lost")
+        gone = errors.Gone("a.rtc")
+        lost = errors.Unreachable("a.rtc", "lost")
         self.assertEqual(
             self.rates((1, []), (2, [8]), failure=gone, reader=mock.Mock(failure=lost)),
             [(None, None, gone)] * 2,

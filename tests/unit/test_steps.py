@@ -14,14 +14,17 @@ from rtshell_lite.xmlprofile import model
 class Site:
     """A component that the steps do not look at."""
 
-    where, required, found = "/localhost/a.rtc", True, None
+    where = "/localhost/a.rtc"
+    required = True
+    found = None
 
 
 class Configuration:
     """Counts what it is asked to do."""
 
     def __init__(self):
-        self.activated, self.stored = [], []
+        self.activated = []
+        self.stored = []
 
     def set(self, set_id, with_hidden=False):
         return set_id, with_hidden

@@ -160,7 +160,8 @@ class Tables(unittest.TestCase):
                 case = os.path.join(directory, "case.idl")
                 with open(case, "w") as file:
                     file.write('#include "%s"\n' % os.path.basename(path))
-                found, expected = parser.read_file(case), parser.read_file(path, [OWN])
+                found = parser.read_file(case)
+                expected = parser.read_file(path, [OWN])
                 self.assertEqual(
                     {type_id: plain(each) for type_id, each in found.types.items()},
                     {type_id: plain(each) for type_id, each in expected.types.items()},

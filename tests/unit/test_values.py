@@ -403,7 +403,8 @@ class Written(unittest.TestCase):
 
 class Encoding(unittest.TestCase):
     def test_values_of_other_types(self):
-        one, other = TYPES.named("TimedLong"), made("RTC.TimedString({time}, 'x')")
+        one = TYPES.named("TimedLong")
+        other = made("RTC.TimedString({time}, 'x')")
         with self.assertRaises(errors.BadValue) as caught:
             one.encode(other)
         self.assertEqual(str(caught.exception), "RTC.TimedLong: data: not a long: 'x'")

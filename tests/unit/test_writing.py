@@ -135,7 +135,8 @@ class Readers(unittest.TestCase):
 
         async def rate_of(ref):
             return ref
-        audience._cycles, audience._rate = known, rate_of
+        audience._cycles = known
+        audience._rate = rate_of
         return loop.run(audience.why_not_reading()), audience.rate
 
     def test_an_active_one_reads_in_the_fastest_context_that_runs(self):

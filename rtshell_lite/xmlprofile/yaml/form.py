@@ -203,7 +203,8 @@ def _foreign_element(doc, node, table, depth):
         parts = {}
     tag = parts.pop("element", None)
     if tag:
-        tag, place = (_text(doc, tag), tag)
+        place = tag
+        tag = _text(doc, tag)
     else:
         tag = ""
         place = node
