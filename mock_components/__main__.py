@@ -27,7 +27,7 @@ def arguments():
     )
     parser.add_argument("--port", type=int, default=0, help="IIOP port (default: any)")
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: %(default)s)")
-    parser.add_argument("--publish", metavar="HOST", help="address that references tell (with --port; "
+    parser.add_argument("--publish", metavar="HOST", help="address in references (with --port; "
                                                           "default: that of --host)")
     parser.add_argument("--control", metavar="PATH", default=os.environ.get("MOCK_CONTROL"),
                         help="Unix socket for ctl (default: MOCK_CONTROL)")

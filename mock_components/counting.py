@@ -1,4 +1,4 @@
-"""What a mock notes about the calls that it receives, and the faults it was told to show."""
+"""What a mock notes about the calls that it receives, and the faults it is to show."""
 import collections
 import os
 import threading

@@ -1,4 +1,4 @@
-"""What create_component is told: IDENT[?KEY=VALUE[&KEY=VALUE…]]."""
+"""The argument of create_component: IDENT[?KEY=VALUE[&KEY=VALUE…]]."""
 import re
 
 

@@ -23,7 +23,7 @@ TABLE = {
     "endpoint_key": ("endpoint", "endpoints", "endpoints", "endpoints", "endpoints", "endpoint"),
     "port_keys": ("dataport", "dataport", "name", "dataport", "dataport", "dataport"),
     "observer": (False, False, False, True, False, False),
-    # takes loggers, and tells them nothing
+    # takes loggers, and never calls them
     "silent_loggers": (True, True, True, False, False, False),
     # answers the removal of an observer only when its heart would have beaten once more
     "heart_stops_late": (False, False, True, False, False, False),
@@ -108,7 +108,7 @@ TABLE = {
     "ident_fields": (5, 6, 6, 6, 6, 5),
     # a master makes components itself, not in its slaves
     "creates_here": (True, False, False, False, False, True),
-    # a master tells what modules and factories its slaves have
+    # a master lists the modules and factories of its slaves
     "tells_slaves": (True, True, False, True, True, True),
     "starts_slaves": (False, True, True, False, True, False),
     # finds and loads the module of a component that is to be made

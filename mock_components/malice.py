@@ -73,7 +73,7 @@ def _connectors(peer, count=300, ends=2):
 
 
 def _references(peer, type_id, count=5000):
-    """So many different objects of this very peer."""
+    """`count` different objects of this very peer."""
     return Raw(
         cdr(count, *[Raw(reference(peer.port, type_id, b"object%d" % number)) for number in range(count)])
     )

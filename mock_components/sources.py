@@ -12,7 +12,7 @@ PATIENCE = 1.0              # seconds that it may be late before it gives up cat
 
 class Source(Component):
     """While active it sends, at the rate of its context: on `number` 1, 2, 3 …, on `block` as many octets as
-    it was told.
+    its option `size` says.
     """
 
     def activated(self, handle):

@@ -172,8 +172,8 @@ ANSWERING = 0.02  # seconds after its answer for which a get() counts as still b
 class Provider(Transport):
     """An OutPort's end of pull: an object with get(), and a ring buffer.
 
-    C++ deletes the object with the connector, whoever is being served by it; omniORB then ends the process.
-    The InPort of a component has been told before, and fetches no more; only a tool, alone at its connector,
+    C++ deletes the object with the connector, even while it serves a caller; omniORB then ends the process.
+    The InPort of a component has been disconnected before, and fetches no more; only a tool, alone at its connector,
     can do that.
     """
 

@@ -1,4 +1,4 @@
-"""What a command does before it imports anything else; so this module imports next to nothing."""
+"""What a command does before it imports anything else; so this module imports hardly anything."""
 
 import _signal  # which `signal` is made of: that one takes longer to import than all that comes before it
 import sys
@@ -13,7 +13,7 @@ def quietly(name):
     """In the file that is run as a command (`name` is "__main__"): Ctrl-C ends it with no traceback of half
     an import.
 
-    cli.main() takes Ctrl-C over. And argparse looks for no translations and imports next to nothing, which
+    cli.main() takes Ctrl-C over. And argparse looks for no translations and imports hardly anything, which
     takes a third of the time to start.
     """
     if name != "__main__":

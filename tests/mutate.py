@@ -346,7 +346,7 @@ class Tests:
         self.killed = collections.Counter()
 
     def passes(self, name, limit):
-        """Does a test pass within so many seconds?"""
+        """Does a test pass within `limit` seconds?"""
         if name.endswith(".t"):
             setting = self.runner.transcripts.Setting(self.python)
             path = os.path.join(self.copy, "tests", name)

@@ -267,7 +267,7 @@ def mismatches(ends, properties):
     """Why the Ports `ends` cannot be connected with these properties (a dict): a list of reasons, empty when
     they can.
 
-    Components check next to nothing of this themselves (they connect a TimedLong with a TimedDouble and
+    Components check hardly any of this themselves (they connect a TimedLong with a TimedDouble and
     return RTC_OK).
     """
     if len({orb.identity(port.ref) for port in ends}) < len(ends):

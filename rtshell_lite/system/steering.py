@@ -186,7 +186,7 @@ async def ask(door, request):
         connection.setblocking(False)
         try:
             connection.connect(door)
-        except BlockingIOError:  # it stands still, and many wait for it
+        except BlockingIOError:  # its process is stopped, and many wait for it
             raise errors.Silent(printable(os.path.basename(door)), "too many wait for it")
         except OSError:
             raise errors.ConnectionRefused(printable(os.path.basename(door)))
@@ -244,7 +244,7 @@ def _mark(line):
 
 def notify(**said):
     """Tell systemd, or who speaks its protocol, how it is: READY=1, STATUS=…, WATCHDOG=1 (sd_notify(3)).
-    False where it has too much to read: a robot is kept though that stands still.
+    False where it has too much to read: a robot is kept though that is stopped.
     """
     where = os.environ.get("NOTIFY_SOCKET")
     if not where:

@@ -37,7 +37,7 @@ SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports", "mount"
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
 SIZES = sorted(ROUNDS)
 
-# A command, its floor, the objects that the floor is told, and what puts things back, not measured. {dir} is
+# A command, its floor, the objects that the floor is given, and what puts things back, not measured. {dir} is
 # the directory, {all} all components in it, {one} the first, {other} the second, {file} an RtsProfile of
 # them.
 GROWING = [
@@ -300,7 +300,7 @@ class Bench:
         live.close()
 
     def sessions(self, count=100):
-        """`ls -l` so many times, and ten times as many, in one rtsh, beside a process each."""
+        """`ls -l`, `count` times, and ten times as many, in one rtsh, beside a process each."""
         world = worlds.World("two")
         shell = dict(self.environment, PATH=worlds.COMMANDS + os.pathsep + self.environment["PATH"])
         apart = self.meter.run(["sh", "-c", "for i in $(seq %d); do rtls -l; done" % count], shell)[0] / count

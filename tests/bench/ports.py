@@ -1,6 +1,6 @@
 """How fast rtprint takes values from a port, beside a bare omniORBpy loop, and how much memory that needs.
 
-`python3 tests/bench/ports.py [VALUES [BLOCKS]]`: so many TimedLongs, then blocks of 1 MB; prints a line each.
+`python3 tests/bench/ports.py [VALUES [BLOCKS]]`: TimedLongs, then blocks of 1 MB; prints a line each.
 The sender is a mock whose port pushes the same bytes as fast as the receiver takes them; every value is
 counted at both ends.
 """

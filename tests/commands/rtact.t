@@ -1,4 +1,4 @@
-rtact activates components. What rtact, rtdeact and rtreset have in common stands here, too.
+rtact activates components. What rtact, rtdeact and rtreset have in common is here, too.
 
 world: two
 world: error
@@ -22,7 +22,7 @@ Activating an active component is no failure:
   $ rtact -v ConsoleIn0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
 
-Several paths, absolute or relative; options may stand behind them:
+Several paths, absolute or relative; options may follow them:
 
   $ rtdeact ConsoleIn0.rtc
   $ RTCSH_CWD=/ rtact localhost:$PORT/test.host_cxt/ConsoleIn0.rtc /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc --wait=2 -v

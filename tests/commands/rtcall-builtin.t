@@ -1,4 +1,4 @@
-System exceptions of an operation, by our own ORB; omniORB cannot tell some of these from its own.
+System exceptions of an operation, by our own ORB; omniORB cannot distinguish some of these from its own.
 
 world: these Robot
 orb: builtin

@@ -217,7 +217,7 @@ Other versions:
     ID    $UUID
     Path  /localhost:$PORT/py2.host_cxt/composite0.rtc
 
-Organization::get_owner is never called: C++ tells it once in its life. How often a composite and its member are asked:
+Organization::get_owner is never called: C++ answers it once in its life. How often a composite and its member are asked:
 
   $ for world in composite deadmember composite2 composite3; do calls @$world | grep owner; done
   [1]

@@ -133,7 +133,7 @@ A component whose connected peer has died complains once; rtcat asks again and d
   rtcat: /localhost:$PORT/test.host_cxt/Peer0.rtc: connection refused; its process is gone (zombie)
   [4]
 
-A component that fails to tell something. What says that it is passing is asked once more.
+A component that fails to answer something. A failure that says that it is passing is asked once more.
 
   $ ctl fail get_port_profile 1 TRANSIENT; rtcat ConsoleIn0.rtc:out
   +DataOutPort: out

@@ -85,7 +85,7 @@ world: managers --flavour py2 --context py2.host_cxt/%n.rtc
   ConsoleOut0.rtc  Inactive
     Instance name  ConsoleOut0
 
---json: all that the manager tells, its modules, components and slaves
+--json: all that the manager reports, its modules, components and slaves
 
   $ rtcat --json ../py2.host_cxt/manager.mgr | python3 -c 'import json, re, sys
   > found = json.load(sys.stdin)

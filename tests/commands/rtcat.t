@@ -1,4 +1,4 @@
-rtcat shows what a component or a port tells about itself. ConsoleIn0 is connected to ConsoleOut0.
+rtcat shows what a component or a port reports about itself. ConsoleIn0 is connected to ConsoleOut0.
 
 world: linked
 
@@ -16,7 +16,7 @@ world: linked
   +Execution Context 0
   +DataOutPort: out
 
--l opens what stands behind a +, and names the ports that are connected.
+-l opens what follows a +, and names the ports that are connected.
 
   $ rtcat -l ConsoleIn0.rtc
   ConsoleIn0.rtc  Inactive
@@ -51,7 +51,7 @@ world: linked
     port.port_type                           DataOutPort
    +Connected to  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
 
--ll (or -l -l; more is no more) also tells the properties of everything.
+-ll (or -l -l; more is no more) also shows the properties of everything.
 
   $ rtcat -ll ConsoleOut0.rtc
   ConsoleOut0.rtc  Inactive
@@ -192,7 +192,7 @@ Several, components and ports, an empty line between them:
 
   +DataInPort: in
 
-Paths are relative to RTCSH_CWD, or absolute; a server need not stand in RTCTREE_NAMESERVERS.
+Paths are relative to RTCSH_CWD, or absolute; a server need not be in RTCTREE_NAMESERVERS.
 
   $ RTCSH_CWD=/ rtcat localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   +DataOutPort: out

@@ -110,7 +110,7 @@ Components: missing ones, other ones. What is not required is reported, and does
   {"actual": null, "check": "component", "expected": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "message": "Optional component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "path": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "required": false}
   {"actual": null, "check": "connection", "expected": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "message": "Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "path": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "required": false}
 
---verbose tells every check, --dry-run does so without asking anyone:
+--verbose reports every check, --dry-run does so without asking anyone:
 
   $ rtcheck -v optional.xml 2>&1 | grep -v -e configuration -e parameter
   rtcheck: Checking for optional component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc with ID "RTC:Shinji Kurihara:example:ConsoleIn:1.0" and instance name "ConsoleIn0"
@@ -214,7 +214,7 @@ What cannot be asked is reported once, and is no difference:
   rtcheck: /localhost:1: connection refused; is the name server running?
   [4]
 
-Files that are none:
+Files that are not profiles:
 
   $ rtcheck nofile
   rtcheck: nofile: No such file or directory

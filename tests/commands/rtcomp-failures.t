@@ -136,7 +136,7 @@ Hiding what is not shown changes nothing:
   rtcomp: port Sensor0.out is hidden already
 
 A dead member cannot be removed: that would end the composite's process (C++), or the thread of its context (Python). The hint
-does not advise it; its ports can be hidden, and then the composite tells of itself again:
+does not advise it; its ports can be hidden, and then the composite's profile can be read again:
 
   $ rtls ../dead.host_cxt
   ConsoleIn0.rtc
@@ -224,7 +224,7 @@ A composite that refuses or fails:
   $ ctl hang composite0 60; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc; ctl hang composite0 0
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
 
-Organization::get_owner is never called: C++ tells the owner only once
+Organization::get_owner is never called: C++ answers with the owner only once
 
   $ calls | grep get_owner
   [1]

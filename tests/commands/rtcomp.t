@@ -84,7 +84,7 @@ The context of a member stops; it takes part in the composite's, and is activate
   $ rtdeact --wait Arm.rtc
 
 An existing one is changed at its own path, or as MANAGER:NAME. One more port of a member; a new member, from another
-process; -v tells what was done, and what was so already:
+process; -v reports what was done, and what was already done:
 
   $ rtcomp -v -a Controller0.rtc:out Arm.rtc
   rtcomp: exported port Controller0.out

@@ -6,7 +6,7 @@ world: these ConsoleOut:Dead0
 world: these ConsoleOut:Hung0
 world: fragile
 
-Ports that do not match are told apart before anything is asked of them. Components themselves would not mind:
+Ports that do not match are recognised before anything is asked of them. Components themselves would not mind:
 
   $ ctl reset
   $ rtcon ConsoleIn0.rtc:out SequenceInComponent0.rtc:Double

@@ -31,13 +31,13 @@ What it costs: of each component the list of its ports, each port's profile, and
   1 get_port_profile
   1 get_ports
 
-The component chooses the id; --verbose tells:
+The component chooses the id; --verbose reports it:
 
   $ rtdis ConsoleIn0.rtc
   $ rtcon -v ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected, id $UUID
 
-The order does not matter; options may stand behind the paths:
+The order does not matter; options may follow the paths:
 
   $ rtdis ConsoleIn0.rtc
   $ ctl reset; rtcon ConsoleOut0.rtc:in ConsoleIn0.rtc:out -n backwards --id=b1

@@ -40,7 +40,7 @@ world: hostile
   [mode1] active
   $ rtconf ConfigSample0.rtc dump one.conf; rtconf ConfigSample0.rtc dump - | cmp - one.conf
 
-load brings the sets to what such a text says. Nothing is to be done for what is so already:
+load brings the sets to what such a text says. Nothing is done for values that are already there:
 
   $ rtconf ConfigSample0.rtc dump | rtconf ConfigSample0.rtc load -v
   $ rtconf ConfigSample0.rtc load -v one.conf

@@ -165,7 +165,7 @@ set keeps active what is active, wherever it changes something; act changes that
   +mode0
   +mode1
 
---verbose tells what was done, --dry-run only what would be, as commands that do it:
+--verbose reports what was done, --dry-run only what would be, as commands that do it:
 
   $ rtconf ConfigSample0.rtc -v -s mode0 set int_param0 78
   rtconf: rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s mode0 set int_param0=78

@@ -206,7 +206,7 @@ The same system gives the same file, apart from its dates, in both forms:
               <rts:ConfigurationData rts:name="int_param0" rts:data="-999"/>
           </rts:ConfigurationSets>
 
-What the system is called, and where it is written; --verbose tells what was saved:
+What the system is called, and where it is written; --verbose reports what was saved:
 
   $ rtcryo -n Arm -e 'Robot & Co' -v 2.1 -a 'two arms' -o arm.rtsys --verbose
   rtcryo: 2 components without connections left out; --all saves them, too

@@ -35,7 +35,7 @@ A component that takes longer than the half second that its context waits:
   cpp11:
   Inactive  1/0  0/0  1/0  0/0  Slow0.rtc
 
-C++ 1.1 answers only after ten periods, which may be longer than the timeout; who waits for the state waits for the answer:
+C++ 1.1 answers only after ten periods, which may be longer than the timeout; --wait waits for the answer, too:
 
   $ cd=/localhost:$PORT/cpp11.host_cxt; rtec $cd/ConsoleIn0.rtc rate 8; rtact --wait $cd/ConsoleIn0.rtc
   $ within 1.2-9 rtdeact -v --timeout 0.5 --wait=8 $cd/ConsoleIn0.rtc

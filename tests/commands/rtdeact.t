@@ -1,4 +1,4 @@
-rtdeact deactivates components. rtact.t shows what it shares with rtact; what can go wrong stands in rtact-failures.t.
+rtdeact deactivates components. rtact.t shows what it shares with rtact; what can go wrong is in rtact-failures.t.
 
 world: two
 world: error

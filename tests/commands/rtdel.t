@@ -7,7 +7,7 @@ world: these Mock:Hung0
 world: fragile
 faulty: bottomless
 
-A name, whatever it stands for; the component does not notice:
+A name, whatever it is bound to; the component does not notice:
 
   $ rtdel ConsoleIn0.rtc
   rtdel: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: alive, with its connections, but no longer found by this name; a restart binds it again, or, by itself, naming.update.enable: YES in its rtc.conf
@@ -58,7 +58,7 @@ A component that does not answer is no zombie, nor is one that says that it has 
   $ rtls Fragile0.rtc
   Fragile0.rtc
 
-An object that is gone while its process lives is a zombie, too; -z stands for all paths, and they fail one by one:
+An object that is gone while its process lives is a zombie, too; -z is used for all paths, and they fail one by one:
 
   $ rtdel -z -v ../odd.host_cxt/Gone0.rtc Fragile0.rtc Dead1.rtc Nope0.rtc
   rtdel: /localhost:$PORT/odd.host_cxt/Gone0.rtc: deleted

@@ -6,13 +6,13 @@ world: these ConsoleIn ConsoleOut ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 
   $ rtdis ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ ctl connectors ConsoleIn0:out; ctl connectors ConsoleOut0:in
 
-It is silent; --verbose tells which:
+It is silent; --verbose reports which:
 
   $ rtcon -i first ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtdis -v ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: removed connection first
 
-The order of the ports does not matter, options may stand behind them:
+The order of the ports does not matter, options may follow them:
 
   $ rtcon -i first ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtdis ConsoleOut0.rtc:in ConsoleIn0.rtc:out -v

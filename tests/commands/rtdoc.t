@@ -28,7 +28,7 @@ reStructuredText, laid out as rtshell does:
      "IDL:RTC/TimedLong:1.0", "tm: Time, data: long"
    (esc)
 
-A service port tells its interfaces:
+A service port lists its interfaces:
 
   $ rtdoc --format=rst MyServiceProvider0.rtc
   MyServiceProvider

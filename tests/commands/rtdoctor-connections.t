@@ -36,7 +36,7 @@ What it says can be pasted:
   $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend; doctor -q . | grep In0.rtc
   [1]
 
-Far ends that are dead: a component drops such connections when it is asked for its ports, and some tell about it. This
+Far ends that are dead: a component drops such connections when it is asked for its ports, and some report it. This
 ends no component of C++ 2.1, which is asked in the right order:
 
   $ doctor -q ../lost.host_cxt/Orphan0.rtc

@@ -1,4 +1,4 @@
-rtdoctor goes towards each name server step by step, and tells which step fails: the name, TCP, CORBA, the naming context.
+rtdoctor goes towards each name server step by step, and reports which step fails: the name, TCP, CORBA, the naming context.
 Then it looks at every name in it.
 
 world: astray

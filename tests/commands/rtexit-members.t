@@ -1,4 +1,4 @@
-A member of a composite leaves it before it exits: a composite of C++ tells it in its next cycle that it has left, and its process
+A member of a composite leaves it before it exits: a composite of C++ calls it in its next cycle to say that it has left, and its process
 ends where the member is gone by then. So does that of any execution context that a component takes part in.
 
 world: manager Sensor --flavour cpp2

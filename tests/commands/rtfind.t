@@ -143,7 +143,7 @@ Names alone ask no component anything; types one question each, states a few.
   1 get_owned_contexts
   1 get_participating_contexts
 
-Paths as everywhere; options may stand anywhere.
+Paths as everywhere; options may be anywhere.
 
   $ rtfind . -n ConsoleIn0.rtc localhost:$PORT2
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc

@@ -55,7 +55,7 @@ What is paused is not mended, until it is resumed; that takes back what a person
   rtkeep: b.xml: no rtkeep keeps it
   [1]
 
-What a person has done stands when the file is read again, and so does a pause; what the file wants otherwise than before is done.
+What a person has done stays when the file is read again, and so does a pause; what the file wants otherwise than before is done.
 
   $ : > out; rtdeact Motor0.rtc; rtconf ConfigSample0.rtc -s mode1 set int_param0=7; rtec ConfigSample0.rtc rate 250; soon '[ $(grep -c by.hand out) = 3 ]'
   $ rtkeep pause ConsoleOut0; cp a.xml before; sed 's/\(int_param0" rts:data=\)"-999"/\1"8"/' before > a.xml; cmp -s before a.xml; echo $?; : > out; rtkeep reload

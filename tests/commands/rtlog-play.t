@@ -21,7 +21,7 @@ By NAME, or by place; as long as recording took; nothing is left behind:
   10
   $ ctl @these connectors ConsoleOut0:in
 
-Faster, slower, not longer than, in cycles, so many a cycle:
+Faster, slower, not longer than, in cycles, several a cycle:
 
   $ rtlog -q -i -e 5 -f b.rtlog --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=10 --property dataport.publisher.push_policy=new Source0.rtc:number.n
   $ within 0.3-10 rtlog -p -f b.rtlog ConsoleOut0.rtc:in.n

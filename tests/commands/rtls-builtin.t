@@ -124,7 +124,7 @@ world: manager --context managed.host_cxt/%n.rtc
   rtls: /no.such.host: host name not known
   [4]
 
-It is used by itself. Who asks for omniORBpy where that cannot be imported is told so, and who needs it:
+Our own ORB is the default. Where omniORBpy is asked for or needed, but cannot be imported, the error says so:
 
   $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py; export PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH}
   $ unset RTSHELL_ORB; rtls -l ConsoleIn0.rtc; rtls --version --verbose | tail -1

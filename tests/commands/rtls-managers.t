@@ -1,4 +1,4 @@
-Managers are directories: of their slaves, which stand in no name server, and of their components.
+Managers are directories: of their slaves, which are in no name server, and of their components.
 
 world: managers --flavour cpp2
 world: manager11 --context old.host_cxt/%n.rtc

@@ -1,4 +1,4 @@
-The states that rtls -l tells, and the ports it counts.
+The states that rtls -l shows, and the ports it counts.
 
 world: error
 world: contexts
@@ -43,7 +43,7 @@ component checks its connections when it is asked for a port. Fragile0 has survi
   $ ctl @fragile components
   Fragile0
 
-A component that fails to tell one of the figures:
+A component that fails to answer with one of the figures:
 
   $ ctl @these fail get_ports 1 NO_IMPLEMENT; rtls -l -v Slow0.rtc
   ?  -  -  -  -  ?Slow0.rtc

@@ -63,7 +63,7 @@ Paths are relative to RTCSH_CWD, or absolute.
   rtls: localhost: a working directory (RTCSH_CWD) starts with /
   [2]
 
-A name server needs no slash after its TCP port, and need not stand in RTCTREE_NAMESERVERS.
+A name server needs no slash after its TCP port, and need not be in RTCTREE_NAMESERVERS.
 
   $ rtls /127.0.0.1:$PORT
   test.host_cxt/
@@ -116,7 +116,7 @@ harm.
   ConsoleOut0.rtc
    (esc)
 
-Several paths: what is in a directory follows its name. Options may stand anywhere.
+Several paths: what is in a directory follows its name. Options may be anywhere.
 
   $ rtls ConsoleIn0.rtc ConsoleOut0.rtc -l
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
@@ -286,7 +286,7 @@ Wrong usage contacts nobody.
   $ RTSHELL_TIMEOUT=0.5 rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
 
--v and -q have nothing to tell while all goes well.
+-v and -q change nothing while all goes well.
 
   $ rtls -v ConsoleIn0.rtc
   ConsoleIn0.rtc

@@ -152,7 +152,7 @@ Components: a name that is unknown or taken, a module that is unknown, an argume
   [6]
 
 Python gives a component under a name that is taken: the one that has it, or, where the factory kept the name, another one that
-nobody lists. The name tells:
+nobody lists. Its name shows that it is one:
 
   $ rtmgr -v -c 'Motor?instance_name=kept' ../py.host_cxt/manager.mgr
   rtmgr: created kept

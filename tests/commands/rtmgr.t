@@ -2,7 +2,7 @@ rtmgr asks and commands managers: the daemons that load modules and make compone
 
 world: manager ConsoleIn ConsoleOut --flavour cpp2
 
-A manager is named by its path. --factories lists what can be created (a master tells those of its slaves, too), --rtcs the
+A manager is named by its path. --factories lists what can be created (a master lists those of its slaves, too), --rtcs the
 components, --loaded the modules that are there:
 
   $ rtmgr --factories manager.mgr
@@ -54,7 +54,7 @@ components, --loaded the modules that are there:
   $ rtmgr --config manager.mgr | wc -l
   76
 
--c creates a component and -d deletes it; -v tells what was done. The name is the manager's choice, or given:
+-c creates a component and -d deletes it; -v reports what was done. The name is the manager's choice, or given:
 
   $ rtmgr -c ConsoleIn manager.mgr
   $ rtmgr -v --create 'Motor?instance_name=left' manager.mgr
@@ -225,7 +225,7 @@ A file that is there already, or a wrong function, adds nothing; that is reporte
   {"created": "m4", "manager": "/localhost:$PORT/test.host_cxt/manager.mgr"}
 
 Without a name server, a manager is reached at its address; its key is `manager`, whatever its name. The slaves of a master
-stand in no name server; they have an address, too:
+are in no name server; they have an address, too:
 
   $ M=$(ctl port) S=$(ctl slave 1 port)
   $ rtmgr -r corbaloc:iiop:localhost:$M/manager | grep instance

@@ -1,4 +1,4 @@
-Whoever reads on this host is called by the component in its own cycle, and leaves without touching its connector: removing that
+A reader on this host is called by the component in its own cycle, and leaves without touching its connector: removing that
 of a publisher has ended components.
 
 world: senders 500 100

@@ -3,7 +3,7 @@ rtprint prints what out ports send. Nothing of it is bound anywhere, and its con
 world: two
 world: senders 100 12
 
-A mock sends a value made of a number when it is told to; its time is 0 then:
+A mock sends a value made of a number on command; its time is 0 then:
 
   $ printing() { "$@" & pid=$!; until ctl connectors ConsoleIn0:out | grep -q . || ! kill -0 $pid 2>&-; do :; done; }
   $ printing rtprint -n 2 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 42; ctl write ConsoleIn0:out -1; wait $pid
@@ -30,7 +30,7 @@ Others stamp their values. They are printed as they come, all of them:
   1
   1
 
-Several ports; NAME is another name for the one behind which it stands:
+Several ports; NAME is another name for the port before it:
 
   $ rtprint -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines & pid=$!
   $ until [ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]; do :; done; ctl write ConsoleIn0:out 5; wait $pid; sort lines

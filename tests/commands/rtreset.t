@@ -1,4 +1,4 @@
-rtreset takes components out of Error; they become Inactive. rtact.t shows what it shares with rtact; what can go wrong stands in rtact-failures.t.
+rtreset takes components out of Error; they become Inactive. rtact.t shows what it shares with rtact; what can go wrong is in rtact-failures.t.
 
 world: two
 world: error

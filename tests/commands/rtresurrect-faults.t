@@ -81,7 +81,7 @@ One that falls silent costs one timeout, and one look after it:
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
   rtresurrect: 2 done, 21 already so
 
-Ctrl-C is told what has been done, and what may have been:
+At Ctrl-C it reports what has been done, and what may have been:
 
   $ rtteardown a.xml; ctl @these3 delay notify_connect 6; interrupt 3 rtresurrect -v a.xml
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done

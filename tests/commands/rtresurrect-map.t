@@ -8,7 +8,7 @@ world: these ConsoleIn:Left ConsoleOut:Right --nameserver localhost:$PORT2 --con
   $ O=/localhost:$PORT/old.host_cxt/arm.cxt; rtcon -i one -n n $O/ConsoleIn0.rtc:out $O/ConsoleOut0.rtc:in
   $ rtcryo localhost:$PORT > a.xml
 
-A name server and contexts; each OLD stands for whole elements, and the longest that fits counts:
+A name server and contexts; each OLD means whole elements, and the longest that fits counts:
 
   $ rtresurrect -v --map localhost:$PORT=localhost:$PORT2 --map old.host_cxt/arm.cxt=new.host_cxt a.xml
   rtresurrect: connection one of /localhost:$PORT2/new.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT2/new.host_cxt/ConsoleOut0.rtc:in: done

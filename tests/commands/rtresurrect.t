@@ -13,7 +13,7 @@ Save a system, with a connection of three ends and a composite on another name s
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
   $ rtcryo --all localhost:$PORT localhost:$PORT2 > a.xml; rtcryo --all -y localhost:$PORT localhost:$PORT2 > a.yaml
 
-All is so already, and nothing is done:
+All is already as the file says, and nothing is done:
 
   $ rtresurrect -y a.yaml; rtresurrect --xml - < a.xml; rtresurrect < a.yaml
   $ ctl reset; rtresurrect -v a.xml; calls | grep -E ' (connect|disconnect|notify.*|set_.*|activate_.*)$'

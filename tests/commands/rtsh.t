@@ -62,7 +62,7 @@ From a pipe and from a file; a backslash at the end of a line joins it with the 
   rtsh: nowhere: No such file or directory
   [1]
 
-A command that reads stdin itself gets what stands behind its line:
+A command that reads stdin itself gets what follows its line:
 
   $ printf 'conf ConsoleIn0.rtc load -\nConsoleIn0.rtc\n' | rtsh
   rtconf: -:1: neither [set] nor name=value

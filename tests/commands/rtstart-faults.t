@@ -69,7 +69,7 @@ Sync waits for the state, After does not:
   Active Sensor0.rtc
   Active Slow0.rtc
 
-A call whose answer is lost may have been heard: the state tells, and what cannot be told is said
+A call whose answer is lost may have been heard: the state shows it, and where it cannot, rtstart says so
 
   $ ctl @two fail activate_component 1 HANG; rtstart -q --timeout 1 all.xml 2>&1 | sed 's/Console[InOut]*/Console/'
   rtstart: /localhost:$PORT/test.host_cxt/Console0.rtc: no answer within 1s; it is Inactive now

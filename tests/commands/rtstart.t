@@ -167,7 +167,7 @@ A component that fails stops what depends on it, and nothing else:
   Inactive Motor0.rtc
   Inactive Sensor0.rtc
 
-Files that are none:
+Files that are not profiles:
 
   $ rtstart nofile
   rtstart: nofile: No such file or directory

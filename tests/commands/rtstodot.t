@@ -226,7 +226,7 @@ Not there any more, or not answering: grey, and told.
   rtstodot: /localhost:1: connection refused; is the name server running?
   [4]
 
-Files that are none, told with line and column:
+Files that are not profiles, reported with line and column:
 
   $ rtstodot nofile
   rtstodot: nofile: No such file or directory

@@ -46,7 +46,7 @@ Each is written at once, and what ends the command leaves nothing behind:
   141
   $ ctl observers Motor0
 
-One of C++ takes a logger, and never writes to it; who waits knows why:
+One of C++ takes a logger, and never writes to it; rtvlog says why nothing comes:
 
   $ rtvlog -t 1 ../cpp.host_cxt/Motor0.rtc & soon "ctl @observed2 observers Motor0 | grep Logger"
   rtvlog: /localhost:$PORT/cpp.host_cxt/Motor0.rtc: takes a logger, but components of C++ (up to 2.1) write nothing to it

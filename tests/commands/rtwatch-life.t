@@ -1,4 +1,4 @@
-rtwatch tells when a component exits, dies, falls silent, and when it is there again.
+rtwatch reports when a component exits, dies, falls silent, and when it is there again.
 
 world: observed
 world: these ConsoleIn:Plain0 --flavour cpp2

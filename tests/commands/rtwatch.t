@@ -1,4 +1,4 @@
-rtwatch tells what happens to components. Those that take observers, of either kind, tell themselves; others are polled.
+rtwatch reports what happens to components. Those that take observers, of either kind, report it themselves; others are polled.
 
 world: observed
 world: these ConsoleIn:Plain0 --flavour cpp2

@@ -57,7 +57,7 @@ class Attack(unittest.TestCase):
         self.at = listening_port(self.command.pid)
 
     def attack(self, talk, crowd):
-        """Have so many connections talk, until the end of the test. None of them reads an answer."""
+        """Have `crowd` connections talk, until the end of the test. None of them reads an answer."""
         ended = threading.Event()
         self.addCleanup(ended.set)
 

@@ -32,7 +32,7 @@ class KeptBytecode(Robot):
         return os.path.join(self.kept, name)
 
     def forge(self):
-        """Change the kept code of rtpwd so that it can be told from that in the wheel,
+        """Change the kept code of rtpwd so that it differs from that in the wheel,
         as only its owner can.
         """
         path = self.file("commands.rtpwd")

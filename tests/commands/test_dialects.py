@@ -70,7 +70,7 @@ class Dialects(unittest.TestCase):
 
     @classmethod
     def run_at(cls, port, words):
-        """(status, stdout, stderr) of a command that is told of a name server, but for what differs each
+        """(status, stdout, stderr) of a command that is given a name server, but for what differs each
         time.
         """
         place = "127.0.0.1:%d" % port

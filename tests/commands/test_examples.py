@@ -62,7 +62,7 @@ PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
 PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is not Active"'] = (
     "rtact Motor0.rtc"
 )
-# Things that mocks do not have, and what stands for them. All hosts are this one.
+# Things that mocks do not have, and what replaces them. All hosts are this one.
 NAMES = [
     ("--map robot=localhost --only '*Image*'", "--only '*Console*'"),
     ("--serve 2809 --loop", "--serve @FREE@ -t 1"),

@@ -35,7 +35,7 @@ COMMANDS = {
 
 
 class SilentPeer:
-    """Accepts connections and tells when the first request has come; answers nothing."""
+    """Accepts connections and notes when the first request has come; answers nothing."""
 
     def __enter__(self):
         self.listener = socket.socket()

@@ -41,7 +41,7 @@ SETTLED = (
     "dataport.subscription_type",
 )
 
-# A fault: `worlds` are started, {} in `before` (commands) and in `doctor` (words of rtdoctor) stands for the
+# A fault: `worlds` are started, {} in `before` (commands) and in `doctor` (words of rtdoctor) is the
 # name server, the world's control is asked `asks`; `settings` are environment variables. `mends` maps names
 # of remedies to patterns of the facts that they may change, each "KIND OBJECT".
 Fault = collections.namedtuple("Fault", "worlds asks before doctor settings mends")

@@ -194,7 +194,7 @@ class Page(Terminal):
         self.press("n", "a", "y")
         self.shows("^rtact: %s/Motor0.rtc: Active$" % self.top)
         self.shows(r"^Active .*Motor0\.rtc")
-        self.press("r", "y")  # what the component says to that is told as rtreset tells it
+        self.press("r", "y")  # what the component says to that is shown as rtreset shows it
         self.shows(r"^rtreset: .*/Motor0\.rtc: cannot reset: it is")
         self.press("i", "y")
         self.shows("^rtdeact: %s/Motor0.rtc: Inactive$" % self.top)
@@ -426,7 +426,7 @@ class End(Terminal):
         self.assertEqual(self.connectors().count("\n"), 1)
 
     def test_marks_of_rtkeep(self):
-        """What a running rtkeep says of a component stands beside what has changed."""
+        """What a running rtkeep says of a component is beside what has changed."""
         world = World(
             "these", "Motor:Kept0", "ConsoleIn:Left0", "ConsoleIn:Free0", "--context", "kept.host_cxt/%n.rtc"
         )

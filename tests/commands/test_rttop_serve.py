@@ -142,7 +142,7 @@ class Robot(Served):
         self.assertEqual(self.status(self.address + "../../etc/passwd"), 404)
 
     def test_others_need_the_token(self):
-        """127.0.0.2 is this host's, too; so every address of this host stands for another one."""
+        """127.0.0.2 is this host's, too; so every address of this host serves as another one."""
         self.start("--serve", "0.0.0.0:0")
         self.assertRegex(self.address, r"^http://[0-9.]+:\d+/[0-9a-f]{32}/$")
         port, token = re.match(r".*:(\d+)/(\w+)/", self.address).groups()

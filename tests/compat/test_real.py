@@ -473,7 +473,7 @@ class Real(unittest.TestCase):
         self.each_robot(connect)
 
     def lacks(self, file, count, ends):
-        """That rtcheck finds so many of the connections of these ports missing."""
+        """Assert that rtcheck finds `count` of the connections of these ports missing."""
         status, said = ended(start(["rtcheck", "-s", "Active", file]))
         found = [end for end in ends if "No connection of %s by ssm" % end in said]
         if status not in (0, 1) or len(found) != count:

@@ -168,7 +168,7 @@ class Keeping(unittest.TestCase):
         return "killed " + part
 
     def stop(self):
-        """A process stands still for a while: nothing is done to it, nor to its neighbours."""
+        """A process is stopped for a while: nothing is done to it, nor to its neighbours."""
         part = self.part()
         before = len(self.events())
         process = self.robot.processes[part]

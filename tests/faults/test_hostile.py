@@ -1,6 +1,6 @@
 """Peers all of whose text is hostile: it reaches no terminal, shell or reader of JSON unescaped.
 
-If one of these fails, whoever can start a component, or reach a name server, can type into the operator's
+If one of these fails, anybody who can start a component, or reach a name server, can type into the operator's
 terminal.
 """
 import glob
@@ -26,7 +26,7 @@ BOTH = "each ORB reads names in its own way"
 
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
-USAGE = {"rtinject": {70}}   # the value is none for the type of these ports
+USAGE = {"rtinject": {70}}   # the value does not fit the type of these ports
 READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 EACH = 2                # strings that each command line meets
 # what colours, clears and moves; rtlog -p ends its line with a return, so that the next text covers it

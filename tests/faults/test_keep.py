@@ -465,7 +465,7 @@ class Steps(unittest.TestCase):
         self.assertEqual(done.status, 0, done)
 
     def is_killed_at(self, number):
-        """Break all, run an rtkeep that is killed at a call, then another one; whether the first made so many
+        """Break all, run an rtkeep that is killed at a call, then another one; whether the first made `number`
         calls.
         """
         self.well("rtdeact", *[name(kind, 0) for kind in ("In", "Out", "Set")])

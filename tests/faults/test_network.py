@@ -301,7 +301,7 @@ class Network(unittest.TestCase):
         self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
 
     def test_an_address_that_leads_nowhere(self):
-        """It lives, but from here it cannot be reached: it is told so, and its name is not taken for that of
+        """It lives, but from here it cannot be reached: rtdoctor says so, and its name is not taken for that of
         a dead one.
         """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
@@ -339,7 +339,7 @@ class Network(unittest.TestCase):
             self.blames_the_network(said)
 
     def blames_the_network(self, said):
-        """Nobody is told to restart or delete anything."""
+        """Nothing advises to restart or delete anything."""
         self.assertIn("try: look at what is between here and ", said)
         self.assertNotRegex(said, "restart|rtdel|rtdis")
 
@@ -457,7 +457,7 @@ class Network(unittest.TestCase):
         self.assertNotIn("dead", doctor("laptop", home))
 
     def test_large_packets_that_are_lost(self):
-        """Small questions are answered, a profile never comes: that is the network, and nobody is told to
+        """Small questions are answered, a profile never comes: that is the network, and nothing advises to
         restart anything.
         """
         with hole("robot2", 500):

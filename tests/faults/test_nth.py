@@ -1,6 +1,6 @@
 """The n-th call fails, for every n, of every command that makes several: its report must be true.
 
-If one of these fails, an operator is told that a connection or a state is there which is not, or the other
+If one of these fails, an operator reads that a connection or a state is there which is not, or the other
 way round.
 """
 import itertools
@@ -22,9 +22,9 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 KINDS = ("TRANSIENT", "COMM_FAILURE", "UNKNOWN", "HANG", "LOST", "DIE")
-NAMES = "names"        # stands for the number of a world where the name server is meant
+NAMES = "names"  # in place of the number of a world where the name server is meant
 LANES = 4
-SHORT = 90             # of 1,500 cases
+SHORT = 90  # of 1,500 cases
 UNSURE = (
     b"not known",
     b"no answer",
@@ -79,7 +79,7 @@ class Lane:
             list(words), around.top, RTCTREE_NAMESERVERS=self.server[1:], RTSHELL_TIMEOUT=str(timeout)
         )
 
-    # the truth, None where there is nobody to tell it
+    # the truth, None where nobody knows it
 
     def ctl(self, number, *words):
         try:

@@ -244,7 +244,7 @@ def options(known):
     )
     parser.add_argument("target", nargs="*", help="of %s (default: all)" % ", ".join(known))
     parser.add_argument("--seconds", type=float, default=10, help="for each target (10)")
-    parser.add_argument("--cases", type=int, help="so many for each target")
+    parser.add_argument("--cases", type=int, help="how many for each target")
     parser.add_argument("--seed", default="1")
     args = parser.parse_args()
     for name in args.target:

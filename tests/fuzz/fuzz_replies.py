@@ -52,7 +52,7 @@ TIMEOUT = 0.3  # seconds that a command waits for an answer
 LIMIT = 4.0
 MEMORY = 64 << 20  # bytes that a child may grow to on top of what it began with
 # omniORBpy (4.3) reads a reference whose repository id is not UTF-8 into a null pointer. Nothing of ours can
-# be put before that: replies are read in C++. What faulthandler tells of it is the call in a stub.
+# be put before that: replies are read in C++. faulthandler names the call in a stub.
 OMNIORBS = "ended by omniORBpy"
 IN_STUB = re.compile(r"Current thread .*\n  File \".*(_idl|/CORBA)\.py\", line")
 WORDS = [
@@ -125,7 +125,7 @@ class Robot:
     def close(self):
         for each in [self.listener] + self.connections:
             try:
-                each.shutdown(socket.SHUT_RDWR)  # wakes up who waits
+                each.shutdown(socket.SHUT_RDWR)  # wakes up the thread that waits
             except OSError:
                 pass
             each.close()
@@ -249,7 +249,7 @@ class Replies(fuzz.Target):
                 env=dict(os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb),
             )
         begun = time.monotonic() - tools.waited_for_processor(self.child.pid)
-        # faulthandler tells where it hangs
+        # faulthandler says where it hangs
         timer = threading.Timer(5 * LIMIT, self.child.send_signal, [signal.SIGABRT])
         timer.start()
         try:

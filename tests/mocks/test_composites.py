@@ -65,7 +65,7 @@ class Composites:
         configuration.activate_configuration_set("default")
 
     def test_members(self):
-        """Their own contexts stand still; they take part in the composite's, and know its organization."""
+        """Their own contexts are stopped; they take part in the composite's, and know its organization."""
         self.assertEqual([one.get_sdo_id() for one in self.organization.get_members()], MEMBERS)
         profile = self.context.get_profile()
         self.assertEqual([one.get_sdo_id() for one in profile.participants], MEMBERS)
@@ -96,7 +96,7 @@ class Composites:
         )
 
     def test_owner(self):
-        """C++ tells it once."""
+        """C++ answers that once."""
         self.assertTrue(self.organization.get_owner()._is_equivalent(self.composite))
         self.assertEqual(self.organization.get_owner() is None, self.once)
         self.assertEqual(self.organization.get_dependency(), SDOPackage.OWN)

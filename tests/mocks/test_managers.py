@@ -82,7 +82,7 @@ class Flavoured:
     # roles
 
     def test_addresses(self):
-        """The master is bound, and is the same object under its key on the port that the world tells."""
+        """The master is bound, and is the same object under its key on the port that the world names."""
         port = self.world.ctl("port").strip()
         self.assertEqual(self.world.ready.split()[-1], port)
         by_key = worlds.Server.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%s/manager" % port)
@@ -353,7 +353,7 @@ class Worlds(unittest.TestCase):
         )
 
     def test_shutdown_of_a_slave(self):
-        """It tells its master at once, and ends a little later, names unbound."""
+        """It reports to its master at once, and ends a little later, names unbound."""
         world, master = self.world("manager")
         slave, = master.get_slave_managers()
         self.assertEqual(str(slave.shutdown()), "RTC_OK")

@@ -1,4 +1,4 @@
-"""What mock components tell observers, loggers and askers for their state machine; and senders.
+"""What mock components report to observers, loggers and askers for their state machine; and senders.
 
 If this fails, the transcripts of rtwatch, rtvlog and rtfsm prove nothing.
 """
@@ -242,7 +242,7 @@ class Observers(Case):
 
 class StateMachines(Case):
     def test_service(self):
-        """Found in the list of service profiles and by id; what is set is told again."""
+        """Found in the list of service profiles and by id; what is set is reported again."""
         self.start("fsm")
         component = self.world.component("Microwave0")
         found, = component.get_service_profiles()

@@ -253,7 +253,7 @@ class Worlds(unittest.TestCase):
             self.assertEqual(raised(world.resolve, "ConsoleIn0.rtc"), "NotFound")
 
     def test_end_of_input(self):
-        """A world ends with whoever has started it."""
+        """A world ends with the process that has started it."""
         words = ["two", "--nameserver", "127.0.0.1:%d" % worlds.Server.port]
         done = subprocess.run(
             [sys.executable, "-m", "mock_components"] + words,

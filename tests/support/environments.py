@@ -187,7 +187,7 @@ def _prepared(python, wheel):
         python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite"
     )
     _refresh(interpreter, directory, wheel)
-    # The processes of the tests, thousands of them, write no bytecode where commands are told not to: half
+    # The processes of the tests, thousands of them, write no bytecode beside the modules: half
     # their start-up.
     run(
         [interpreter, "-m", "compileall", "-q"]

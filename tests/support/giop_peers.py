@@ -1,4 +1,4 @@
-"""Processes, in threads of this one, that speak GIOP as a test tells them to."""
+"""Processes, in threads of this one, that answer in GIOP what a test has given them."""
 import contextlib
 import socket
 import struct

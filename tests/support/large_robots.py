@@ -21,7 +21,7 @@ SETTINGS = {
 
 
 def profile(components, seed=1, connections=3, each=7):
-    """An RtsProfile with about so many connections of each component; `each` components are in a process."""
+    """An RtsProfile with about `connections` of each component; `each` components are in a process."""
     chance = random.Random(seed)
     made = model.RtsProfile(id="RTSystem:Tests:large:1.0", version="0.2")
     for number in range(components):

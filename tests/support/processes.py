@@ -33,7 +33,7 @@ def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
     """Start an omniNames of its own data directory; returns its process and its port as text, one that sorts
     behind `above`.
 
-    `published` is the port that its references tell, where that is another one; `options` are further words
+    `published` is the port in its references, where that is another one; `options` are further words
     of omniNames.
     """
     publish = ["-ORBendPointPublish", "giop:tcp:127.0.0.1:%d" % published] if published else []

@@ -113,7 +113,7 @@ class Link:
 
 def end(opened):
     try:
-        opened.shutdown(socket.SHUT_RDWR)  # wakes up who waits on it
+        opened.shutdown(socket.SHUT_RDWR)  # wakes up the thread that waits for it
     except OSError:
         pass
     opened.close()

@@ -51,7 +51,9 @@ MATRIX = {
     "3.13": [("dash", "omniorb"), ("dash", None)],
     "3.6": [("dash", None), ("ash", None)],
 }
-TURNS, SHARE = ["3.7", "3.13"], 5  # our own ORB on a Python that has omniORBpy: one of so many transcripts
+# Our own ORB on a Python that has omniORBpy: every fifth transcript.
+TURNS = ["3.7", "3.13"]
+SHARE = 5
 MODULE_LIMIT = 300.0  # seconds for one test module
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
@@ -60,8 +62,8 @@ PACKAGING = ["commands/test_packaging", "commands/test_unpack", "commands/test_b
 
 
 class Job:
-    """A test module, or a transcript under a shell; `run` returns outcomes. So many like it may run
-    `at_once`, and nothing else.
+    """A test module, or a transcript under a shell; `run` returns outcomes. `at_once` like it may run together,
+    and nothing else.
 
     `path` is the file that it runs: the longest ones begin, so that none is left when all others are done.
     """

@@ -8,8 +8,8 @@ import zlib
 
 import transcripts
 
-OF_FAILURES = 3  # one in so many of the transcripts about failures
-OF_OMNIORB = 4  # one in so many transcripts is played with omniORB, the others with our own ORB
+OF_FAILURES = 3  # every third of the transcripts about failures
+OF_OMNIORB = 4  # every fourth transcript is played with omniORB, the others with our own ORB
 BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: 3 to 5 minutes on two quiet cores.
 A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""  # noqa: E501
 

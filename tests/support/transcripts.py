@@ -254,7 +254,7 @@ def _session(items, shell, setting, time_limit):
     reader.start()
     try:
         worker.stdin.write(json.dumps(request).encode() + b"\n")
-        worker.stdin.flush()  # and left open: its end tells the worker that we are gone
+        worker.stdin.flush()  # and left open: the worker ends when it is closed
         answer = _line(worker.stdout, time_limit + 60)
         reader.join(0 if answer else 1)
     finally:

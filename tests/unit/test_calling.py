@@ -10,7 +10,7 @@ from rtshell_lite.corba.iiop import client
 from rtshell_lite.giop import descriptors, messages
 from rtshell_lite.giop.operations import Schema
 
-PART = 2  # one in so many of its tests in a short run
+PART = 2  # a short run has every second of its tests
 MOVE = Schema("move", [descriptors.DOUBLE], [descriptors.LONG], {})
 STOP = Schema("stop", [(descriptors.STRING, 0)], None, {})
 LONG = struct.pack("<i", 42)

@@ -207,7 +207,7 @@ class Closing(unittest.TestCase):
 
 class Early(unittest.TestCase):
     def test_values_that_come_before_the_connection_is_made(self):
-        """They wait in memory, so there is a limit: a component that goes on is told that the buffer is full.
+        """They wait in memory, so there is a limit: a component that goes on gets BUFFER_FULL.
         """
         for receiver in servants.RECEIVERS.values():
             reader = idle_reader()

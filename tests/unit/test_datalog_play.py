@@ -110,7 +110,7 @@ class Playing(Case):
                 self.assertTrue(due <= taken < due + 0.2 + waited, (times, expected))
 
     def test_pausing_stepping_jumping(self):
-        """Whoever watches says what comes next."""
+        """The caller chooses what comes next."""
         self.write([(0, START + i * 10 ** 9, True, b"") for i in range(40)])
 
         async def play_it(log):
@@ -340,7 +340,7 @@ class Exporting(Case):
 
 
 class Deep(Case):
-    """Values nested so deep that they can be read and not be told in words: what comes behind them is not
+    """Values nested so deep that they can be read, but not be written as text: what comes behind them is not
     lost.
     """
 

@@ -159,7 +159,7 @@ class Hostile(Served):
         here = self.client()
         ask = request(self.key, "_non_existent")
         here.socket.settimeout(1)
-        with self.assertRaises((socket.timeout, ConnectionError)):  # the latter: it has asked too much
+        with self.assertRaises((socket.timeout, ConnectionError)):  # ConnectionError: it has asked too much
             while True:
                 here.socket.sendall(ask * 1000)
         self.still_served()

@@ -150,7 +150,7 @@ class Loop(Calls):
         self.assertLess(tracemalloc.get_traced_memory()[1], sum(map(len, replies)) + 4 * messages.LARGE)
 
     def test_answers_before_the_end_of_a_connection_count(self):
-        """Answers count, and what ends it shows at once, whoever else is under way: a last word, garbage,
+        """Answers count, and what ends it shows at once, whatever else is under way: a last word, garbage,
         half a fragment.
         """
         def before(octets):

@@ -162,7 +162,7 @@ class OneColour(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def test_coroutines_are_awaited(self):
-        """A call of a coroutine function of the same file that stands alone does nothing."""
+        """Calling a coroutine function of the same file without `await` does nothing."""
         wrong = []
         for path, tree in self.trees.items():
             own = {node.name for node in walk(tree) if isinstance(node, ast.AsyncFunctionDef) and not node.decorator_list}  # noqa: E501
@@ -266,7 +266,7 @@ class Rules(unittest.TestCase):
                         yield node.lineno
         self.check(faults)
 
-    @unittest.skipIf(sys.version_info < (3, 8), "this Python cannot tell newer syntax")
+    @unittest.skipIf(sys.version_info < (3, 8), "this Python does not know newer syntax")
     def test_syntax_of_3_6(self):
         for path in self.trees:
             ast.parse(source(path), path, feature_version=(3, 6))

@@ -292,7 +292,7 @@ class Answers(Case):
         return number
 
     async def answers(self, answer, count):
-        """The values of so many who want it at the same time."""
+        """The values that `count` readers get who want it at the same time."""
         values = []
 
         async def get():

@@ -1,4 +1,4 @@
-"""What components tell observers, and what we make of it: if this fails, rtwatch shows words of the wire, or
+"""What components report to observers, and what we make of it: if this fails, rtwatch shows words of the wire, or
 the wrong ones.
 """
 import time

@@ -1,4 +1,4 @@
-"""Plots: what is thinned out, where lines end, which numbers stand at axes, and that nothing hostile is
+"""Plots: what is thinned out, where lines end, which numbers are at axes, and that nothing hostile is
 drawn.
 """
 import math

@@ -145,7 +145,7 @@ class Processes(unittest.TestCase):
         self.assertEqual(self.pids("b"), [])
 
     def test_service_manager_that_stands_still(self):
-        """A robot is kept though nobody reads what the service manager is told."""
+        """A robot is kept though nobody reads what is sent to the service manager."""
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
             manager.bind(os.path.join(self.directory, "notify"))
             self.keep(

@@ -17,7 +17,7 @@ SECOND = 10 ** 9
 
 
 class Clock:
-    """A time that passes when it is told to, in the place of time.time and time.monotonic."""
+    """A time that passes when a test says so, in the place of time.time and time.monotonic."""
 
     def __init__(self):
         self.now = START / 1e9

@@ -273,7 +273,7 @@ class Hostile(Case):
                 try:
                     self.refused_cheaply(opcode + struct.pack(size, length) + b"xx.")
                 except struct.error:
-                    pass  # a length that the opcode cannot tell
+                    pass  # a length that does not fit in the opcode
 
     def test_the_memo_is_no_array(self):
         tracemalloc.start()

@@ -11,7 +11,7 @@ from rtshell_lite.net import loop
 
 class Filling(unittest.TestCase):
     def sent(self, rate, length, count, every):
-        """A Backlog that `count` values have come to, one `every` so many seconds."""
+        """A Backlog that `count` values have come to, one every `every` seconds."""
         backlog = Backlog(rate, length)
         for number in range(count):
             backlog.add(number * every)
@@ -94,7 +94,7 @@ class Rest(unittest.TestCase):
     """Components of C++ may end when a connector is removed while they read from it."""
 
     def slept(self, rate, waiting=0.0, since=0.0, taken=1):
-        """How long a writer waits that has written so many seconds ago, while values wait in the buffer."""
+        """How long a writer waits that has written `since` seconds ago, while values wait in the buffer."""
         writer = mock.Mock(
             unanswered=0, taken=taken, last=100.0 - since, backlog=mock.Mock(rate=rate, waiting=waiting)
         )

@@ -311,7 +311,7 @@ def _alias(doc, pos, depth):
     if name not in doc.anchors:
         doc.fail(pos, "an alias of nothing that was anchored before")
     node, count = doc.anchors[name]
-    doc.nodes += count  # as often as it is used: ten lines of aliases can stand for 10 ** 9 nodes
+    doc.nodes += count  # as often as it is used: ten lines of aliases can mean 10 ** 9 nodes
     doc.node("", pos, depth + node.height)
     return found.end(), node
 
