@@ -20,7 +20,7 @@ RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
 
 # A component in one of its execution contexts: the number of the context as -e counts, its reference, whether
 # it is the component's own, and the component's state there.
-Placement = record("Placement", "index ref is_own state")
+ContextState = record("ContextState", "index ref is_own state")
 
 
 async def change_all(paths, transition, index=None, wait=None, dry_run=False):
@@ -87,13 +87,13 @@ async def _command(node, transition, index):
         if now == transition.target:
             return ""
         return _words(transition, index, node)
-    places = await placements(node)
+    contexts = await context_states(node)
     if transition is ACTIVATE:
-        place = await _to_activate(node, places)
-        if place.state == "Active":
+        context = await _to_activate(node, contexts)
+        if context.state == "Active":
             return ""
-        return _words(transition, place.index or None, node)
-    wanted = _to_leave(places)
+        return _words(transition, context.index or None, node)
+    wanted = _to_leave(contexts)
     _check_that_one_answers(node, wanted)
     if wanted:
         return _words(transition, None, node)
@@ -108,8 +108,8 @@ def _words(transition, index, node):
     return " ".join([transition.command] + option + [shell_word(str(node.path))])
 
 
-async def placements(node):
-    """A Placement for each execution context of a component, as -e counts them, but not for those that are
+async def context_states(node):
+    """A ContextState for each execution context of a component, as -e counts them, but not for those that are
     known to have ended.
 
     The state is Unknown in a context of another process that does not answer: the component may be Active
@@ -131,7 +131,7 @@ async def placements(node):
             if await _proves_death(e, ref):
                 continue
             state = "Unknown"
-        found.append(Placement(index, ref, index < len(owned), state))
+        found.append(ContextState(index, ref, index < len(owned), state))
     if not found:
         raise errors.NoSuch(str(node.path), "execution context", "0 (it has 0)")
     return found
@@ -181,15 +181,15 @@ async def change(node, transition, index=None, wait=None):
     if index is not None:
         await _change_in(node, await component.context_ref(node, index), transition, wait, _number(index))
         return transition.target
-    places = await placements(node)
+    contexts = await context_states(node)
     if transition is not ACTIVATE:
-        await _leave(node, places, transition, wait)
+        await _leave(node, contexts, transition, wait)
         return transition.target
-    place = await _activate(node, places, wait)
-    done = await _where(node, place)
-    if place.state == "Active" and place.index:
+    context = await _activate(node, contexts, wait)
+    done = await _where(node, context)
+    if context.state == "Active" and context.index:
         done = "already " + done
-    silent = _all_in(places, "Unknown")
+    silent = _all_in(contexts, "Unknown")
     if silent:
         done += f"; {_silence(silent[0])}"
     return done
@@ -199,54 +199,54 @@ def _number(index):
     return f"its execution context {index}"
 
 
-def _all_in(places, state):
-    return [place for place in places if place.state == state]
+def _all_in(contexts, state):
+    return [context for context in contexts if context.state == state]
 
 
-def _to_leave(places):
-    """The Placements in which a component has to become Inactive.
+def _to_leave(contexts):
+    """The contexts in which a component has to become Inactive.
     A context that does not know it (Created) is asked only if none does.
     """
-    known = [place for place in places if place.state != "Created"] or places[:1]
-    return [place for place in known if place.state != "Inactive"]
+    known = [context for context in contexts if context.state != "Created"] or contexts[:1]
+    return [context for context in known if context.state != "Inactive"]
 
 
-def _check_that_one_answers(node, places):
-    """Raise Unreachable if nothing can be done, as none of the contexts of these Placements answers."""
-    if places and all(place.state == "Unknown" for place in places):
-        raise errors.Unreachable(str(node.path), _silence(places[0]))
+def _check_that_one_answers(node, contexts):
+    """Raise Unreachable if nothing can be done, as none of these contexts answers."""
+    if contexts and all(context.state == "Unknown" for context in contexts):
+        raise errors.Unreachable(str(node.path), _silence(contexts[0]))
 
 
-def _silence(place):
-    return f"{_number(place.index)}, of another component, does not answer: it may be Active there"
+def _silence(context):
+    return f"{_number(context.index)}, of another component, does not answer: it may be Active there"
 
 
 def _ignore(stage):
-    """In the place of a function that notes how far a change has come."""
+    """In place of a function that notes how far a change has come."""
 
 
-async def _leave(node, places, transition, wait, stage=_ignore):
-    """Make a component Inactive in all Placements in which it is not: whether there was one. Raises the first
+async def _leave(node, contexts, transition, wait, stage=_ignore):
+    """Make a component Inactive in all contexts in which it is not: whether there was one. Raises the first
     failure, at the end.
 
     All contexts are asked before one is waited for: where a component stops slowly, or never, it stops
     elsewhere all the same.
     """
-    wanted = _to_leave(places)
+    wanted = _to_leave(contexts)
     asked = []
     failures = []
     start = time.monotonic()
-    for place in wanted:
+    for context in wanted:
         try:
-            _check_that_one_answers(node, [place])
+            _check_that_one_answers(node, [context])
             asked.append(
-                (place, await _request(node, place.ref, transition, wait, _number(place.index), stage))
+                (context, await _request(node, context.ref, transition, wait, _number(context.index), stage))
             )
         except errors.Error as e:
             failures.append(e)
-    for place, code in asked:
+    for context, code in asked:
         try:
-            await _reach(node, place.ref, transition, code, place.state, wait, start)
+            await _reach(node, context.ref, transition, code, context.state, wait, start)
         except errors.Error as e:
             failures.append(e)
     if failures:
@@ -254,43 +254,46 @@ async def _leave(node, places, transition, wait, stage=_ignore):
     return bool(wanted)
 
 
-async def _activate(node, places, wait, stage=_ignore):
-    """Make a component Active in one of its Placements, and return that: its state there is Active if it was
+async def _activate(node, contexts, wait, stage=_ignore):
+    """Make a component Active in one of its contexts, and return that: its state there is Active if it was
     so before.
 
     Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in
     two contexts is executed by both, at the same time; so one that is Active anywhere stays as it is.
     """
-    place = await _to_activate(node, places)
-    await _change_in(node, place.ref, ACTIVATE, wait, _number(place.index), place.state, stage)
-    return place
+    context = await _to_activate(node, contexts)
+    await _change_in(node, context.ref, ACTIVATE, wait, _number(context.index), context.state, stage)
+    return context
 
 
-async def _to_activate(node, places):
-    """The Placement in which a component is Active, or in Error, or is to become Active: the first one whose
-    context runs.
+async def _to_activate(node, contexts):
+    """The context in which a component is Active, or in Error, or is to become Active: the first that runs.
 
     Raises Unreachable where none is known to run, and the component may be Active in one that does not
     answer.
     """
-    settled = _all_in(places, "Active") or _all_in(places, "Error")
-    if settled or len(places) == 1:
-        return (settled or places)[0]
-    known = [place for place in places if place.state != "Unknown"]
-    for place in known:
-        if await component.or_default(node, place.ref, orb.call(node.path, place.ref, "is_running"), False):
-            return place
-    _check_that_one_answers(node, _all_in(places, "Unknown"))
-    return places[0]
+    settled = _all_in(contexts, "Active") or _all_in(contexts, "Error")
+    if settled or len(contexts) == 1:
+        return (settled or contexts)[0]
+    known = [context for context in contexts if context.state != "Unknown"]
+    for context in known:
+        if await component.or_default(
+            node, context.ref, orb.call(node.path, context.ref, "is_running"), False
+        ):
+            return context
+    _check_that_one_answers(node, _all_in(contexts, "Unknown"))
+    return contexts[0]
 
 
-async def _where(node, place):
+async def _where(node, context):
     """Active, and in which context, if that is not the first of its own."""
-    if place.index == 0:
+    if context.index == 0:
         return "Active"
-    if place.is_own:
-        return f"Active in {_number(place.index)}"
-    profile = await component.or_default(node, place.ref, orb.call(node.path, place.ref, "get_profile"), None)
+    if context.is_own:
+        return f"Active in {_number(context.index)}"
+    profile = await component.or_default(
+        node, context.ref, orb.call(node.path, context.ref, "get_profile"), None
+    )
     if profile:
         owner = printable(await component.instance_name(node, profile.owner))
     else:
@@ -308,15 +311,15 @@ async def change_as_planned(node, transition, index, wait, stage):
     If the component has to change, stage("asking") is called before it is asked, and stage("told") when it
     has accepted.
     """
-    places = await placements(node)
+    contexts = await context_states(node)
     if transition is not ACTIVATE:
-        return await _leave(node, places, transition, wait, stage)
-    named = [place for place in places if place.index == index]
+        return await _leave(node, contexts, transition, wait, stage)
+    named = [context for context in contexts if context.index == index]
     if not named:
         raise errors.NoSuch(str(node.path), "execution context", f"{index}: it has ended")
-    others = [place for place in places if place.is_own != named[0].is_own]
-    place = await _activate(node, named + others, wait, stage)
-    return place.state != "Active"
+    others = [context for context in contexts if context.is_own != named[0].is_own]
+    context = await _activate(node, named + others, wait, stage)
+    return context.state != "Active"
 
 
 async def _change_in(node, ref, transition, wait, called, before=None, stage=_ignore):
@@ -375,16 +378,16 @@ async def state_as_planned(node, transition, wait):
 
     Raises Unreachable where that is not known, Refused where Active does not last for a period.
     """
-    places = await placements(node)
+    contexts = await context_states(node)
     if transition is not ACTIVATE:
-        wanted = _to_leave(places)
+        wanted = _to_leave(contexts)
         _check_that_one_answers(node, wanted)
         if wanted:
-            return component.merged([place.state for place in wanted])
+            return component.merged([context.state for context in wanted])
         return transition.target
-    active = _all_in(places, "Active")
+    active = _all_in(contexts, "Active")
     if not active:
-        return component.merged([place.state for place in places])
+        return component.merged([context.state for context in contexts])
     await check_still_active(node, active[0].ref, transition, wait)
     return "Active"
 

@@ -15,20 +15,20 @@ async def adopt(profile):
     first error of a component that is absent or does not answer: half a system is not to be adopted.
     """
     listed = restore.places(profile)
-    tops = sorted({site.path._replace(names=()) for site in listed}, key=str)
+    tops = sorted({placement.path._replace(names=()) for placement in listed}, key=str)
     now = await capture.capture(tops, all_components=True)
     found = {}
     for each, made in zip(now.found, now.profile.components):
         found[each.node.path] = each, made
-    for site in listed:
-        if site.path not in found:
-            mine = [error for error in now.failures if error.where == site.where]
-            raise (mine + now.failures + [errors.NotFound(site.where)])[0]
-    for site in listed:
-        _take_component(site.component, *found[site.path])
+    for placement in listed:
+        if placement.path not in found:
+            mine = [error for error in now.failures if error.where == placement.where]
+            raise (mine + now.failures + [errors.NotFound(placement.where)])[0]
+    for placement in listed:
+        _take_component(placement.component, *found[placement.path])
     wanted = set()
     for path, (_, made) in found.items():
-        if path in {site.path for site in listed}:
+        if path in {placement.path for placement in listed}:
             wanted.add(id(made))
     locate = capture.locator(now.profile)
     for kind in KINDS:

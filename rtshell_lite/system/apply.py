@@ -11,7 +11,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
-from rtshell_lite.system import sites, steps
+from rtshell_lite.system import placements, steps
 
 DONE = "done"
 ALREADY = "already so"
@@ -69,20 +69,22 @@ class Outcome:
 
 
 async def assess(step):
-    """The Outcome of a step by what was found of its Sites:
+    """The Outcome of a step by what was found of its Placements:
     done already, to be done, not tried, or failed.
     """
     outcome = Outcome(step)
     if not step.tolerant:
-        outcome.error = step.site_error()
-    are_known = all(site.found is not None or site.error is not None for site in step.sites)
+        outcome.error = step.placement_error()
+    are_known = all(
+        placement.found is not None or placement.error is not None for placement in step.placements
+    )
     if outcome.error is not None or not are_known:
         return outcome
     try:
-        if await step.is_done(steps.raise_first(step.site_answers())):
+        if await step.is_done(steps.raise_first(step.known_answers())):
             outcome.status = ALREADY
     except errors.Error as e:
-        if any(e is site.error for site in step.sites):  # reported with the component itself
+        if any(e is placement.error for placement in step.placements):  # reported with the component itself
             outcome.error = e
         else:
             outcome.fail(e)
@@ -130,17 +132,17 @@ async def _roll_back(outcomes):
 
 
 def _levels(outcomes):
-    """Lists of outcomes, one after the other, so that no two of a list share a Site.
+    """Lists of outcomes, one after the other, so that no two of a list share a Placement.
 
     The order of those that share one is kept, but among steps that are `free`: connections of one component
     after another to the next would make a list each.
     """
-    # by id of a Site: the level that ends those in order, and all levels in use
+    # by id of a Placement: the level that ends those in order, and all levels in use
     ends = {}
     taken = {}
     levels = []
     for outcome in outcomes:
-        keys = [id(site) for site in outcome.step.sites]
+        keys = [id(placement) for placement in outcome.step.placements]
         level = max([ends.get(key, 0) for key in keys] or [0])
         if outcome.step.free:
             while any(level in taken.get(key, ()) for key in keys):
@@ -194,7 +196,7 @@ async def _look(outcomes):
         if outcome.step.tolerant:
             dead = None
         else:
-            dead = outcome.step.site_error()
+            dead = outcome.step.placement_error()
         if dead is not None:
             outcome.error = dead
         else:
@@ -212,9 +214,9 @@ async def _look(outcomes):
 
 
 async def _mark_dead(outcomes, others=()):
-    """Note at the Sites which components have died or fallen silent meanwhile: they are not called again.
+    """Note at the Placements which components have died or fallen silent meanwhile: those are left alone.
 
-    `others`: outcomes of which only the Sites in the same processes are looked at.
+    `others`: outcomes of which only the Placements in the same processes are looked at.
     """
     answers = [
         answer
@@ -223,31 +225,35 @@ async def _mark_dead(outcomes, others=()):
     ]
     if not any(isinstance(answer, errors.Unreachable) for answer in answers):
         return
-    asked = _living_sites(outcomes)
-    endpoints = {site.node.endpoint for site in asked.values()}
+    asked = _living_placements(outcomes)
+    endpoints = {placement.node.endpoint for placement in asked.values()}
     asked.update(
-        (key, site) for key, site in _living_sites(others).items() if site.node.endpoint in endpoints
+        (key, placement)
+        for key, placement in _living_placements(others).items()
+        if placement.node.endpoint in endpoints
     )
-    nodes = await tree.check_alive([site.node for site in asked.values()])
+    nodes = await tree.check_alive([placement.node for placement in asked.values()])
     # a connection, which may have been an old one
     unsure = [type(node.error) is errors.Unreachable for node in nodes]
     again = iter(
-        await tree.check_alive([site.node for site, is_unsure in zip(asked.values(), unsure) if is_unsure])
+        await tree.check_alive(
+            [placement.node for placement, is_unsure in zip(asked.values(), unsure) if is_unsure]
+        )
     )
-    for site, node, is_unsure in zip(asked.values(), nodes, unsure):
+    for placement, node, is_unsure in zip(asked.values(), nodes, unsure):
         if is_unsure:
-            site.error = next(again).error
+            placement.error = next(again).error
         else:
-            site.error = node.error
+            placement.error = node.error
 
 
-def _living_sites(outcomes):
-    """{id of a Site: Site} of those of all steps that can be asked."""
+def _living_placements(outcomes):
+    """{id of a Placement: Placement} of those of all steps that can be asked."""
     return collections.OrderedDict(
-        (id(site), site)
+        (id(placement), placement)
         for outcome in outcomes
-        for site in outcome.step.sites
-        if site.node is not None and site.error is None
+        for placement in outcome.step.placements
+        if placement.node is not None and placement.error is None
     )
 
 
@@ -339,12 +345,15 @@ async def _judge(outcome, failure):
             return
         why = failure or errors.Refused(outcome.step.where, "reported success, but nothing changed")
     except errors.Error as e:
-        e = next((site.error for site in outcome.step.sites if sites.is_gone(site.error)), e)
+        e = next(
+            (placement.error for placement in outcome.step.placements if placements.is_gone(placement.error)),
+            e,
+        )
         if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent):
             why = e
         else:
             why = failure or e
-        if (_lost(outcome.after) is e or outcome.step.tolerant) and not sites.is_gone(e):
+        if (_lost(outcome.after) is e or outcome.step.tolerant) and not placements.is_gone(e):
             outcome.fail(
                 errors.Unreachable(outcome.step.where, f"{e.why}; whether it was done is not known"), UNSURE
             )

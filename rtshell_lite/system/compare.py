@@ -12,7 +12,7 @@ import re
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import ports, search, tree
-from rtshell_lite.system import capture, connect_steps, sites, steps
+from rtshell_lite.system import capture, connect_steps, placements, steps
 from rtshell_lite.text import printable
 
 # Where file and system differ: `message` as rtshell says it, `path` of the component or ports, what the file
@@ -62,10 +62,10 @@ async def compare(profile, state, tell=lambda line: None, extra=False):
 
     `extra`: report, too, what the system has beyond the profile.
     """
-    listed = sites.of(profile)
-    await sites.find(listed, functools.partial(capture.ask, brief=True))
+    listed = placements.of(profile)
+    await placements.find(listed, functools.partial(capture.ask, brief=True))
     result = Result()
-    result.failures = [site.error for site in listed if _is_silent(site)]
+    result.failures = [placement.error for placement in listed if _is_silent(placement)]
     result.asked = len(listed) - len(result.failures)
     seen = set()
     for step in checks(profile, state, listed):
@@ -79,14 +79,16 @@ async def compare(profile, state, tell=lambda line: None, extra=False):
         await _strangers(listed, result)
         known = {connector.connector_id for connector in profile.connectors}
         known |= {difference.actual for difference in result.differences if difference.check == OTHER_ID}
-        result.differences += _extra(known, [site for site in listed if site.found is not None])
+        result.differences += _extra(
+            known, [placement for placement in listed if placement.found is not None]
+        )
     return result
 
 
-def _is_silent(site):
+def _is_silent(placement):
     """True if it is not known whether a component is there: a failure, not a difference."""
-    return site.error is not None and not (
-        sites.is_gone(site.error) or isinstance(site.error, (errors.WrongKind, errors.Failed))
+    return placement.error is not None and not (
+        placements.is_gone(placement.error) or isinstance(placement.error, (errors.WrongKind, errors.Failed))
     )
 
 
@@ -97,47 +99,52 @@ def checks(profile, state, listed):
     """The steps that are looked at, required ones first: components, connections, configuration, members,
     states.
 
-    `state` is that in which the components are to be, `listed` is sites.of the profile.
+    `state` is that in which the components are to be, `listed` is placements.of the profile.
     """
-    by_need = sorted(listed, key=lambda site: not site.required)
-    site_of = sites.finder(capture.locator(profile), listed)
+    by_need = sorted(listed, key=lambda placement: not placement.required)
+    placement_of = placements.finder(capture.locator(profile), listed)
     found = []  # type: list
-    found += [steps.Present(site) for site in by_need]
-    found += sorted(connect_steps.connecting(profile, site_of), key=lambda step: not _is_required(step))
-    for site in listed:
-        active = site.component.active_configuration_set
+    found += [steps.Present(placement) for placement in by_need]
+    found += sorted(connect_steps.connecting(profile, placement_of), key=lambda step: not _is_required(step))
+    for placement in listed:
+        active = placement.component.active_configuration_set
         if active:
-            found += [steps.Active(site, active)]
+            found += [steps.Active(placement, active)]
         found += [
-            steps.Values(site, one.id, steps.wanted_values(one)) for one in site.component.configuration_sets
+            steps.Values(placement, one.id, steps.wanted_values(one))
+            for one in placement.component.configuration_sets
         ]
-    found += [_Members(site, steps.members(site, site_of)) for site in listed if site.component.participants]
-    for site in listed:
-        for index, handle, wanted in steps.own_contexts(site):
-            if site.component.participants:
+    found += [
+        _Members(placement, steps.members(placement, placement_of))
+        for placement in listed
+        if placement.component.participants
+    ]
+    for placement in listed:
+        for index, handle, wanted in steps.own_contexts(placement):
+            if placement.component.participants:
                 others = []
             else:
-                others = steps.participants(site, wanted, site_of)
+                others = steps.participants(placement, wanted, placement_of)
             if others:
-                found += [steps.Participants(site, index, handle, others)]
-    for site in by_need:  # a state for each context; one over all where the file lists none by number
-        handles = [context.id for context in site.component.execution_contexts if context.id.isdigit()] or [
-            None
-        ]
-        found += [_State(site, state, handle) for handle in handles]
+                found += [steps.Participants(placement, index, handle, others)]
+    for placement in by_need:  # a state for each context; one over all where the file lists none by number
+        handles = [
+            context.id for context in placement.component.execution_contexts if context.id.isdigit()
+        ] or [None]
+        found += [_State(placement, state, handle) for handle in handles]
     return found
 
 
 def _is_required(step):
     """Whether rtshell calls it an error when a step is not done."""
     if step.kind == "connect":
-        concerned = [site for site, _ in step.ends if site is not None]
+        concerned = [placement for placement, _ in step.ends if placement is not None]
     else:
-        concerned = step.sites[:1]
+        concerned = step.placements[:1]
     return (
         step.kind in ("configuration", "active set")
         or bool(concerned)
-        and all(site.required for site in concerned)
+        and all(placement.required for placement in concerned)
     )
 
 
@@ -160,8 +167,8 @@ class _State(steps.Step):
 
     kind = "state"
 
-    def __init__(self, site, state, handle):
-        super().__init__([site], site.where, "")
+    def __init__(self, placement, state, handle):
+        super().__init__([placement], placement.where, "")
         self.state = state
         self.handle = handle
 
@@ -196,7 +203,7 @@ class _State(steps.Step):
 def plan(profile, state):
     """The checks that would be done, as lines."""
     lines = []
-    for step in checks(profile, state, sites.of(profile)):
+    for step in checks(profile, state, placements.of(profile)):
         end = ""
         if _is_required(step):
             end = " (Required)"
@@ -209,8 +216,8 @@ def _lines(step, component='for {0} component {3} with ID "{1}" and instance nam
     """What a step checks, in words that complete "Checking …"."""
     where = step.where
     if step.kind == "component":
-        instance = printable(step.site.instance)
-        return [component.format(_need(step), printable(step.site.component.id), instance, where)]
+        instance = printable(step.placement.instance)
+        return [component.format(_need(step), printable(step.placement.component.id), instance, where)]
     if step.kind == "connect":
         ends = " and ".join(_end_names(step))
         if len(step.ends) == 1:
@@ -242,32 +249,32 @@ def _need(step):
 def _end_names(step):
     """What the ends of a connection are called, also where the file has no component for one."""
     names = []
-    for (site, port), end in zip(step.ends, step.connector.ends):
-        if site is None:
+    for (placement, port), end in zip(step.ends, step.connector.ends):
+        if placement is None:
             component = f"({printable(end.instance_name)})"
         else:
-            component = site.where
+            component = placement.where
         names.append(f"{component}:{printable(port)}")
     return names
 
 
 def _differences(step):
     """The Differences that a step finds; what is missing is reported once, with the component itself."""
-    if any(_is_silent(site) for site in step.sites):
+    if any(_is_silent(placement) for placement in step.placements):
         return []
     missing = _missing(step)
-    if missing or step.site_error() is not None:
+    if missing or step.placement_error() is not None:
         return missing
-    return [_in_words(step, difference) for difference in step.differences(step.site_answers())]
+    return [_in_words(step, difference) for difference in step.differences(step.known_answers())]
 
 
 def _remarks(step):
     """A Difference that does not count, for a connection that is like that of the file in all but its id."""
     if not isinstance(step, connect_steps.Connect):
         return []
-    if any(site.found is None for site in step.sites):
+    if any(placement.found is None for placement in step.placements):
         return []
-    at = step.site_answers()
+    at = step.known_answers()
     if errors.split(at)[1]:
         actual = None
     else:
@@ -283,26 +290,26 @@ def _missing(step):
     for the components, or else the ports, that are missing of a connection.
     """
     if isinstance(step, steps.Present):
-        ends = [(_need(step).capitalize(), step.site, None)]
+        ends = [(_need(step).capitalize(), step.placement, None)]
     elif isinstance(step, connect_steps.Connect):
         ends = []
         role = "Source"
-        for site, port in step.ends:
-            ends.append((role, site, port))
+        for placement, port in step.ends:
+            ends.append((role, placement, port))
             role = "Destination"
     else:
         return []
     components = [
-        _difference(step, f"{role} component missing[: {{path}}]", site.where, site.where)
-        for role, site, _ in ends
-        if site.error is not None
+        _difference(step, f"{role} component missing[: {{path}}]", placement.where, placement.where)
+        for role, placement, _ in ends
+        if placement.error is not None
     ]
     if components:
         return components
     lost = [
-        (role, f"{site.where}:{printable(port)}", port)
-        for role, site, port in ends
-        if port is not None and isinstance(site.port(port), errors.Error)
+        (role, f"{placement.where}:{printable(port)}", port)
+        for role, placement, port in ends
+        if port is not None and isinstance(placement.port(port), errors.Error)
     ]
     return [_difference(step, f"{role} port missing[: {{path}}]", where, port) for role, where, port in lost]
 
@@ -315,7 +322,7 @@ def _in_words(step, difference):
         "member": difference.expected,
         "between": "between",
     }
-    if len(step.sites) == 1:
+    if len(step.placements) == 1:
         words["between"] = "of"
     path = step.where
     if step.kind == "connect" and difference.what == "property":
@@ -351,14 +358,14 @@ def _beyond(check, required, message, path, actual):
 
 
 async def _strangers(listed, result):
-    """Add to the Result the components in the name servers of the Sites `listed` that are none of these."""
+    """Add to the Result the components in the name servers of the Placements `listed` that are not listed."""
     servers = set()
-    for site in listed:
-        if site.path.server is not None:
-            servers.add(site.path._replace(names=()))
+    for placement in listed:
+        if placement.path.server is not None:
+            servers.add(placement.path._replace(names=()))
     nodes, _, failures, _ = await search.components(sorted(servers, key=str))
-    known = {orb.identity(site.node.ref) for site in listed if site.found is not None} | {
-        site.where for site in listed
+    known = {orb.identity(placement.node.ref) for placement in listed if placement.found is not None} | {
+        placement.where for placement in listed
     }
     strange = []
     for node in nodes:
@@ -376,21 +383,20 @@ async def _strangers(listed, result):
 
 
 def _extra(listed, there):
-    """Differences for what the components at the Sites `there` have beyond the profile: connections,
+    """Differences for what the components at the Placements `there` have beyond the profile: connections,
     configuration.
 
     `listed` are the ids of the connections that the profile has.
     """
-    names = {
-        orb.identity(
-            port.ref
-        ): f"{site.where}:{printable(ports.short_name(port.name, site.found.profile.instance_name))}"
-        for site in there
-        for port in site.found.ports
-    }
+    names = {}
+    for placement in there:
+        instance = placement.found.profile.instance_name
+        for port in placement.found.ports:
+            name = printable(ports.short_name(port.name, instance))
+            names[orb.identity(port.ref)] = f"{placement.where}:{name}"
     differences = []
-    for site in there:
-        for connector in [connector for port in site.found.ports for connector in port.connectors]:
+    for placement in there:
+        for connector in [connector for port in placement.found.ports for connector in port.connectors]:
             if connector.id not in listed:
                 listed.add(connector.id)
                 ends = " and ".join(
@@ -401,26 +407,26 @@ def _extra(listed, there):
                 differences.append(
                     _beyond(
                         "connection",
-                        site.required,
+                        placement.required,
                         f"Connection not in the file: {printable(connector.id)} " f"between {ends}",
                         ends,
                         connector.id,
                     )
                 )
-        differences += _extra_configuration(site)
+        differences += _extra_configuration(placement)
     return differences
 
 
-def _extra_configuration(site):
+def _extra_configuration(placement):
     """Differences for the configuration sets and parameters of one component."""
-    listed = {one.id: steps.wanted_values(one) for one in site.component.configuration_sets}
-    for one in site.found.sets:
+    listed = {one.id: steps.wanted_values(one) for one in placement.component.configuration_sets}
+    for one in placement.found.sets:
         if one.id not in listed:
             yield _beyond(
                 "configuration",
                 True,
-                f"Configuration set not in the file: {printable(one.id)} on component {site.where}",
-                site.where,
+                f"Configuration set not in the file: {printable(one.id)} on component {placement.where}",
+                placement.where,
                 one.id,
             )
             continue
@@ -430,7 +436,7 @@ def _extra_configuration(site):
                     "configuration",
                     True,
                     f"Configuration parameter not in the file: {printable(name)} in set "
-                    f"{printable(one.id)} on component {site.where}",
-                    site.where,
+                    f"{printable(one.id)} on component {placement.where}",
+                    placement.where,
                     one.values[name],
                 )

@@ -3,7 +3,7 @@
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import connectors, ports
-from rtshell_lite.system import capture, sites, steps
+from rtshell_lite.system import capture, placements, steps
 from rtshell_lite.system.steps import Difference
 from rtshell_lite.text import printable, shell_word
 
@@ -12,26 +12,28 @@ class Incomplete(errors.Refused):
     """{}: {}"""  # of a connection that some ends lack, or that joins other ports than it should
 
 
-def connecting(profile, site_of, only=None):
-    """A Connect, or Unplaced, for each connector of a profile, or of those in the list `only`; `site_of` as
-    sites.finder makes it.
+def connecting(profile, placement_of, only=None):
+    """A Connect, or Unplaced, for each connector of a profile, or of those in the list `only`;
+    `placement_of` as placements.finder makes it.
     """
-    return _placed(profile, site_of, Connect, only)
+    return _placed(profile, placement_of, Connect, only)
 
 
-def disconnecting(profile, site_of):
-    """A Disconnect, or Unplaced, for each connector of a profile; `site_of` as sites.finder makes it."""
-    return _placed(profile, site_of, Disconnect)
+def disconnecting(profile, placement_of):
+    """A Disconnect, or Unplaced, for each connector of a profile; `placement_of` as placements.finder makes
+    it.
+    """
+    return _placed(profile, placement_of, Disconnect)
 
 
-def _placed(profile, site_of, kind, only=None):
+def _placed(profile, placement_of, kind, only=None):
     ids = {connector.connector_id for connector in profile.connectors}
     if only is None:
         only = profile.connectors
     steps_of_all = []
     for connector in only:
-        ends = [(site_of(end), capture.port_of(end)) for end in connector.ends]
-        if any(site is None for site, _ in ends):
+        ends = [(placement_of(end), capture.port_of(end)) for end in connector.ends]
+        if any(placement is None for placement, _ in ends):
             steps_of_all.append(Unplaced(connector, ends))
         else:
             steps_of_all.append(kind(connector, ends, ids))
@@ -49,11 +51,11 @@ class Unplaced(steps.Step):
         self.connector = connector
         self.ends = ends
 
-    def site_answers(self):
+    def known_answers(self):
         return []
 
     def differences(self, answers):
-        lost = next(end for end, (site, _) in zip(self.connector.ends, self.ends) if site is None)
+        lost = next(end for end, (placement, _) in zip(self.connector.ends, self.ends) if placement is None)
         yield Difference(
             "unplaced",
             self.connector.connector_id,
@@ -64,7 +66,7 @@ class Unplaced(steps.Step):
 
 
 class Connection(steps.Step):
-    """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Site, port
+    """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Placement, port
     name).
 
     `ids` are those of all connectors in the profile.
@@ -74,11 +76,11 @@ class Connection(steps.Step):
     part = "ports"
 
     def __init__(self, connector, ends, ids):
-        paths = [str(site.path.with_port(name)) for site, name in ends]
+        paths = [str(placement.path.with_port(name)) for placement, name in ends]
         concerned = []
-        for site, _ in ends:
-            if site not in concerned:
-                concerned.append(site)
+        for placement, _ in ends:
+            if placement not in concerned:
+                concerned.append(placement)
         label = printable(connector.connector_id) or "without id"
         where = " to ".join(paths)
         super().__init__(concerned, where, f"connection {label} of {where}")
@@ -89,10 +91,10 @@ class Connection(steps.Step):
         self.wanted = wanted_properties(connector)
 
     def questions(self):
-        return [site.port_question(name) for site, name in self._living()]
+        return [placement.port_question(name) for placement, name in self._living()]
 
-    def site_answers(self):
-        return [site.port(name) for site, name in self._living()]
+    def known_answers(self):
+        return [placement.port(name) for placement, name in self._living()]
 
     def _living(self):
         """The ends that are looked at."""
@@ -100,8 +102,8 @@ class Connection(steps.Step):
 
     @property
     def endpoint(self):
-        site, name = self._living()[0]
-        return site.port_question(name).endpoint
+        placement, name = self._living()[0]
+        return placement.port_question(name).endpoint
 
     def having(self, at):
         """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the
@@ -325,17 +327,21 @@ class Disconnect(Connection):
 
     def _living(self):
         return [
-            (site, name) for site, name in self.ends if site.error is None and not self._is_lost(site, name)
+            (placement, name)
+            for placement, name in self.ends
+            if placement.error is None and not self._is_lost(placement, name)
         ]
 
     @staticmethod
-    def _is_lost(site, name):
-        return isinstance(site.port(name), errors.Error)
+    def _is_lost(placement, name):
+        return isinstance(placement.port(name), errors.Error)
 
     def lost_ports(self):
         """The errors.NoSuch of ends whose component is there without that port."""
         return [
-            site.port(name) for site, name in self.ends if site.error is None and self._is_lost(site, name)
+            placement.port(name)
+            for placement, name in self.ends
+            if placement.error is None and self._is_lost(placement, name)
         ]
 
     async def is_done(self, answers):
@@ -343,8 +349,8 @@ class Disconnect(Connection):
         self.last = self.having(living)
         for port, connector in self.last[:1]:
             self.command = f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}"
-        for e in failures + [site.error for site in self.sites if site.error is not None]:
-            if not self.last and not sites.is_gone(e):
+        for e in failures + [placement.error for placement in self.placements if placement.error is not None]:
+            if not self.last and not placements.is_gone(e):
                 raise e
         return not self.last
 

@@ -17,7 +17,7 @@ from rtshell_lite.events import presence
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
-from rtshell_lite.system import sites, steps
+from rtshell_lite.system import placements, steps
 from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, Kept
 
 TICK = 0.1  # seconds between looks whether all is done
@@ -46,20 +46,20 @@ class Keeper(presence.Presence):
         self.actions = planned.actions
         self._locate = capture.locator(profile, options.strict_path)
         listed = restore.places(profile)
-        self._site_of = sites.finder(self._locate, listed)
-        super().__init__([Kept(site, self) for site in listed], options.look)
-        # by the ids of their Sites and model.Components
+        self._placement_of = placements.finder(self._locate, listed)
+        super().__init__([Kept(placement, self) for placement in listed], options.look)
+        # by the ids of their Placements and model.Components
         self._kept_of = {}
         for kept in self.followed:
-            self._kept_of[id(kept.site)] = kept
-            self._kept_of[id(kept.site.component)] = kept
-        self._connections = reconnect.Connections(profile, self._site_of, self._kept_at)
+            self._kept_of[id(kept.placement)] = kept
+            self._kept_of[id(kept.placement.component)] = kept
+        self._connections = reconnect.Connections(profile, self._placement_of, self._kept_at)
         self._is_ending = False
         earlier = {}
         if before:
             earlier = {kept.where: kept for kept in before.followed}
         for kept in self.followed:
-            kept.drives = list(filter(None, map(self._kept_at, _executed(kept.site.component))))
+            kept.drives = list(filter(None, map(self._kept_at, _executed(kept.placement.component))))
             for other in kept.drives:
                 other.drivers.append(kept)
             if kept.where in earlier:
@@ -72,7 +72,7 @@ class Keeper(presence.Presence):
 
     def _kept_at(self, target):
         """The Kept that a target in the profile means, or None."""
-        return self._kept_of.get(id(self._site_of(target)))
+        return self._kept_of.get(id(self._placement_of(target)))
 
     async def follow(self):
         """Keep it until the task is cancelled."""
@@ -85,7 +85,7 @@ class Keeper(presence.Presence):
         self._is_ending = True
         while any(kept.is_busy for kept in self.followed):
             await loop.sleep(TICK)
-        unseen = [kept for kept in self.followed if kept.is_there and kept.site.found is None]
+        unseen = [kept for kept in self.followed if kept.is_there and kept.placement.found is None]
         for kept in unseen:
             kept.looking = {WHOLE}
         await session.each(unseen, self._look, lambda kept: kept.place)
@@ -104,7 +104,7 @@ class Keeper(presence.Presence):
         return [
             kept
             for kept in self.followed
-            if name in (kept.where, str(kept.path.names[-1]), kept.site.instance)
+            if name in (kept.where, str(kept.path.names[-1]), kept.placement.instance)
         ]
 
     async def until_settled(self, seconds):
@@ -125,7 +125,7 @@ class Keeper(presence.Presence):
         only while they are there.
         """
         for kept in self.followed:
-            if not kept.is_there and kept.site.required:
+            if not kept.is_there and kept.placement.required:
                 yield kept.error or errors.NotFound(kept.where)
             elif kept.is_there:
                 yield from kept.said.values()
@@ -202,11 +202,11 @@ class Keeper(presence.Presence):
                 await shown.ask(**wanted)
         if kept.shown is not shown:  # it has ended
             return
-        kept.site.error = None
-        kept.site.found = capture.found_in(shown)
-        await restore.presence(kept.site)
-        if kept.site.error is not None:
-            self.complain(kept, WHOLE, kept.site.error)
+        kept.placement.error = None
+        kept.placement.found = capture.found_in(shown)
+        await restore.presence(kept.placement)
+        if kept.placement.error is not None:
+            self.complain(kept, WHOLE, kept.placement.error)
             return
         kept.said.pop(WHOLE, None)
         kept.become(component.merged(shown.states))
@@ -219,7 +219,7 @@ class Keeper(presence.Presence):
         kept.due = time.monotonic() + WAIT
         if not kept.is_there:
             return
-        kept.site.error = error
+        kept.placement.error = error
         session.current().silent.pop(kept.endpoint, None)
         near = {other for _, ends in self._connections.of([kept]) for other in ends}
         await loop.each(near | {kept}, self.ask)
@@ -244,14 +244,14 @@ class Keeper(presence.Presence):
         for outcome in outcomes:
             self._judge(outcome, begun)
         for kept in batch:
-            if kept.is_there and sites.is_gone(kept.site.error):
+            if kept.is_there and placements.is_gone(kept.placement.error):
                 self.suspect(kept.endpoint)
 
     def _judge(self, outcome, begun):
         """Report what has become of a step."""
         step = outcome.step
-        kept = self._kept_of[id(step.sites[0])]
-        if kept.site.found is None:  # another object has come meanwhile
+        kept = self._kept_of[id(step.placements[0])]
+        if kept.placement.found is None:  # another object has come meanwhile
             return
         if outcome.status in (apply.DONE, apply.ALREADY):
             kept.settled[_key(step)] = step.setting
@@ -259,7 +259,7 @@ class Keeper(presence.Presence):
         if outcome.status == apply.DONE:
             kept.hands.pop(_key(step), None)
             self.happened(kept, "", "restored " + _title(step), begun)
-            for other in [self._kept_of[id(site)] for site in step.sites]:
+            for other in [self._kept_of[id(placement)] for placement in step.placements]:
                 if other.is_there and other.subscription is None:  # it does not report that
                     other.change(step.part)
         elif outcome.failed:
@@ -281,8 +281,10 @@ class Keeper(presence.Presence):
         for kept in batch:
             if WHOLE in kept.looking:  # composites have lost a member that is back
                 own.update(other for other in kept.drivers if other.is_usable)
-        listed = [kept.site for kept in self.followed if kept in own]
-        return [outcome for outcome in await restore.parts(listed, self._site_of) if outcome.step.sites]
+        listed = [kept.placement for kept in self.followed if kept in own]
+        return [
+            outcome for outcome in await restore.parts(listed, self._placement_of) if outcome.step.placements
+        ]
 
     def _is_by_hand(self, outcome):
         """Whether a step would undo what a person did; notes what is as in the file."""
@@ -290,7 +292,7 @@ class Keeper(presence.Presence):
         if step.setting is None:
             return False
         key = _key(step)
-        kept = self._kept_of[id(step.sites[0])]
+        kept = self._kept_of[id(step.placements[0])]
         if outcome.status == apply.ALREADY and kept.hands.pop(key, None):
             self.happened(kept, f"{_title(step)} is again as in the file")
         if not outcome.pending:
@@ -311,7 +313,7 @@ class Keeper(presence.Presence):
         now = time.monotonic()
         due = []
         for kept in absent:
-            if not sites.is_gone(kept.error) or kept.repairs.until > now:
+            if not placements.is_gone(kept.error) or kept.repairs.until > now:
                 continue
             if kept.repairs.given_up or kept.is_paused or kept.is_busy:
                 continue
@@ -325,9 +327,9 @@ class Keeper(presence.Presence):
     async def _create(self, due, begun):
         how = restore.Options(True, self.options.manager, self.options.strict_path)
         for kept in due:
-            kept.site.error = kept.error
+            kept.placement.error = kept.error
         try:
-            outcomes = [apply.Outcome(steps.Present(kept.site)) for kept in due]
+            outcomes = [apply.Outcome(steps.Present(kept.placement)) for kept in due]
             outcomes = await restore.creations(self.profile, outcomes, how, self._locate)
             await apply.carry_out(outcomes)
         finally:
@@ -379,7 +381,7 @@ class Keeper(presence.Presence):
             self.complain(kept, STATE, errors.Failed(kept.where, why))
         elif trial.given_up:
             error = errors.Failed(kept.where, f"{trial.why}; {trial.why_given_up()}")
-            if self.complain(kept, STATE, error) and kept.site.required:
+            if self.complain(kept, STATE, error) and kept.placement.required:
                 self.start(self._stop_dependents(kept))
         elif trial.until > time.monotonic():
             self._try_later(kept, trial, STATE)
@@ -423,7 +425,7 @@ class Keeper(presence.Presence):
         for kept in todo:
             own = []
             for result in results:
-                if result.action.component is kept.site.component:
+                if result.action.component is kept.placement.component:
                     own.append(result.error)
             self._started(kept, list(filter(None, own)), begun)
 
@@ -438,7 +440,7 @@ class Keeper(presence.Presence):
         for action, kept in of_actions:
             if kept not in some:
                 ended[action.number] = outcome_of(kept)
-        run.take({id(kept.site.component): kept.node for kept in some}, ended)
+        run.take({id(kept.placement.component): kept.node for kept in some}, ended)
         await run.carry_out()
         return progress.results
 
@@ -471,7 +473,7 @@ class Keeper(presence.Presence):
         """A required component is given up: deactivate what the plan starts after it, the last first."""
         numbers = set()
         for action in self.actions:
-            if action.component is kept.site.component:
+            if action.component is kept.placement.component:
                 numbers.add(action.number)
         for action in reversed(plan.dependents(self.actions, numbers)):
             other = self._kept_of[id(action.component)]

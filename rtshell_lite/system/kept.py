@@ -34,7 +34,7 @@ PART_OF = {
 class Kept(presence.Followed):
     """One component that is kept.
 
-    site      its sites.Site; `site.error` says why nothing can be done with it
+    placement      its placements.Placement; `placement.error` says why nothing can be done with it
     changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by time.monotonic()
     looking   those that are being looked at
     settled   {key of a step: its setting}, and STATE, that were as in the file when last looked at
@@ -55,12 +55,12 @@ class Kept(presence.Followed):
     known = None  # the identity of the object that it was before the file was read again
     due = 0.0
 
-    def __init__(self, site, keeper):
-        super().__init__(site.path)
-        self.where = site.where
-        self.site = site
+    def __init__(self, placement, keeper):
+        super().__init__(placement.path)
+        self.where = placement.where
+        self.placement = placement
         self.keeper = keeper
-        chosen = policy.of(site.component, keeper.options.policy)
+        chosen = policy.of(placement.component, keeper.options.policy)
         self.trial = policy.Trial(chosen)
         self.repairs = policy.Trial(chosen)
         self.settled = {}
@@ -70,12 +70,12 @@ class Kept(presence.Followed):
         self.drives = []
         self.drivers = []
         # False for one whose state is nobody's business here
-        self.is_started = site.component.property(policy.PREFIX + STATE) != "any"
+        self.is_started = placement.component.property(policy.PREFIX + STATE) != "any"
 
     @property
     def is_usable(self):
         """Whether something can be done with it."""
-        return self.is_there and self.site.error is None and self.site.found is not None
+        return self.is_there and self.placement.error is None and self.placement.found is not None
 
     @property
     def is_waiting(self):
@@ -167,19 +167,19 @@ class Kept(presence.Followed):
             self.restarts += self.has_been_there
             self.forget_all()
         self.has_been_there = True
-        self.site.node = self.shown.node
-        self.site.error = self.site.found = None
+        self.placement.node = self.shown.node
+        self.placement.error = self.placement.found = None
         restart = self.trial.policy.restart
         is_to_start = restart == "always" or restart == "on-error" and not self.has_exited
         if self.restarts == 0 or is_to_start:
             self.has_failed = False
             self.change(WHOLE)
         else:
-            self.site.error = errors.Failed(self.where, f"is back; its policy is {restart}")
-            self.keeper.complain(self, WHOLE, self.site.error)
+            self.placement.error = errors.Failed(self.where, f"is back; its policy is {restart}")
+            self.keeper.complain(self, WHOLE, self.placement.error)
 
     def vanished(self, seen):
-        self.site.error = self.error  # tasks that are at work go on with what they have, and fail
+        self.placement.error = self.error  # tasks that are at work go on with what they have, and fail
         self.changed = frozenset()
         self.has_exited = seen == "has exited"
         self.become("absent")

@@ -13,9 +13,9 @@ class Connections:
     or None.
     """
 
-    def __init__(self, profile, site_of, kept_at):
+    def __init__(self, profile, placement_of, kept_at):
         self._profile = profile
-        self._site_of = site_of
+        self._placement_of = placement_of
         self._kept_at = kept_at
         self._making = set()  # ids of the connectors that a task works on
         self._halves = set()  # ids of connectors of which one end was seen alone
@@ -63,7 +63,7 @@ class Connections:
         lost an end: somebody may be about to connect, or to disconnect. What is half there at the next look,
         too, is removed.
         """
-        connecting = connect_steps.connecting(self._profile, self._site_of, connectors)
+        connecting = connect_steps.connecting(self._profile, self._placement_of, connectors)
         outcomes = await restore.connections(connecting)
         removed = set()
         for outcome in outcomes:
@@ -88,7 +88,7 @@ def _is_shown(connector, ends, batch):
     """
     found = []
     for kept, end in zip(ends, connector.ends):
-        found.append(kept.site.port(capture.port_of(end)))
+        found.append(kept.placement.port(capture.port_of(end)))
     if any(isinstance(port, errors.Error) for port in found):
         return False
     wanted = {orb.identity(port.ref) for port in found}
@@ -110,4 +110,4 @@ def _is_shown(connector, ends, batch):
 async def _look_at_ports(kept):
     """Have the present ports of a component in what was found of it."""
     now = await ports.ports(kept.node)
-    kept.site.found = kept.site.found._replace(ports=ports.in_system(now))
+    kept.placement.found = kept.placement.found._replace(ports=ports.in_system(now))

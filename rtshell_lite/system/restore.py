@@ -7,7 +7,7 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import manager, ports
-from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, sites, steps
+from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, placements, steps
 from rtshell_lite.text import printable, shell_word
 
 # How a profile is to be restored. `create` whether missing components are to be created, `manager` the path
@@ -16,12 +16,12 @@ Options = collections.namedtuple("Options", "create manager strict")
 
 
 def places(profile):
-    """sites.of a profile. Raises Failed for two components at one place."""
-    listed = sites.of(profile)
+    """placements.of a profile. Raises Failed for two components at one place."""
+    listed = placements.of(profile)
     taken = {}
-    for site in listed:
-        if site.error is None and taken.setdefault(site.path, site) is not site:
-            raise errors.Failed(site.where, "the file has two components here")
+    for placement in listed:
+        if placement.error is None and taken.setdefault(placement.path, placement) is not placement:
+            raise errors.Failed(placement.where, "the file has two components here")
     return listed
 
 
@@ -33,14 +33,14 @@ async def restoring(profile, options):
     pending, done already, or known not to be possible.
     """
     listed = places(profile)
-    await sites.find(listed)
+    await placements.find(listed)
     locate = capture.locator(profile, options.strict)
-    outcomes = [await presence(site) for site in listed]
+    outcomes = [await presence(placement) for placement in listed]
     if options.create:
         outcomes = await creations(profile, outcomes, options, locate)
-    site_of = sites.finder(locate, listed)
-    outcomes += await parts(listed, site_of)
-    return outcomes + await connections(connect_steps.connecting(profile, site_of))
+    placement_of = placements.finder(locate, listed)
+    outcomes += await parts(listed, placement_of)
+    return outcomes + await connections(connect_steps.connecting(profile, placement_of))
 
 
 async def commands(profile, planned, options):
@@ -61,26 +61,26 @@ async def commands(profile, planned, options):
     return found
 
 
-async def parts(listed, site_of):
-    """The outcomes of the steps that restore components, Sites, without their connections:
+async def parts(listed, placement_of):
+    """The outcomes of the steps that restore components, Placements, without their connections:
     members of composites first.
     """
     outcomes = []
-    for site in listed:
-        outcomes += await memberships(site, site_of)
-    for site in listed:
-        outcomes += await _configurations(site)
-        outcomes += await _rates(site)
-        outcomes += await _participations(site, site_of)
+    for placement in listed:
+        outcomes += await memberships(placement, placement_of)
+    for placement in listed:
+        outcomes += await _configurations(placement)
+        outcomes += await _rates(placement)
+        outcomes += await _participations(placement, placement_of)
     return outcomes
 
 
-async def presence(site):
+async def presence(placement):
     """Whether a component is there, and the one that is meant; nothing can be done with any other."""
-    outcome = await apply.assess(steps.Present(site))
+    outcome = await apply.assess(steps.Present(placement))
     if outcome.error is not None:
-        site.error = outcome.error
-        outcome.fail(site.error)
+        placement.error = outcome.error
+        outcome.fail(placement.error)
     return outcome
 
 
@@ -90,23 +90,24 @@ async def creations(profile, outcomes, options, locate):
     creators = {}
     result = []
     for outcome in outcomes:
-        site = outcome.step.site
-        if sites.is_gone(site.error):
-            manager_path = named.get(id(site.component)) or _above(site.path) or options.manager
+        placement = outcome.step.placement
+        if placements.is_gone(placement.error):
+            manager_path = named.get(id(placement.component)) or _above(placement.path) or options.manager
             try:
                 if not manager_path:
                     raise errors.Failed(
-                        site.where, "is not there, and nothing names a manager to create it (see --manager)"
+                        placement.where,
+                        "is not there, and nothing names a manager to create it (see --manager)",
                     )
                 if manager_path not in creators:
                     creators[manager_path] = await _creator(manager_path)
                 creator = creators[manager_path]
                 outcome = apply.Outcome(
-                    steps.Create(site, creator, await creator.identity(site.component.id))
+                    steps.Create(placement, creator, await creator.identity(placement.component.id))
                 )
-                site.error = None
+                placement.error = None
             except errors.Error as e:
-                site.error = e
+                placement.error = e
                 outcome.fail(e)
         result.append(outcome)
     return result
@@ -119,7 +120,7 @@ async def _creator(path):
 
 
 class Creator:
-    """A manager that is to create components; a Create lists it among its Sites."""
+    """A manager that is to create components; a Create lists it among its Placements."""
 
     required = True
     error = None
@@ -172,21 +173,23 @@ def _above(where):
 # ---- components --------------------------------------------------------------------------------------------
 
 
-async def memberships(site, site_of):
+async def memberships(placement, placement_of):
     """Whether a composite has its members; those that are not there are reported apart from the others."""
-    members = steps.members(site, site_of)
+    members = steps.members(placement, placement_of)
     parts = [member for member in members if member.error is None], [
         member for member in members if member.error is not None
     ]
-    return [await apply.assess(steps.Members(site, part)) for part in parts if part]
+    return [await apply.assess(steps.Members(placement, part)) for part in parts if part]
 
 
-async def _configurations(site):
+async def _configurations(placement):
     """Whether the parameters of each set have their values, and which set is active."""
     outcomes = []
-    for one in site.component.configuration_sets:
+    for one in placement.component.configuration_sets:
         wanted = steps.wanted_values(one)
-        unknown = steps.Values(site, one.id, wanted).unknown()  # do not keep the others from their values
+        unknown = steps.Values(
+            placement, one.id, wanted
+        ).unknown()  # do not keep the others from their values
         known = collections.OrderedDict(
             (name, value) for name, value in wanted.items() if name not in unknown
         )
@@ -194,9 +197,9 @@ async def _configurations(site):
         if known:
             parts.append(known)
         for part in parts:
-            outcomes.append(await apply.assess(steps.Values(site, one.id, part)))
-    if site.component.active_configuration_set:
-        active = await apply.assess(steps.Active(site, site.component.active_configuration_set))
+            outcomes.append(await apply.assess(steps.Values(placement, one.id, part)))
+    if placement.component.active_configuration_set:
+        active = await apply.assess(steps.Active(placement, placement.component.active_configuration_set))
         if active.status == apply.ALREADY and any(outcome.pending for outcome in outcomes):
             # setting values deactivates, until the set is activated again
             active.status = apply.UNTRIED
@@ -205,30 +208,30 @@ async def _configurations(site):
     return outcomes
 
 
-async def _rates(site):
+async def _rates(placement):
     """Whether the execution contexts that a component owns have their rates."""
     return [
-        await apply.assess(steps.Rate(site, index, handle, wanted.rate))
-        for index, handle, wanted in steps.own_contexts(site)
+        await apply.assess(steps.Rate(placement, index, handle, wanted.rate))
+        for index, handle, wanted in steps.own_contexts(placement)
         if 0 < wanted.rate < float("inf") and wanted.kind.upper()[:8] == "PERIODIC"
     ]
 
 
-async def _participations(site, site_of):
+async def _participations(placement, placement_of):
     """Whether other components take part in its contexts, as on robots that run many in one;
     a composite lists its members itself.
     """
     outcomes = []
-    for index, handle, wanted in steps.own_contexts(site):
-        if site.component.participants:
+    for index, handle, wanted in steps.own_contexts(placement):
+        if placement.component.participants:
             others = []
         else:
-            others = steps.participants(site, wanted, site_of)
+            others = steps.participants(placement, wanted, placement_of)
         present = [other for other in others if other.error is None]
         absent = [other for other in others if other.error is not None]
         for part in (present, absent):
             if part:
-                outcomes.append(await apply.assess(steps.Participants(site, index, handle, part)))
+                outcomes.append(await apply.assess(steps.Participants(placement, index, handle, part)))
     return outcomes
 
 
@@ -267,7 +270,7 @@ async def connections(connecting):
 
 def _strange_ends(step):
     """References of the ports that the rest of a connection joins, and that are not those of the profile."""
-    at = step.site_answers()
+    at = step.known_answers()
     known = {orb.identity(port.ref) for port in at}
     refs = {
         orb.identity(ref): ref
@@ -289,22 +292,22 @@ async def tearing_down(profile, options):
     failure.
     """
     listed = places(profile)
-    await sites.find(listed, _ports_only)
-    lost = [site for site in listed if site.error is not None]
+    await placements.find(listed, _ports_only)
+    lost = [placement for placement in listed if placement.error is not None]
     some = not listed
-    for site in listed:
-        if site.error is None or site.error.where == site.where:
+    for placement in listed:
+        if placement.error is None or placement.error.where == placement.where:
             some = True
     outcomes = []
-    for site in lost:
-        if not (some and sites.is_gone(site.error)):
-            outcomes.append(await presence(site))
+    for placement in lost:
+        if not (some and placements.is_gone(placement.error)):
+            outcomes.append(await presence(placement))
     notes = []
-    for site in lost:
-        if some and sites.is_gone(site.error):
-            notes.append(str(site.error))
-    site_of = sites.finder(capture.locator(profile, options.strict), listed)
-    removals = connect_steps.disconnecting(profile, site_of)
+    for placement in lost:
+        if some and placements.is_gone(placement.error):
+            notes.append(str(placement.error))
+    placement_of = placements.finder(capture.locator(profile, options.strict), listed)
+    removals = connect_steps.disconnecting(profile, placement_of)
     for step in removals:
         if step.kind == "disconnect":
             notes += map(str, step.lost_ports())

@@ -9,7 +9,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports, transitions
-from rtshell_lite.system import capture, plan, sites, steps
+from rtshell_lite.system import capture, plan, placements, steps
 from rtshell_lite.text import printable
 
 AT_ONCE = 4  # components of one process that are changed at a time: each is asked often until it has changed
@@ -103,7 +103,7 @@ class Run:
         """
         if isinstance(answer, errors.Error):
             raise answer
-        await steps.Present(sites.Site(wanted)).is_done([answer])
+        await steps.Present(placements.Placement(wanted)).is_done([answer])
         for action in self.actions:
             if action.component is wanted:
                 _context(answer.node, answer.contexts, action)
@@ -254,7 +254,7 @@ class Run:
         return self._failed(action, failure)
 
     def _failed(self, action, error):
-        if self.transition is transitions.DEACTIVATE and sites.is_gone(error):
+        if self.transition is transitions.DEACTIVATE and placements.is_gone(error):
             return Result(action, plan.GONE, error)
         return Result(action, plan.FAILED, error)
 

@@ -7,8 +7,8 @@ import collections
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, composites, configuration, contexts, manager, tree
-from rtshell_lite.system import capture, sites
-from rtshell_lite.system.sites import Question
+from rtshell_lite.system import capture, placements
+from rtshell_lite.system.placements import Question
 from rtshell_lite.text import printable, shell_word
 
 # Where the system differs from what a step wants: `what` is a key of compare.MESSAGES; `name` that of the
@@ -21,7 +21,7 @@ Configured = collections.namedtuple("Configured", "sets active configuration")
 
 
 class Step:
-    """One change. `sites` are the Sites that it concerns: steps that share one are done in their order.
+    """One change. `placements` are those that it concerns: steps that share one are done in their order.
 
     title     what is done, for people
     where     the object, for errors
@@ -37,29 +37,29 @@ class Step:
     free = False  # True if others of the kind may come before or after it
 
     def __init__(self, concerned, where, title):
-        self.sites = list(concerned)
+        self.placements = list(concerned)
         self.where = where
         self.title = title
-        self.required = all(site.required for site in self.sites)
+        self.required = all(placement.required for placement in self.placements)
 
     @property
     def endpoint(self):
-        return self.sites[0].node.endpoint
+        return self.placements[0].node.endpoint
 
-    def site_error(self):
-        """The error of the first Site that has one, or None."""
-        for site in self.sites:
-            if site.error is not None:
-                return site.error
+    def placement_error(self):
+        """The error of the first Placement that has one, or None."""
+        for placement in self.placements:
+            if placement.error is not None:
+                return placement.error
         return None
 
     def questions(self):
         """What has to be asked to know whether it is done: Questions."""
         return []
 
-    def site_answers(self):
-        """The answers to its questions, by what was found of all Sites in one look."""
-        return [self.sites[0].found]
+    def known_answers(self):
+        """The answers to its questions, by what was found of all Placements in one look."""
+        return [self.placements[0].found]
 
     def differences(self, answers):
         """Differences between what the step wants and the answers, none of which is an error."""
@@ -101,13 +101,13 @@ class Present(Step):
 
     kind = "component"
 
-    def __init__(self, site):
-        super().__init__([site], site.where, "component " + site.where)
-        self.site = site
+    def __init__(self, placement):
+        super().__init__([placement], placement.where, "component " + placement.where)
+        self.placement = placement
 
     def differences(self, answers):
         profile = answers[0].profile
-        wanted = self.site.component
+        wanted = self.placement.component
         if profile.instance_name != wanted.instance_name:
             names = [
                 f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)
@@ -140,14 +140,16 @@ class Create(Step):
 
     kind = "create"
 
-    def __init__(self, site, holder, identity):
-        super().__init__([site, holder], site.where, f"component {site.where}, created by {holder.where}")
-        self.required = site.required
-        self.site = site
+    def __init__(self, placement, holder, identity):
+        super().__init__(
+            [placement, holder], placement.where, f"component {placement.where}, created by {holder.where}"
+        )
+        self.required = placement.required
+        self.placement = placement
         self.holder = holder
-        self.argument = f"{identity}?instance_name={site.instance}"
+        self.argument = f"{identity}?instance_name={placement.instance}"
         self.command = f"rtmgr -c {shell_word(self.argument)} --wait {shell_word(holder.where)}"
-        if any(c in site.instance + identity for c in "?&="):
+        if any(c in placement.instance + identity for c in "?&="):
             raise errors.Failed(self.where, "a manager cannot create a component of this name or id")
 
     @property
@@ -160,19 +162,19 @@ class Create(Step):
     async def _created(self):
         """The Node of the component, None if it is not there."""
         try:
-            node = await tree.component(self.site.path)
+            node = await tree.component(self.placement.path)
             await orb.call(self.where, node.ref, "_non_existent")
-        except sites.MISSING:
+        except placements.MISSING:
             return None
         return node
 
     async def is_done(self, answers):
-        (self.site.node,) = raise_first(answers)
-        return self.site.node is not None
+        (self.placement.node,) = raise_first(answers)
+        return self.placement.node is not None
 
     async def act(self, answers):
         name = await manager.create(self.holder.node, self.argument, wait=manager.SETTLE_TIME)
-        if name != self.site.instance:
+        if name != self.placement.instance:
             await manager.delete(self.holder.node, name)
             raise errors.Refused(self.where, f"its manager made {printable(name)} instead; deleted again")
 
@@ -186,10 +188,10 @@ class Create(Step):
             )
 
     async def undo(self, before, after):
-        await manager.delete(self.holder.node, self.site.instance)
+        await manager.delete(self.holder.node, self.placement.instance)
 
     def give_up(self, error):
-        self.site.error = error
+        self.placement.error = error
 
 
 class Members(Step):
@@ -198,24 +200,26 @@ class Members(Step):
     kind = "members"
     part = "contexts"
 
-    def __init__(self, site, members):
+    def __init__(self, placement, members):
         names = ", ".join(printable(member.instance) for member in members)
-        super().__init__([site] + members, site.where, f"members {names} of {site.where}")
-        self.site = site
+        super().__init__([placement] + members, placement.where, f"members {names} of {placement.where}")
+        self.placement = placement
         self.members = members
         added = [
             member
             for member in members
-            if member.node is None or site.found is None or _is_missing(member, site.found)
+            if member.node is None or placement.found is None or _is_missing(member, placement.found)
         ]
         words = ["rtcomp"]
         for member in added:
             words += ["-a", member.where]
-        words.append(site.where)
+        words.append(placement.where)
         self.command = " ".join(map(shell_word, words))
 
     def questions(self):
-        return [Question(self.endpoint, self.where, lambda: composites.first_organisation(self.site.node))]
+        return [
+            Question(self.endpoint, self.where, lambda: composites.first_organisation(self.placement.node))
+        ]
 
     def differences(self, answers):
         return [
@@ -225,7 +229,7 @@ class Members(Step):
 
     async def is_done(self, answers):
         missing = self._missing(answers)
-        await composites.check(self.site.node, answers[0], missing, [])
+        await composites.check(self.placement.node, answers[0], missing, [])
         return not missing
 
     def _missing(self, answers):
@@ -238,15 +242,17 @@ class Members(Step):
         ]
 
     async def act(self, answers):
-        await composites.add(self.site.node, answers[0], self._missing(answers))
+        await composites.add(self.placement.node, answers[0], self._missing(answers))
 
     async def undo(self, before, after):
-        await composites.remove(self.site.node, after[0], self._missing(before))
+        await composites.remove(self.placement.node, after[0], self._missing(before))
 
 
-def members(site, site_of):
-    """The Sites of the members that the profile gives a composite; `site_of` as sites.finder makes it."""
-    found = [site_of(participant.component) for participant in site.component.participants]
+def members(placement, placement_of):
+    """The Placements of the members that the profile gives a composite;
+    `placement_of` as placements.finder makes it.
+    """
+    found = [placement_of(participant.component) for participant in placement.component.participants]
     return [member for member in found if member is not None]
 
 
@@ -262,17 +268,17 @@ class _Configuring(Step):
 
     part = "configuration"
 
-    def __init__(self, site, set_id, title):
-        super().__init__([site], site.where, f"{title} {printable(set_id)} of {site.where}")
-        self.site = site
+    def __init__(self, placement, set_id, title):
+        super().__init__([placement], placement.where, f"{title} {printable(set_id)} of {placement.where}")
+        self.placement = placement
         self.set_id = set_id
-        self.unknown_set = errors.NoSuch(site.where, "configuration set", printable(set_id))
+        self.unknown_set = errors.NoSuch(placement.where, "configuration set", printable(set_id))
 
     def questions(self):
         return [Question(self.endpoint, self.where, self._configured)]
 
     async def _configured(self):
-        now = await configuration.of(self.site.node)
+        now = await configuration.of(self.placement.node)
         return Configured(now.sets(with_hidden=True), now.active, now)
 
 
@@ -288,20 +294,20 @@ class Values(_Configuring):
 
     kind = "configuration"
 
-    def __init__(self, site, set_id, values):
-        super().__init__(site, set_id, "configuration set")
+    def __init__(self, placement, set_id, values):
+        super().__init__(placement, set_id, "configuration set")
         self.values = values
         self.setting = tuple(values.items())
         self.active_before = None  # the set that was active, and has to be again
         present = {}
-        if site.found:
-            present = self._present(site.found) or {}
+        if placement.found:
+            present = self._present(placement.found) or {}
         changed = {}
         for name, value in values.items():
             if present.get(name) != value:
                 changed[name] = value
         words = ["%s=%s" % item for item in (changed or values).items()]
-        self.command = configuration.command(site.where, set_id, "set", *words)
+        self.command = configuration.command(placement.where, set_id, "set", *words)
 
     def _present(self, answer):
         """The values that the set has now, a dict; None where there is no such set."""
@@ -335,17 +341,17 @@ class Values(_Configuring):
 
     def unknown(self):
         """Names of parameters that a set which was found lacks."""
-        if self.site.found is None:
+        if self.placement.found is None:
             return []
         return [
             difference.name
-            for difference in self.differences(self.site_answers())
+            for difference in self.differences(self.known_answers())
             if difference.what == "parameter"
         ]
 
     async def act(self, answers):
         (now,) = answers
-        if not self.site.component.active_configuration_set:  # else the next step activates that
+        if not self.placement.component.active_configuration_set:  # else the next step activates that
             self.active_before = now.active
         await self._store(self.values, now)
 
@@ -362,10 +368,10 @@ class Active(_Configuring):
 
     kind = "active set"
 
-    def __init__(self, site, set_id):
-        super().__init__(site, set_id, "active configuration set")
+    def __init__(self, placement, set_id):
+        super().__init__(placement, set_id, "active configuration set")
         self.setting = set_id
-        self.command = configuration.command(site.where, set_id, "act")
+        self.command = configuration.command(placement.where, set_id, "act")
 
     def differences(self, answers):
         (now,) = answers
@@ -393,40 +399,40 @@ class Active(_Configuring):
 
 
 class Participants(Step):
-    """Let the components at other Sites take part in the execution context with a handle:
+    """Let the components at other Placements take part in the execution context with a handle:
     number `index` of those of one component.
     """
 
     kind = "participants"
     part = "contexts"
 
-    def __init__(self, site, index, handle, participants):
+    def __init__(self, placement, index, handle, participants):
         names = ", ".join(printable(participant.instance) for participant in participants)
         super().__init__(
-            [site] + participants,
-            site.where,
-            f"participants {names} in execution context {handle} of {site.where}",
+            [placement] + participants,
+            placement.where,
+            f"participants {names} in execution context {handle} of {placement.where}",
         )
-        self.site = site
+        self.placement = placement
         self.index = index
         self.handle = handle
         self.participants = participants
         attached = [
             participant
             for participant in participants
-            if site.found is None or self._is_missing(participant, site.found.owned)
+            if placement.found is None or self._is_missing(participant, placement.found.owned)
         ]
         words = ["rtec"]
         if index:
             words += ["-e", str(index)]
-        words += [site.where, "attach"]
+        words += [placement.where, "attach"]
         self.command = " ".join(map(shell_word, words + [participant.where for participant in attached]))
 
     def questions(self):
-        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
+        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.placement))]
 
-    def site_answers(self):
-        return [self.site.found.owned]
+    def known_answers(self):
+        return [self.placement.found.owned]
 
     def differences(self, answers):
         _with_handle(self, answers)
@@ -450,38 +456,41 @@ class Participants(Step):
 
     async def act(self, answers):
         for participant in self._missing(answers):
-            await contexts.attach(self.site.node, self.index, participant.node)
+            await contexts.attach(self.placement.node, self.index, participant.node)
 
     async def undo(self, before, after):
         for participant in self._missing(before):
-            await contexts.detach(self.site.node, self.index, participant.node)
+            await contexts.detach(self.placement.node, self.index, participant.node)
 
 
-def own_contexts(site):
+def own_contexts(placement):
     """(number as -e counts, handle, model.ExecutionContext) of the contexts that the file lists for a
     component and that it owns.
     """
-    if site.found:
-        owned = [context.handle for context in site.found.owned]
+    if placement.found:
+        owned = [context.handle for context in placement.found.owned]
     else:
         owned = None
-    for place, wanted in enumerate(site.component.execution_contexts):
+    for place, wanted in enumerate(placement.component.execution_contexts):
         if wanted.id.isdigit() and owned is None:
             yield place, int(wanted.id), wanted
         elif wanted.id.isdigit() and int(wanted.id) in owned:
             yield owned.index(int(wanted.id)), int(wanted.id), wanted
 
 
-def participants(site, context, site_of):
-    """The Sites of the components that the profile lets take part in a context of another one;
+def participants(placement, context, placement_of):
+    """The Placements of the components that the profile lets take part in a context of another one;
     not of itself.
     """
-    found = [site_of(target) for target in context.participants]
-    return [participant for participant in found if participant is not None and participant is not site]
+    found = [placement_of(target) for target in context.participants]
+    return [participant for participant in found if participant is not None and participant is not placement]
 
 
-async def _owned_contexts(site):
-    return [await component.context(site.node, ref) for ref in await component.owned_context_refs(site.node)]
+async def _owned_contexts(placement):
+    return [
+        await component.context(placement.node, ref)
+        for ref in await component.owned_context_refs(placement.node)
+    ]
 
 
 def _with_handle(step, answers):
@@ -500,23 +509,25 @@ class Rate(Step):
     kind = "rate"
     part = "contexts"
 
-    def __init__(self, site, index, handle, rate):
-        super().__init__([site], site.where, "rate of execution context %d of %s" % (handle, site.where))
-        self.site = site
+    def __init__(self, placement, index, handle, rate):
+        super().__init__(
+            [placement], placement.where, "rate of execution context %d of %s" % (handle, placement.where)
+        )
+        self.placement = placement
         self.index = index
         self.handle = handle
         self.rate = self.setting = rate
         words = ["rtec"]
         if index:
             words += ["-e", str(index)]
-        words += [site.where, "rate", f"{rate!r}"]
+        words += [placement.where, "rate", f"{rate!r}"]
         self.command = " ".join(map(shell_word, words))
 
     def questions(self):
-        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.site))]
+        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.placement))]
 
-    def site_answers(self):
-        return [self.site.found.owned]
+    def known_answers(self):
+        return [self.placement.found.owned]
 
     def differences(self, answers):
         _, context = _with_handle(self, answers)
@@ -524,8 +535,8 @@ class Rate(Step):
             yield Difference("rate", None, self.rate, context.rate, None)
 
     async def act(self, answers):
-        await contexts.set_rate(self.site.node, _with_handle(self, answers)[0], self.rate)
+        await contexts.set_rate(self.placement.node, _with_handle(self, answers)[0], self.rate)
 
     async def undo(self, before, after):
         index, context = _with_handle(self, before)
-        await contexts.set_rate(self.site.node, index, context.rate)
+        await contexts.set_rate(self.placement.node, index, context.rate)

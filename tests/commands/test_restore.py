@@ -266,7 +266,7 @@ class Faults(Worlds):
                 )
             self.assertEqual(len(set(there)), 1, "half connected: " + step.title)
             return there[0]
-        uri = step.sites[0].where[1:]
+        uri = step.placements[0].where[1:]
         one = now[uri]
         other = then[uri]
         if step.kind == "configuration":

@@ -7,39 +7,41 @@ import unittest
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
-from rtshell_lite.system import apply, sites, steps
+from rtshell_lite.system import apply, placements, steps
 
 
 class Step(steps.Step):
-    def __init__(self, sites, free):
-        steps.Step.__init__(self, sites, "", "")
+    def __init__(self, placements, free):
+        steps.Step.__init__(self, placements, "", "")
         self.free = free
 
 
-class Site:
+class Placement:
     required = True
 
 
 def levels(wanted):
-    """The levels of steps, each (sites, free), as lists of numbers."""
+    """The levels of steps, each (placements, free), as lists of numbers."""
     outcomes = [apply.Outcome(Step(*one)) for one in wanted]
     return [[outcomes.index(each) for each in level] for level in apply._levels(outcomes)]
 
 
 class Levels(unittest.TestCase):
     def test_a_long_chain_of_connections_takes_few(self):
-        sites = [Site() for _ in range(200)]
+        placements = [Placement() for _ in range(200)]
         ring = [
-            ([sites[number], sites[(number + step) % 200]], True) for number in range(200) for step in (1, 2)
+            ([placements[number], placements[(number + step) % 200]], True)
+            for number in range(200)
+            for step in (1, 2)
         ]
         self.assertLessEqual(len(levels(ring)), 8)
 
     def test_none_shares_a_site_and_order_is_kept_where_it_matters(self):
         for seed in range(200):
             chance = random.Random(seed)
-            sites = [Site() for _ in range(chance.randint(1, 6))]
+            placements = [Placement() for _ in range(chance.randint(1, 6))]
             wanted = [
-                (chance.sample(sites, chance.randint(1, min(3, len(sites)))), chance.random() < 0.6)
+                (chance.sample(placements, chance.randint(1, min(3, len(placements)))), chance.random() < 0.6)
                 for _ in range(12)
             ]
             found = levels(wanted)
@@ -69,7 +71,7 @@ class Switch(steps.Step):
         self.coming = list(found)
 
     def questions(self):
-        return [sites.Question(self.endpoint, self.where, self.look)]
+        return [placements.Question(self.endpoint, self.where, self.look)]
 
     async def look(self):
         return self.coming.pop(0) if self.coming else self.on

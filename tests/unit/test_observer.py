@@ -1,5 +1,5 @@
-"""What components report to observers, and what we make of it: if this fails, rtwatch shows words of the wire, or
-the wrong ones.
+"""What components report to observers, and what we make of it: if this fails, rtwatch shows words of the
+wire, or the wrong ones.
 """
 import time
 import unittest

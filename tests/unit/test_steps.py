@@ -11,7 +11,7 @@ from rtshell_lite.system import apply, compare, connect_steps, restore, steps
 from rtshell_lite.xmlprofile import model
 
 
-class Site:
+class Placement:
     """A component that the steps do not look at."""
 
     where = "/localhost/a.rtc"
@@ -38,7 +38,7 @@ class Configuration:
 
 class ActiveSet(unittest.TestCase):
     def setUp(self):
-        self.step, self.after = steps.Active(Site(), "fast"), mock.Mock(
+        self.step, self.after = steps.Active(Placement(), "fast"), mock.Mock(
             active="fast", configuration=Configuration()
         )
 
@@ -53,7 +53,7 @@ class ActiveSet(unittest.TestCase):
         self.assertEqual(self.after.configuration.activated, [])
 
     def test_files_name_a_default_set_of_components_that_have_none(self):
-        step = steps.Active(Site(), "default")
+        step = steps.Active(Placement(), "default")
         for sets in ([], [configuration.Set("__widget__", "", {}, False)]):
             self.assertTrue(loop.run(step.is_done([steps.Configured(sets, "", None)])))
         with self.assertRaises(errors.NoSuch):
@@ -62,7 +62,7 @@ class ActiveSet(unittest.TestCase):
 
 class Values(unittest.TestCase):
     def differences(self, values, active="fast", active_before=None):
-        step = steps.Values(Site(), "fast", values)
+        step = steps.Values(Placement(), "fast", values)
         step.active_before = active_before
         sets = [configuration.Set("fast", "", {"a": "1", "b": "2"}, True)]
         return [(each.what, each.name, each.actual, each.obstacle is None)
@@ -82,7 +82,7 @@ class Values(unittest.TestCase):
         before = steps.Configured([configuration.Set("__widget__", "", {"a": (
             "1"
         ), "b": "2"}, False)], "", None)
-        loop.run(steps.Values(Site(), "__widget__", {"a": "3"}).undo([before], [now]))
+        loop.run(steps.Values(Placement(), "__widget__", {"a": "3"}).undo([before], [now]))
         self.assertEqual(now.configuration.stored, [({"a": "1"}, ("__widget__", True))])
 
 
@@ -121,7 +121,7 @@ class Rates(unittest.TestCase):
         has the handle 5.
         """
         contexts = [model.ExecutionContext(id=number, kind=kind, rate=rate) for number, kind, rate in wanted]
-        site = mock.Mock(
+        placement = mock.Mock(
             where="/localhost/a.rtc",
             required=True,
             error=None,
@@ -130,7 +130,7 @@ class Rates(unittest.TestCase):
         )
         return [
             (outcome.step.handle, outcome.step.index, outcome.status)
-            for outcome in loop.run(restore._rates(site))
+            for outcome in loop.run(restore._rates(placement))
         ]
 
     def test_its_own(self):
@@ -151,8 +151,9 @@ class States(unittest.TestCase):
     def actual(self, states, *running):
         """What is compared with Active in the context 0; `running` for each of its own contexts, 0 …"""
         owned = [mock.Mock(handle=handle, running=is_running) for handle, is_running in enumerate(running)]
-        site = mock.Mock(where="/localhost/a.rtc", required=True)
-        differences = compare._State(site, "Active", "0").differences([mock.Mock(states=states, owned=owned)])
+        placement = mock.Mock(where="/localhost/a.rtc", required=True)
+        found = mock.Mock(states=states, owned=owned)
+        differences = compare._State(placement, "Active", "0").differences([found])
         return [difference.actual for difference in differences]
 
     def test_each_context_of_its_own_counts_for_itself(self):

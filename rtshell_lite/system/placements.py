@@ -21,7 +21,7 @@ def is_gone(failure):
     return isinstance(failure, MISSING) and not isinstance(failure, errors.NoNameServer)
 
 
-class Site:
+class Placement:
     """A component of a profile (a model.Component) and where it is, or is to be: `path`.
 
     found  its capture.ComponentState; None while it is not there
@@ -65,26 +65,27 @@ class Site:
 
 
 def of(profile):
-    """The Sites of the components of a profile, in the order of the file."""
-    return [Site(component) for component in profile.components]
+    """The Placements of the components of a profile, in the order of the file."""
+    return [Placement(component) for component in profile.components]
 
 
-async def find(sites, ask=capture.ask):
-    """Find the components of Sites, and what `ask(node)`, which returns a capture.ComponentState, says of
-    each; `error` where that fails.
+async def find(placements, ask=capture.ask):
+    """Find the components of Placements, and what `ask(node)`, which returns a capture.ComponentState, says
+    of each; `error` where that fails.
     """
-    asked = [site for site in sites if site.error is None]
-    for site, found in zip(asked, await tree.on_components([site.path for site in asked], ask)):
+    asked = [placement for placement in placements if placement.error is None]
+    answers = await tree.on_components([placement.path for placement in asked], ask)
+    for placement, found in zip(asked, answers):
         if isinstance(found, errors.Error):
-            site.error = found
+            placement.error = found
         else:
-            site.found = found
-            site.node = found.node
+            placement.found = found
+            placement.node = found.node
 
 
-def finder(locate, sites):
-    """A function: the one of `sites` that an end or a participant in the profile names, or None;
+def finder(locate, placements):
+    """A function: the one of `placements` that an end or a participant in the profile names, or None;
     `locate` is a capture.locator.
     """
-    by_component = {id(site.component): site for site in sites}
+    by_component = {id(placement.component): placement for placement in placements}
     return lambda target: by_component.get(id(locate(target)))
