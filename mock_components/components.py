@@ -132,7 +132,8 @@ class Stuck(Component):
 
 
 class Spec:
-    """What distinguishes one type of component from another; vendor and version, if not given, go with the flavour.
+    """What distinguishes one type of component from another;
+    vendor and version, if not given, go with the flavour.
     """
 
     def __init__(

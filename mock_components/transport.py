@@ -173,8 +173,8 @@ class Provider(Transport):
     """An OutPort's end of pull: an object with get(), and a ring buffer.
 
     C++ deletes the object with the connector, even while it serves a caller; omniORB then ends the process.
-    The InPort of a component has been disconnected before, and fetches no more; only a tool, alone at its connector,
-    can do that.
+    The InPort of a component has been disconnected before, and fetches no more; only a tool, alone at its
+    connector, can do that.
     """
 
     def __init__(self, port, profile, interface):

@@ -10,7 +10,7 @@ from rtshell_lite.text import printable
 # A port as typed, `word`: NAME is still part of the port in `path`; `label` is printable.
 Target = collections.namedtuple("Target", "word path formatter label")
 # The Port, and the NAME given or None.
-Found = collections.namedtuple("Found", "port name formatter label")
+NamedPort = collections.namedtuple("NamedPort", "port name formatter label")
 
 
 def parse(words, formatters=False):
@@ -31,7 +31,7 @@ def parse(words, formatters=False):
 
 
 async def find(targets, kind):
-    """A Found, or an errors.Error, for each Target, in parallel. Raises what `need_ports` raises.
+    """A NamedPort, or an errors.Error, for each Target, in parallel. Raises what `need_ports` raises.
 
     A port's name may contain a dot, and NAME follows a dot: the longer port name is tried first.
     """
@@ -73,4 +73,4 @@ def _named(target, known):
             name = rest
     if isinstance(port, errors.Error):
         return ports.named(target.path, known)
-    return Found(port, name, target.formatter, name or target.label)
+    return NamedPort(port, name, target.formatter, name or target.label)

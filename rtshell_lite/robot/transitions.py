@@ -308,8 +308,8 @@ async def change_as_planned(node, transition, index, wait, stage):
     other way round; if the one that the plan names is stopped, such another one that runs is meant. It
     becomes Inactive in all contexts.
 
-    If the component has to change, stage("asking") is called before it is asked, and stage("told") when it
-    has accepted.
+    If the component has to change, stage("asking") is called before it is asked, and stage("accepted") when
+    it has accepted.
     """
     contexts = await context_states(node)
     if transition is not ACTIVATE:
@@ -347,7 +347,7 @@ async def _request(node, ref, transition, wait, called, stage):
             raise errors.Refused(str(node.path), "is not in " + called)
         code = await orb.call(node.path, ref, transition.operation, known, seconds=wait)
     if str(code) == "RTC_OK":
-        stage("told")
+        stage("accepted")
     return str(code)
 
 

@@ -18,7 +18,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
 from rtshell_lite.system import placements, steps
-from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, Kept
+from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptComponent
 
 TICK = 0.1  # seconds between looks whether all is done
 WAIT = 1.0  # seconds until what a neighbour holds up is asked again
@@ -47,7 +47,7 @@ class Keeper(presence.Presence):
         self._locate = capture.locator(profile, options.strict_path)
         listed = restore.places(profile)
         self._placement_of = placements.finder(self._locate, listed)
-        super().__init__([Kept(placement, self) for placement in listed], options.look)
+        super().__init__([KeptComponent(placement, self) for placement in listed], options.look)
         # by the ids of their Placements and model.Components
         self._kept_of = {}
         for kept in self.followed:
@@ -71,7 +71,7 @@ class Keeper(presence.Presence):
         return self
 
     def _kept_at(self, target):
-        """The Kept that a target in the profile means, or None."""
+        """The KeptComponent that a target in the profile means, or None."""
         return self._kept_of.get(id(self._placement_of(target)))
 
     async def follow(self):
@@ -133,7 +133,7 @@ class Keeper(presence.Presence):
                     yield errors.Late(kept.where, f"it is {kept.state}")
 
     def happened(self, kept, seen, done="", begun=None, error=None):
-        """Report a Happening of a Kept; `begun` by time.monotonic()."""
+        """Report a Happening of a KeptComponent; `begun` by time.monotonic()."""
         event = happening.now(kept.where, seen, done, begun, error)
         kept.last = event.words()
         self.on_event(event)

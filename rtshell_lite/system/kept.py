@@ -31,7 +31,7 @@ PART_OF = {
 }
 
 
-class Kept(presence.Followed):
+class KeptComponent(presence.Followed):
     """One component that is kept.
 
     placement      its placements.Placement; `placement.error` says why nothing can be done with it

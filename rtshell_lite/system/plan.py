@@ -361,12 +361,12 @@ class Schedule:
         self._steps = collections.deque(_steps(actions))
         self._step = []
         self._waiting = [action for action in in_order(actions) if _waits(action)]
-        self._told = set()
+        self._accepted = set()
         self._failed = []  # required actions in steps that failed, with an order
 
-    def told(self, number):
+    def accepted(self, number):
         """The component of an action has accepted the command."""
-        self._told.add(number)
+        self._accepted.add(number)
 
     def end(self, number, outcome):
         """An action has ended."""
@@ -418,7 +418,7 @@ class Schedule:
         open_ones = [after for after in action.after if not self._holds(after)]
         for after in open_ones:
             if after.timeout and now >= self.armed + after.timeout / 1000:
-                wanted = "told"
+                wanted = "accepted"
                 if after.sync:
                     wanted = self.target
                 return "%s: not %s within %dms" % (after.text, wanted, after.timeout)
@@ -432,7 +432,9 @@ class Schedule:
         outcome = self.ended.get(after.number)
         if after.sync:
             return outcome in REACHED
-        return after.number in self._told or outcome is not None  # an action that failed has taken place, too
+        return (
+            after.number in self._accepted or outcome is not None
+        )  # an action that failed has taken place, too
 
     def _obstacle(self, action):
         """Why an action cannot go: the failure of one that it depends on."""

@@ -9,7 +9,7 @@ from rtshell_lite.system import capture, connect_steps, restore
 
 
 class Connections:
-    """The connectors of a profile and who mends them; `kept_at(end)` gives the kept.Kept of an end,
+    """The connectors of a profile and who mends them; `kept_at(end)` gives the kept.KeptComponent of an end,
     or None.
     """
 

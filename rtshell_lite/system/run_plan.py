@@ -27,7 +27,7 @@ _Answer = collections.namedtuple("_Answer", "node profile contexts")
 
 
 class Progress:
-    """Is told of the actions of a plan, and keeps the `results` of those that have ended."""
+    """Keeps the `results` of the actions of a plan that have ended; a subclass shows how they proceed."""
 
     def __init__(self):
         self.results = []
@@ -216,8 +216,8 @@ class Run:
 
         def stage(name):
             self._asked.add(action.number)
-            if name == "told":
-                self._schedule.told(action.number)
+            if name == "accepted":
+                self._schedule.accepted(action.number)
                 self._changed.ring()
 
         try:

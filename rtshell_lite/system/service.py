@@ -7,7 +7,7 @@ import time
 from rtshell_lite import errors, notes
 from rtshell_lite.net import loop
 from rtshell_lite.system import guardian, happening, keep, plan, restore, steering
-from rtshell_lite.system.kept import Kept
+from rtshell_lite.system.kept import KeptComponent
 from rtshell_lite.text import safe
 from rtshell_lite.xmlprofile import model
 
@@ -203,19 +203,19 @@ class Service:
         return found
 
     def _pause(self, one):
-        if isinstance(one, Kept):
+        if isinstance(one, KeptComponent):
             one.is_paused = True
         else:
             one.is_wanted = False
 
     def _resume(self, one):
-        if isinstance(one, Kept):
+        if isinstance(one, KeptComponent):
             one.take_back()
         else:
             self.processes.resume(one)
 
     def _stop(self, one):
-        if isinstance(one, Kept):
+        if isinstance(one, KeptComponent):
             one.is_paused = True
             self.keeper.start(self.keeper.deactivate(one, "", "deactivated on request"))
         else:

@@ -34,7 +34,7 @@ At boot: the commands that would do it; then it is done once. What is not so in 
   $ rtkeep --once --events log.json a.xml > nul; grep -c Active.*Motor0 log.json
   1
   $ rtdeact Motor0.rtc; rtsh -c 'start -q a.xml; wait a.xml; keep --once a.xml' | said; rtcheck a.xml
-  $ sed 's/Motor0/Motor9/' a.xml > other.xml; rtkeep --once --within 1 other.xml
+  $ sed 's/Motor0/Motor9/' a.xml > other.xml; rtkeep --once --within 4 other.xml
   rtkeep: /localhost:$PORT/test.host_cxt/Motor9.rtc: no such path; did you mean Motor0.rtc?
   [3]
 

@@ -168,10 +168,10 @@ TIMEOUT = 5.0  # seconds
 
 def facts(server):
     """{"KIND PATH …": state} of everything that a name server leads to."""
-    async def look():
+    async def living():
         return await tree.check_alive(await tree.walk(await tree.resolve(server), managers=False))
     found = {}
-    for node in wait_for(look(), TIMEOUT):
+    for node in wait_for(living(), TIMEOUT):
         where = str(node.path)
         found["name " + where] = (node.kind, str(node.alias))
         if node.kind == "component" and node.alias is None:

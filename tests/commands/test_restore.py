@@ -258,11 +258,11 @@ class Faults(Worlds):
     def is_so(self, step, now, then):
         if step.kind == "connect":
             there = []
-            for site, port in step.ends:
-                world = self.world_of(site.instance)
+            for placement, port in step.ends:
+                world = self.world_of(placement.instance)
                 there.append(
                     step.connector.connector_id + " "
-                    in world.ctl("connectors", "%s:%s" % (site.instance, port))
+                    in world.ctl("connectors", "%s:%s" % (placement.instance, port))
                 )
             self.assertEqual(len(set(there)), 1, "half connected: " + step.title)
             return there[0]

@@ -263,7 +263,7 @@ class Page(Terminal):
         self.press("q", "q")
         self.ended(0)
 
-    def test_what_is_measured_stands_beside_what_is_claimed(self):
+    def test_measured_rates_are_beside_claimed_ones(self):
         senders = World("senders", "50", "8")
         self.addCleanup(running.run, ["rtdel", self.top + "/Source0.rtc"], self.home)
         self.addCleanup(senders.close)

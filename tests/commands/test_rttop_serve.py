@@ -123,7 +123,7 @@ class Served(unittest.TestCase):
 class Robot(Served):
     """Without a browser."""
 
-    def test_who_may_ask(self):
+    def test_strangers_are_refused(self):
         self.start("--serve", "127.0.0.1:0")
         self.assertRegex(self.address, r"^http://127\.0\.0\.1:\d+/$")
         port = self.address.rsplit(":", 1)[1].strip("/")
@@ -277,7 +277,7 @@ class Browsers(Served):
                  "document.getElementById('search').dispatchEvent(new Event('input'))")
         page.wait("document.querySelector('#list button').textContent.includes('Broken0')")
 
-    def test_what_a_person_does_stays(self):
+    def test_selection_folds_and_focus_stay(self):
         """Selection, folded groups, focus, where the map is."""
         self.start("--serve", "127.0.0.1:0")
         page = self.open()
@@ -309,7 +309,7 @@ class Browsers(Served):
         page.wait("document.getElementById('live').textContent.startsWith('not live since')")
         page.close()
 
-    def test_whatever_a_robot_says_stays_text(self):
+    def test_hostile_strings_stay_text(self):
         """Components all of whose strings are hostile, among them <script>; also when one changes, and when
         it dies.
         """

@@ -60,12 +60,12 @@ class SideBySide(unittest.TestCase):
         ]
         lines += ["rtfsm %s/Microwave0.rtc getstructure" % home, "rtconf -l %s/ConfigSample0.rtc" % home]
 
-        def look(line):
+        def run(line):
             ran = running.run(invocations.words(line, meant), around.top, RTCTREE_NAMESERVERS=server[1:])
             return ran.status, ran.out, ran.err
         runs = 0
         for _ in range(ROUNDS):
-            answers = running.together(look, [line for line in lines for _ in range(CROWD)], CROWD)
+            answers = running.together(run, [line for line in lines for _ in range(CROWD)], CROWD)
             runs += len(answers)
             for number, line in enumerate(lines):
                 with self.subTest(line):

@@ -153,7 +153,7 @@ def canaries():
 
 
 class Hostile(unittest.TestCase):
-    def look(self, done):
+    def check(self, done):
         for case in done:
             with self.subTest(str(case)):
                 self.assertEqual(list(case.problems()), [], str(case.ran)[:3000].encode("unicode_escape"))
@@ -213,7 +213,7 @@ class Hostile(unittest.TestCase):
     def test_3_nothing_harmful_is_printed(self):
         chosen = cases()
         gentle = running.together(Case.run, [case for case in chosen if case.command not in FATAL])
-        self.look(gentle)
+        self.check(gentle)
         print("figures: %d command lines about %d kinds of hostile text, %d of them on a terminal"
               % (len(chosen), len(KEYS), sum(case.on_terminal for case in chosen)))
 
@@ -235,7 +235,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(canaries(), [])
 
     def test_5_what_changes_the_world(self):
-        self.look(running.together(Case.run, [case for case in cases() if case.command in FATAL]))
+        self.check(running.together(Case.run, [case for case in cases() if case.command in FATAL]))
 
 
 if __name__ == "__main__":

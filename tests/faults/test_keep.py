@@ -465,8 +465,9 @@ class Steps(unittest.TestCase):
         self.assertEqual(done.status, 0, done)
 
     def is_killed_at(self, number):
-        """Break all, run an rtkeep that is killed at a call, then another one; whether the first made `number`
-        calls.
+        """Break all, run an rtkeep that is killed at a call, then another one.
+
+        Returns whether the first made `number` calls.
         """
         self.well("rtdeact", *[name(kind, 0) for kind in ("In", "Out", "Set")])
         self.well("rtdis", "--ensure", *map(str, self.ends))

@@ -239,7 +239,7 @@ class Peers(Case):
         self.process.terminate()
         self.assertEqual(self.process.wait(worlds.LIMIT), 5)
 
-    def look(self, place):
+    def read_parts(self, place):
         """Read what people and scripts read of a component: the longest time that one file or directory took.
         """
         slowest = 0.0
@@ -285,9 +285,9 @@ class Peers(Case):
             places[mode + " as name server"] = os.path.join(self.top, "127.0.0.1:%d" % port, "Evil0.rtc")
         looked = {}
 
-        def look(case):
-            looked[case] = self.look(places[case])
-        reader = threading.Thread(target=running.together, args=(look, sorted(places), AT_ONCE), daemon=True)
+        def read(case):
+            looked[case] = self.read_parts(places[case])
+        reader = threading.Thread(target=running.together, args=(read, sorted(places), AT_ONCE), daemon=True)
         reader.start()
         reader.join(LONGEST)
         self.assertEqual(sorted(set(places) - set(looked)), [])

@@ -301,8 +301,8 @@ class Network(unittest.TestCase):
         self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
 
     def test_an_address_that_leads_nowhere(self):
-        """It lives, but from here it cannot be reached: rtdoctor says so, and its name is not taken for that of
-        a dead one.
+        """It lives, but from here it cannot be reached: rtdoctor says so, and does not take its name for that
+        of a dead one.
         """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         world("lost", "robot1", ["these", "Mock:Lost0"], "--publish", NOWHERE, "--port", "2999")

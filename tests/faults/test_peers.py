@@ -102,9 +102,8 @@ class Case:
 
     def usual_limit(self):
         """`limit` for peers that do not answer as many questions as are asked."""
-        asked = sum(
-            float(seconds) for seconds in re.findall(r"(?:-t|--wait|--measure|--limit)[ =]([\d.]+)", self.line)
-        )
+        seconds = re.findall(r"(?:-t|--wait|--measure|--limit)[ =]([\d.]+)", self.line)
+        asked = sum(map(float, seconds))
         patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
         return asked + running.TIMEOUT * patience + running.SLACK + start_up
 

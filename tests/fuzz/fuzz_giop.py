@@ -100,7 +100,9 @@ class Requests(Target):
     def _come(here):
         try:
             return here.recv(1 << 20)
-        except (BlockingIOError, ConnectionResetError):  # ConnectionResetError: we closed it before we had read all
+        except BlockingIOError:
+            return b""
+        except ConnectionResetError:  # we closed it before we had read all
             return b""
 
     @staticmethod

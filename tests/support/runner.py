@@ -62,8 +62,8 @@ PACKAGING = ["commands/test_packaging", "commands/test_unpack", "commands/test_b
 
 
 class Job:
-    """A test module, or a transcript under a shell; `run` returns outcomes. `at_once` like it may run together,
-    and nothing else.
+    """A test module, or a transcript under a shell; `run` returns outcomes. `at_once` like it may run
+    together, and nothing else.
 
     `path` is the file that it runs: the longest ones begin, so that none is left when all others are done.
     """

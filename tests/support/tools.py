@@ -58,25 +58,25 @@ def play_fluent(words):
 
 def play_kill_mock(words):
     """kill-mock WORLD: kill -9, so that its names stay bound."""
-    tell(words, signal.SIGKILL, "gone")
+    send_signal(words, signal.SIGKILL, "gone")
 
 
 def play_end_mock(words):
     """end-mock WORLD: ask it to end, and wait."""
-    tell(words, signal.SIGTERM, "gone")
+    send_signal(words, signal.SIGTERM, "gone")
 
 
 def play_hang(words):
     """hang WORLD: stop its process; it accepts connections and never answers."""
-    tell(words, signal.SIGSTOP, "stopped")
+    send_signal(words, signal.SIGSTOP, "stopped")
 
 
 def play_resume(words):
     """resume WORLD: let it go on."""
-    tell(words, signal.SIGCONT, "running")
+    send_signal(words, signal.SIGCONT, "running")
 
 
-def tell(names, number, state):
+def send_signal(names, number, state):
     """Send a signal to peers and wait until each is in that state."""
     for name in names:
         try:

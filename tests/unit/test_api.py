@@ -248,7 +248,7 @@ class World(unittest.TestCase):
             with self.assertRaises(errors.NotFound):
                 api.restore(again)
 
-    def test_what_is_not_there(self):
+    def test_absent_objects_raise(self):
         for wait in 0, 0.3:
             with self.assertRaises(errors.NotFound) as caught:
                 api.component(self.home + "Nobody0.rtc", wait=wait)

@@ -71,9 +71,9 @@ class Switch(steps.Step):
         self.coming = list(found)
 
     def questions(self):
-        return [placements.Question(self.endpoint, self.where, self.look)]
+        return [placements.Question(self.endpoint, self.where, self.position)]
 
-    async def look(self):
+    async def position(self):
         return self.coming.pop(0) if self.coming else self.on
 
     def differences(self, answers):

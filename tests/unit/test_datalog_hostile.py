@@ -44,7 +44,7 @@ class Hostile(Case):
             tracemalloc.stop()
             self.assertLess(peak, 20 << 20)
 
-    def test_what_is_no_log(self):
+    def test_files_that_are_not_logs_are_refused(self):
         for data in [
             b"",
             b"text",
@@ -111,7 +111,7 @@ class Hostile(Case):
         log, found = self.all(HEADER + channel() + good + chunk(message(), crc=7) + good)
         self.assertEqual((len(found), log.damaged), (2, 1))
 
-    def test_what_is_not_json(self):
+    def test_broken_json_is_skipped(self):
         named = mcap.channel_record(0, 0, "a", "json", {})
         for data in (b"{", b"[" * 100000, b"\xff", b"1e", b""):
             log, found = self.all(HEADER + named + chunk(message(data=data) + message(data=b'{"a": [1]}')))
@@ -127,7 +127,7 @@ class Hostile(Case):
             ):
                 logfile.load(self.name)
 
-    def test_what_python_can_decompress(self):
+    def test_zstd_of_python_is_used(self):
         """As Python 3.14 and later; here another module is in its place."""
         class Decompressor:
             decompress = staticmethod(lambda octets, most: zlib.decompressobj().decompress(octets, most))

@@ -64,7 +64,7 @@ class Elsewhere(unittest.TestCase):
         self.assertIn(expected, answer[1] + answer[2])
         self.assertNotIn("Traceback", answer[2])
 
-    def test_what_only_asks(self):
+    def test_commands_that_look(self):
         self.check("ConsoleIn0.rtc", "rtls", "-l", self.home)
         self.check("DataOutPort: out", "rtcat", "-ll", self.home + "ConsoleIn0.rtc")
         self.check("ConsoleOut0.rtc", "rtfind", "/", "-t", "c")
@@ -87,7 +87,7 @@ class Elsewhere(unittest.TestCase):
             self.check("Recording", "rtlog", "-f", name, "-t", "0.3", port)
             self.check("", "rtlog", "-f", name, "-d")
 
-    def test_what_changes_says_what_it_needs_or_works(self):
+    def test_commands_that_change_work_or_name_their_need(self):
         self.check("", "rtact", "--wait", "10", self.home + "ConsoleIn0.rtc")
         self.check("", "rtdeact", "--wait", "10", self.home + "ConsoleIn0.rtc")
         for name in sorted(os.listdir(BIN)):

@@ -170,13 +170,13 @@ class Hostile(Answers):
             self.assertEqual([self.read(made)[0] for made in (quiet, half)], [408, 408])
         self.still_served()
 
-    def test_who_takes_nothing(self):
+    def test_a_reader_that_takes_nothing_is_dropped(self):
         with mock.patch.object(http, "STALLED", 0.2):
             self.connect(b"GET /endless HTTP/1.1\r\n\r\n")
             while not self.serving.ended:
                 self.still_served()
 
-    def test_who_takes_it_slowly(self):
+    def test_a_slow_reader_is_dropped(self):
         with mock.patch.object(http, "SLOWEST", 0.2), mock.patch.object(http, "FAREWELL", 0.2):
             made = self.connect(b"GET /large HTTP/1.1\r\n\r\n")
             self.assertLess(self.taken_from(made, time.monotonic() + 3 * http.SLOWEST), len(LARGE))
@@ -196,7 +196,7 @@ class Hostile(Answers):
         except ConnectionError:
             return count
 
-    def test_who_leaves_at_once(self):
+    def test_readers_that_leave_at_once_do_no_harm(self):
         for _ in range(200):
             made = socket.create_connection(("127.0.0.1", self.serving.port), LIMIT)
             made.sendall(b"GET /page HTTP/1.1\r\n\r\n")

@@ -61,7 +61,7 @@ def tree(**texts):
                 os.environ[library.VARIABLE] = before[1]
 
 
-class Found(unittest.TestCase):
+class Search(unittest.TestCase):
     def test_an_interface_by_its_id(self):
         with tree(
             a__service=SERVICE, other="module M { interface Other { void Service(in long part); }; };"
@@ -133,7 +133,7 @@ class Found(unittest.TestCase):
             given = datatypes.Types().interface("IDL:M/Service:1.0").operations[0]
             self.assertEqual(descriptors.words(given.result), "Part")
 
-    def test_what_is_read(self):
+    def test_only_files_with_a_named_type_are_parsed(self):
         """Nothing, while no type of it is named; then the files are searched, and those that declare it are
         parsed.
         """
@@ -172,7 +172,7 @@ class Found(unittest.TestCase):
 
 
 class Hostile(unittest.TestCase):
-    def test_what_is_no_file(self):
+    def test_pipes_links_and_loops_are_skipped(self):
         with tree(service=SERVICE) as made:
             os.mkfifo(os.path.join(made.path, "a.idl"))
             os.symlink("/dev/zero", os.path.join(made.path, "b.idl"))

@@ -103,7 +103,7 @@ class Formats(unittest.TestCase):
         self.assertEqual([line for line in lines if line.startswith(r"\end{document}")], [lines[-1]])
         self.assertNotIn(r"\end{document} {x", "\n".join(lines[:-1]).split(r"\begin{verbatim}")[0])
 
-    def test_whole_documents(self):
+    def test_documents_are_complete(self):
         short = manual.Manual(
             "Arm", "Moves", [("Vendor", "us")], [manual.Section("usage", "Usage", ["Start it."])], []
         )

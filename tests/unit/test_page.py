@@ -52,7 +52,7 @@ class Data(unittest.TestCase):
         self.assertTrue(text.isprintable())
         self.assertEqual(json.loads(text), value)
 
-    def test_what_is_in_it(self):
+    def test_page_holds_states_groups_and_paths(self):
         profile = large_robots.profile(8)
         data = data_of(page_of(profile, large_robots.picture(profile, {2})))
         self.assertEqual(
@@ -146,7 +146,7 @@ class Files(unittest.TestCase):
         style = read("page.css")
         self.assertEqual(re.findall(r"url|@import|</", style), [])
 
-    def test_what_does_not_draw_does_not_load_it(self):
+    def test_only_reports_and_sites_load_the_page(self):
         for folder, _, names in os.walk(os.path.join(ROOT, "rtshell_lite")):
             for name in [name for name in names if name.endswith(".py")]:
                 with open(os.path.join(folder, name), encoding="utf-8") as file:

@@ -96,7 +96,7 @@ class Pages(unittest.TestCase):
 
 
 class Map(Pages):
-    def test_small_ones_are_shown_whole(self):
+    def test_small_systems_are_shown_completely(self):
         shown = self.open("small")
         self.assertEqual(sorted(shown.run(NAMES)), self.names(range(5), self.small))
         lines = graph.of(self.small).edges
@@ -210,7 +210,7 @@ class Search(Pages):
             shown.type(words)
             self.assertEqual(len(shown.run(LIST)), count, words)
 
-    def test_what_is_broken_comes_first(self):
+    def test_broken_components_come_first(self):
         """Then by name, in natural order."""
         listed = [each.split()[1] for each in self.open("middle").run(LIST)]
         self.assertEqual(sorted(listed[:4]), self.names({3, 5, 60, 117}, self.middle))

@@ -137,7 +137,7 @@ class Making(unittest.TestCase):
         condition.target.properties = [model.Property(name=capture.PATH_ID, value="other/A.rtc")]
         self.assertEqual([bool(action.texts) for action in make(twins, condition).actions], [False, True])
 
-    def test_what_is_not_there(self):
+    def test_absent_components_and_contexts_are_refused(self):
         self.refused("Ghost (RTC:A:b:T:1) is not in the file; /h/A.rtc has no execution context 7 in the "
                      "file",
                      "AB", after("A", "Ghost"), order("Ghost"), order("A", context="7"))
@@ -225,7 +225,7 @@ class World:
         self.fate = fate
         self.now = 0.0
         # times by name, and reasons of what did not happen
-        self.told = {}
+        self.accepted = {}
         self.ended = {}
         self.started = {}
         self.reasons = {}
@@ -256,8 +256,8 @@ class World:
                 _, _, number, outcome = heapq.heappop(happening)
                 name = self.schedule.actions[number].component.instance_name
                 if outcome is None:
-                    self.told[name] = self.now
-                    self.schedule.told(number)
+                    self.accepted[name] = self.now
+                    self.schedule.accepted(number)
                 else:
                     self.ended[name] = self.now
                     self.schedule.end(number, outcome)
@@ -307,7 +307,7 @@ class Playing(unittest.TestCase):
             B=(1, plan.DONE),
         )
         self.assertEqual(world.reasons, {"A": "Sync to B: not Active within 1500ms",
-                                         "C": "After B's action: not told within 999ms",
+                                         "C": "After B's action: not accepted within 999ms",
                                          "D": "it waits for /h/C.rtc, which was not tried"})
         self.assertEqual(world.ended["D"], 0.999)
         world = play(
@@ -426,7 +426,7 @@ class Random:
                 yield timeout
 
     def holds_from(self, other, sync):
-        return self.world.ended[other] if sync else self.world.told.get(other, self.world.ended[other])
+        return self.world.ended[other] if sync else self.world.accepted.get(other, self.world.ended[other])
 
     def earliest(self, name, steps, armed):
         """The earliest time for an action that was started."""

@@ -184,7 +184,7 @@ class Connecting(unittest.TestCase):
                 self.assertEqual((status._n, bytes(data)), ("PORT_OK", b"1"))
         self.run_with_components(work)
 
-    def test_what_cannot_be(self):
+    def test_impossible_connections_are_refused(self):
         async def work(out, into):
             for ends, properties, result in (
                 ([], PUSH, "BAD_PARAMETER"),
@@ -324,7 +324,7 @@ class Hostile(unittest.TestCase):
 
 
 class Coming(unittest.TestCase):
-    def test_what_has_ended_is_gone_until_it_was_back(self):
+    def test_ended_components_are_gone_until_they_were_back(self):
         """Its object, and its connections at the other end; what comes later is not there before."""
         def described(name):
             context = model.ExecutionContext(id="0", kind="PERIODIC", rate=1.0)

@@ -95,7 +95,7 @@ class Series(unittest.TestCase):
         thin.flush()
         self.assertEqual([point[1] for point in thin.points if point[2]], [0, 20])
 
-    def test_what_is_no_number_is_a_gap(self):
+    def test_nan_and_infinity_are_gaps(self):
         series = plot.Series("a")
         for number in (1, float("nan"), 2, float("inf"), 3):
             series.add(START, number)

@@ -90,7 +90,7 @@ class Procfiles(unittest.TestCase):
         self.assertEqual(one.policy, policy.Policy("no", 1, 2.0, 3.0, 4.0))
         self.assertEqual((two.name, two.after, two.ready, two.stop[0].name), ("two", [], None, "SIGTERM"))
 
-    def test_what_is_wrong(self):
+    def test_mistakes_are_named(self):
         for text, said in (
             ("x", ":1: not NAME"),
             ("a: b\na.after: c", "a: after c"),

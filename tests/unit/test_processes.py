@@ -38,7 +38,7 @@ def children(pid):
         try:
             with open("/proc/%d/stat" % child) as file:
                 states[child] = file.read().rpartition(")")[2].split()[0]
-        except FileNotFoundError:
+        except (FileNotFoundError, ProcessLookupError):  # it has ended meanwhile
             pass
     return states
 
@@ -121,7 +121,7 @@ class Processes(unittest.TestCase):
         self.assertEqual(self.process.wait(LONG), 0)
         self.assertEqual(len(self.pids("a")), 1)
 
-    def test_who_watches_over_them_is_killed(self):
+    def test_a_killed_guardian_is_replaced(self):
         """Then another one does: rtkeep goes on, and nothing outlives it."""
         self.keep("a: sh -c 'sleep 1000 & wait'\nb: sleep 0.3\nb.delay: 0.1-0.1\nb.burst: 1000/60\n")
         self.until("started, pid", 2)
@@ -173,7 +173,7 @@ class Processes(unittest.TestCase):
             [(event["seen"], event["done"]) for event in self.events()],
         )
 
-    def test_what_is_told_to_rtkeep_alone(self):
+    def test_processes_get_nothing_of_the_service_manager(self):
         """A process that took the messages of the service manager for its own would speak for rtkeep."""
         self.keep("a: env\na.restart: no\n", NOTIFY_SOCKET="/nowhere", WATCHDOG_USEC="5000000", OTHER="here")
         self.until("not started again")

@@ -94,7 +94,7 @@ class Ring(Case):
                 self.assertLessEqual(abs(numbers[-1] - at - 20), 1)
             self.assertEqual(len(self.kept), 3)
 
-    def test_what_happens_meanwhile_is_another_cause(self):
+    def test_triggers_during_an_incident_are_further_causes(self):
         made = self.memory()
         incidents = self.incidents()
         self.run_for(5, made, incidents)
@@ -117,7 +117,7 @@ class Ring(Case):
         self.assertEqual(len(set(self.kept)), 3)
         self.assertEqual({os.path.dirname(name) for name in self.kept}, {self.directory.name})
 
-    def test_what_is_pending_is_not_removed(self):
+    def test_pending_parts_are_not_removed(self):
         """Even if it is copied slowly."""
         made = self.parts()
         incidents = self.incidents(4, 2)
@@ -130,7 +130,7 @@ class Ring(Case):
         self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
         self.assertLessEqual(abs(numbers[0] - at + 40), 1)
 
-    def test_what_is_late_is_kept(self):
+    def test_late_triggers_and_values_are_kept(self):
         """A busy machine learns late of what has happened, and writes late what has come."""
         for make in (lambda: self.parts(), lambda: self.memory(4 + ring.LATE)):
             self.kept.clear()
@@ -164,7 +164,7 @@ class Ring(Case):
             self.run_for(0.2, made, incidents)
             self.assertEqual(self.numbers(self.kept[-1]), list(range(at - 41, at)))
 
-    def test_what_came_while_another_part_was_begun(self):
+    def test_values_that_came_before_a_part_was_begun_are_found(self):
         """It is in that part, though it came before."""
         made = self.parts()
         self.run_for(3, made)

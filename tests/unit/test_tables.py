@@ -168,7 +168,7 @@ class Tables(unittest.TestCase):
                 )
                 self.assertEqual(set(found.interfaces), set(expected.interfaces))
 
-    def test_what_an_include_declares_can_be_used(self):
+    def test_included_declarations_can_be_used(self):
         with tempfile.TemporaryDirectory() as directory:
             case = os.path.join(directory, "case.idl")
             with open(case, "w") as file:

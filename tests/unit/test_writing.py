@@ -125,7 +125,7 @@ class Rest(unittest.TestCase):
 
 
 class Readers(unittest.TestCase):
-    def look(self, *cycles):
+    def reading(self, *cycles):
         """(why a component does not read, at which rate it does) with these contexts: (state, running, rate).
         """
         audience = Audience(mock.Mock(path="/localhost/a.rtc"), "/localhost/a.rtc:in")
@@ -141,10 +141,11 @@ class Readers(unittest.TestCase):
 
     def test_an_active_one_reads_in_the_fastest_context_that_runs(self):
         self.assertEqual(
-            self.look(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)), (None, 500.0)
+            self.reading(("Active", True, 100.0), ("Active", True, 500.0), ("Active", True, None)),
+            (None, 500.0),
         )
         self.assertEqual(
-            self.look(("Active", True, 100.0), ("Inactive", True, 500.0), ("Active", False, 1000.0)),
+            self.reading(("Active", True, 100.0), ("Inactive", True, 500.0), ("Active", False, 1000.0)),
             (None, 100.0),
         )
 
@@ -154,7 +155,7 @@ class Readers(unittest.TestCase):
             ("Active", False, "rtec /localhost/a.rtc start"),
             ("Inactive", False, "rtec /localhost/a.rtc start"),
         ):
-            why, rate = self.look((state, running, 100.0))
+            why, rate = self.reading((state, running, 100.0))
             self.assertIn(words, str(why))
             self.assertIsNone(rate)
 
