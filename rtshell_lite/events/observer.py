@@ -23,6 +23,9 @@ INTERFACES = {
     LOGGER: "OpenRTM.Logger",
 }
 BEAT = 1.0  # seconds between the heartbeats that we ask for
+NEVER = "86400"  # seconds between reports of single values that are sent and received
+# properties of an observer that is not to hear of single values
+NO_VALUES = tuple((f"port_profile.{word}_event.min_interval", NEVER) for word in ("send", "receive"))
 
 # What has happened, and when (seconds since 1970) it was reported. `kind` is one of KINDS; `subject` is a
 # context handle, a port, a configuration set or parameter, or what an event of a state machine is about;
@@ -150,10 +153,21 @@ class Subscription:
         return orb.at_address(self.reference)
 
 
+def preferred(properties):
+    """The interface type of the observer for a component with these properties, None if it takes none."""
+    offered = taken(properties)
+    return next((kind for kind in (OBSERVER, FSM_OBSERVER) if kind in offered), None)
+
+
 def observer(node, interface, kinds, heard, beat=BEAT, more=()):
     """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS),
     and to the component's end; it beats every `beat` seconds. `more` are further (property, value).
     """
+    return Subscription(node, interface, wishes(interface, kinds, beat, more), heard)
+
+
+def wishes(interface, kinds, beat, more):
+    """The properties, [(name, value)], of an `observer`; with None for `beat` it never beats."""
     if len(kinds) == len(KINDS):
         wanted = "ALL"
     else:
@@ -163,9 +177,10 @@ def observer(node, interface, kinds, heard, beat=BEAT, more=()):
         FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
     }[interface]
     properties = [("observed_status", wanted), *more]
-    for name in beats:
-        properties += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]
-    return Subscription(node, interface, properties, heard)
+    if beat is not None:
+        for name in beats:
+            properties += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]
+    return properties
 
 
 def _statuses(interface, kinds):

@@ -26,7 +26,6 @@ AGAIN = 2.0  # seconds between questions to a dead object whose name is still bo
 TRIES = 5  # of a question whose connection is lost: to a process that ends, as a rule
 PAUSE = 0.15  # seconds between them
 HURRY = 0.3  # seconds that components have to answer when observers are taken back
-NEVER = "86400"  # seconds between reports of single values that are sent and received
 
 KINDS = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT", "CONFIG_EVENT")
 
@@ -93,13 +92,13 @@ class Followed:
 
     async def observe(self):
         """Lend it an observer, if it takes one, by the profile in `shown`. Raises Unreachable."""
-        offered = observer.taken(dict(self.shown.profile.properties))
-        known = [kind for kind in (observer.OBSERVER, observer.FSM_OBSERVER) if kind in offered]
-        if not known:
+        kind = observer.preferred(dict(self.shown.profile.properties))
+        if kind is None:
             return
-        quiet = [(f"port_profile.{word}_event.min_interval", NEVER) for word in ("send", "receive")]
         if self.subscription is None:
-            self.subscription = observer.observer(self.node, known[0], KINDS, self._hear, BEAT, quiet)
+            self.subscription = observer.observer(
+                self.node, kind, KINDS, self._hear, BEAT, observer.NO_VALUES
+            )
         try:
             await self.subscription.attach()
         except errors.Refused:

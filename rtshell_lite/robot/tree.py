@@ -313,9 +313,9 @@ async def at_each(paths, function):
 # ---- listing -----------------------------------------------------------------------------------------------
 
 
-async def children(node):
+async def children(node, objects=()):
     """The nodes in a directory, sorted by name: one call for the names, one to the name server for each
-    object.
+    object, but for those in `objects`, {path as text: Node}.
 
     Nobody but the name server is asked (use `check_alive` on the result). At the root: the name servers. In a
     manager: its slaves and components, which have to be asked for their names. Raises WrongKind for what is
@@ -331,6 +331,10 @@ async def children(node):
     server = node.endpoint
     names = await bound(node)
     nodes = []
+    if objects:
+        known = {entry: objects.get(str(node.path.child(entry[0]))) for entry in names}
+        nodes = [found for found in known.values() if found is not None]
+        names = [entry for entry in names if known[entry] is None]
     while names:
         batch = [(context, node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]]
         names = names[:-AT_ONCE]
@@ -437,21 +441,21 @@ async def _instance_name(node):
 # ---- walking -----------------------------------------------------------------------------------------------
 
 
-async def walk(node, depth=None, managers=True):
+async def walk(node, depth=None, managers=True, objects=()):
     """A list of `node` and everything below it, depth first, sorted.
 
     A naming context or manager that is bound by several names is entered by the first of them in this order;
     by the others it is listed with that Path as its `alias`. At most `depth` levels (None: DEPTH) are
     entered, managers unless `managers` is False, and the contexts of other name servers where they are bound.
     A directory that cannot be listed has its `error` set, a manager that does not answer is `zombie` or
-    `silent`. Components are not asked whether they live.
+    `silent`. Components are not asked whether they live. `objects` as in `children`, below one name server.
     """
     if depth is None:
         depth = DEPTH
     else:
         depth = min(depth, DEPTH)
     if node.kind != "root":
-        return await _walk(node, depth, managers, aliases.Known())
+        return await _walk(node, depth, managers, aliases.Known(), objects)
     if not depth:
         return [node]
     below = await walk_servers(await children(node), depth - 1, managers)
@@ -488,7 +492,7 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
     return found
 
 
-async def _walk(node, depth, managers, known):
+async def _walk(node, depth, managers, known, objects=()):
     is_top = not node.path.names
     if node.kind == "unsure" and is_top:
         (node,) = await check_alive([node])
@@ -498,19 +502,19 @@ async def _walk(node, depth, managers, known):
     if node.kind in DIRECTORIES and node.alias is None and depth > 0:
         known.enter(node)
         if managers or is_top or node.kind != "manager":
-            below = await _below(node)
+            below = await _below(node, objects)
     found = [node]
     for child in below:
-        found += await _walk(child, depth - 1, managers, known)
+        found += await _walk(child, depth - 1, managers, known, objects)
     return found
 
 
-async def _below(node):
+async def _below(node, objects):
     """The children of a directory; if it cannot be listed, [], and its `error` is set."""
     if node.kind == "manager":
         return await _below_manager(node)
     try:
-        return await children(node)
+        return await children(node, objects)
     except errors.Error as e:
         node.error = e
         return []

@@ -11,7 +11,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.data.reading import Message
 from rtshell_lite.datalog import schemas
-from rtshell_lite.events import presence, watch
+from rtshell_lite.events import observer, watch
 from rtshell_lite.net import loop
 from rtshell_lite.xmlprofile import rtsprofile
 
@@ -21,9 +21,6 @@ QUIET = 2.0  # seconds without a change, after which the system is looked at
 RARELY = 10.0  # seconds between two looks at the whole system
 CHANGES = ("PORT_CONNECT", "PORT_DISCONNECT", "DIED", "EXITED", "BACK", "APPEARED")
 SERIOUS = {"ERROR": "Error", "DIED": "died", "NO_ANSWER": "does not answer", "LET_GO": "rtlog was late"}
-# components of C++ would report each value that is sent
-_FEW = tuple((f"port_profile.{word}_event.min_interval", presence.NEVER) for word in ("send", "receive"))
-
 
 _RECORDS = schemas.of_json(
     RECORD, dict(dict.fromkeys(("path", "logger", "level", "message", "mark"), "string"), time="number")
@@ -56,7 +53,8 @@ class Journal:
         )
         known = set()
         kinds = set(watch.KINDS) - {"HEARTBEAT"}
-        async with watch.Watch(watch.Events(kinds, _FEW), self._note) as events:
+        # components of C++ would report each value that is sent
+        async with watch.Watch(watch.Events(kinds, observer.NO_VALUES), self._note) as events:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
                 if self._door is not None:
                     logs.listen(self._door)

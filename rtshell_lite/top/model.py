@@ -2,7 +2,8 @@
 
 At most IN_FLIGHT remote calls are made at a time, to all processes together. Each look asks a component for
 its state; its contexts, rates and connections, which change less often and cost more, are asked for less
-often. Where there are more than FEW components, those that nobody sees now are looked at SELDOM.
+often. Where there are more than FEW components, those that nobody sees now are looked at SELDOM, and a live
+page lends them observers (hearing.py): what reports its changes is hardly asked.
 """
 
 import collections
@@ -14,6 +15,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.data import rates
 from rtshell_lite.robot import component, places, ports, snapshot, transitions, tree
 from rtshell_lite.text import safe
+from rtshell_lite.top import hearing
 from rtshell_lite.top.rows import Row, natural
 from rtshell_lite.views import describe
 
@@ -28,6 +30,9 @@ REST = 5.0  # seconds before what is dead or silent is asked again
 FEW = 100  # components that are all looked at as often as the user wants
 SELDOM = 5.0  # seconds between two looks at one of more components that is not shown
 SLOWER = 6  # times as long between two looks at its contexts, and at its connections
+REPORTED = 12  # times SELDOM between two looks at the state of one that reports its changes
+SLOWEST = 60  # times as long between two looks at its contexts, and at its connections
+WHOLE = 12  # walks of which one looks up all names, where there are more than FEW
 KEPT = 60.0  # seconds for which what was measured is shown
 
 
@@ -40,8 +45,15 @@ NEVER = float("-inf")
 class Entry:
     """A component that the task of its group looks at."""
 
-    def __init__(self, node):
+    may_report = False  # whether it is to be lent an observer
+    subscription = None  # the observer.Subscription that it has been lent
+    takes_none = False  # whether it takes no observers
+    is_in_doubt = False  # whether it may have lost its observer
+
+    def __init__(self, node, hearing):
+        """`hearing`: the hearing.Hearing that lends observers."""
         self.node = node
+        self._hearing = hearing
         self.group = node.endpoint
         self.kind = "component"
         self.state = None
@@ -57,14 +69,14 @@ class Entry:
         self.is_shown = True
         self.flow = {}  # {port: values that are written a second}, as measured
         self._flow_until = 0.0
-        self._again = 0.0  # when it is to be asked again
+        self.again = 0.0  # when it may be asked again
         # when its state, contexts and connections were asked for
-        self._asked = self._contexts_asked = self._ports_asked = NEVER
+        self.asked = self._contexts_asked = self._ports_asked = NEVER
 
     def hurry(self):
         """Look at everything again, as something has been done to it."""
-        self._again = 0.0
-        self._asked = self._contexts_asked = self._ports_asked = NEVER
+        self.again = 0.0
+        self.asked = self._contexts_asked = self._ports_asked = NEVER
 
     def measured(self):
         """{port: values that are written a second}, if that was measured a moment ago, else {}."""
@@ -72,30 +84,57 @@ class Entry:
             return {}
         return self.flow
 
+    @property
+    def answered(self):
+        """Whether it has answered when it was last asked."""
+        return self.looked and self.kind == "component"
+
     def keep_measured(self, flow):
         """Keep what was measured, for a while."""
         self.flow = flow
         self._flow_until = time.monotonic() + KEPT
 
+    def hear(self, event):
+        """It has reported an observer.Event: look at what that is about."""
+        if event.kind == "RTC_STATUS":
+            self.asked = NEVER
+        elif event.kind == "EC_EVENT":
+            self.asked = self._contexts_asked = NEVER
+        elif event.kind == "PORT_EVENT" and event.event not in ("PORT_SEND", "PORT_RECEIVE"):
+            self.asked = self._ports_asked = NEVER
+
     def _pause(self, seconds):
-        """How long to wait after a question: `seconds`, or longer while nobody sees the answer."""
+        """How long to wait after a question: `seconds`, or longer while nobody sees the answer, or while it
+        reports what changes.
+        """
+        if self._hearing.reports(self):
+            return SLOWEST * seconds
         if self.is_shown:
             return seconds
         return SLOWER * seconds
 
+    def due(self):
+        """When it is to be asked, by time.monotonic()."""
+        if self.asked == NEVER:
+            return self.again
+        pause = 0.0
+        if self._hearing.reports(self):
+            pause = SELDOM
+            if not self.is_shown:
+                pause = REPORTED * SELDOM
+        elif not self.is_shown:
+            pause = SELDOM
+        return max(self.again, self.asked + pause)
+
     async def ask(self):
-        """Ask it; False when it was not its time. Raises Silent."""
+        """Ask it. Raises Silent."""
         now = time.monotonic()
-        if now < self._again:
-            return False
-        if not self.is_shown and now < self._asked + SELDOM:
-            return False
         try:
             await self._look(now)
         except errors.Silent:
             raise
         except errors.Error as e:  # of the component, or passed on by it?
-            self._again = now + REST
+            self.again = now + REST
             (node,) = await tree.check_alive([self.node])
             if node.kind == "silent" and isinstance(node.error, errors.Silent):
                 raise node.error
@@ -103,21 +142,27 @@ class Entry:
                 self.fail("silent", node.error or e)
             else:
                 self.fail(node.kind, node.error or e)
-        return True
 
     async def _look(self, now):
+        was_told = self.asked == NEVER
+        before = self.state
+        self.asked = now  # before it answers, as it may report something meanwhile
         if now >= self._contexts_asked + self._pause(CONTEXTS):
-            await self.snapshot.ask(owned=snapshot.RUNNING, participating=snapshot.RUNNING)
             self._contexts_asked = now
+            await self.snapshot.ask(owned=snapshot.RUNNING, participating=snapshot.RUNNING)
         await self.snapshot.ask(states=snapshot.FULL)
         self._become("component", component.merged(self.snapshot.states), None)
+        if self.subscription is not None and self.state != before and not was_told:
+            self.is_in_doubt = True
+            self._ports_asked = NEVER
         if now >= self._ports_asked + self._pause(PORTS):
+            self._ports_asked = now
             await self._look_at_ports()
-        self._asked = now
+            if self.may_report and self.ports is not None:
+                await self._be_heard()
         self.looked = True
 
     async def _look_at_ports(self):
-        rest = 0.0
         try:
             listed = (await snapshot.of(self.node, ports=snapshot.BRIEF)).ports
             self.ports = len(listed)
@@ -125,8 +170,13 @@ class Entry:
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.links = None
             if isinstance(e, errors.Silent):
-                rest = PORTS_SILENT - PORTS
-        self._ports_asked = time.monotonic() + rest
+                self._ports_asked = time.monotonic() + PORTS_SILENT - PORTS
+
+    async def _be_heard(self):
+        try:
+            await self._hearing.lend(self)
+        except errors.Error:
+            pass  # it is asked as others are
 
     def fail(self, kind, failure):
         """Note that it is dead, or does not answer, and forget what was known of it."""
@@ -135,8 +185,10 @@ class Entry:
         else:
             self._become(kind, "?", failure)
         self.ports = self.links = None
+        if kind == "zombie":
+            self._hearing.forget(self)
         self.snapshot = snapshot.Snapshot(self.node, rest=REST)
-        self._contexts_asked = self._ports_asked = NEVER
+        self.asked = self._contexts_asked = self._ports_asked = NEVER
         self.looked = True
 
     def _become(self, kind, state, failure):
@@ -221,17 +273,20 @@ class Slots:
 class Top:
     """What is below the Paths `tops` (none: all name servers), looked at every `delay` seconds.
 
-    `async with Top(tops, delay) as looking:` has tasks do so.
+    `async with Top(tops, delay) as looking:` has tasks do so. `is_live`: for long; observers are lent then.
     """
 
-    def __init__(self, tops, delay):
+    def __init__(self, tops, delay, is_live=False):
         self.delay = delay
+        self._is_live = is_live
+        self._hearing = hearing.Hearing()
         self.bell = loop.Bell()  # rings when there are news
         self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
         self._found = {}  # by top: {path: identity of a component}
         self._failed = {}  # by top: {path: errors.Error} of what cannot be listed
         self._entries = {}  # by identity
-        self._groups = set()
+        self._groups = {}  # {endpoint of a process, or identity of a component that hangs: Entries}
+        self._looked_after = set()  # groups that have a task
         self._doubtful = Slots(DOUBTFUL)
         self._news = []
         self._marks = {}  # by path: what an rtkeep says of a component
@@ -241,6 +296,7 @@ class Top:
     async def __aenter__(self):
         orb.start()
         session.current().slots = Slots(IN_FLIGHT)
+        session.current().on_end = self._suspect
         self._tasks = loop.Group()
         self._tasks.start(self._follow_keepers())
         for top in self._tops:
@@ -248,9 +304,18 @@ class Top:
         return self
 
     async def __aexit__(self, *exception):
-        session.current().slots = None
+        session.current().slots = session.current().on_end = None
         self._tasks.cancel()
-        await self._tasks.__aexit__(*exception)
+        try:
+            await self._tasks.__aexit__(*exception)
+        finally:
+            await self._hearing.take_all_back()
+
+    def _suspect(self, endpoint):
+        """A connection with a process has ended: look whether its components live."""
+        for entry in self._entries.values():
+            if entry.node.endpoint == endpoint:
+                entry.hurry()
 
     async def _follow_keepers(self):
         """Ask the rtkeeps of this user for their marks, again and again."""
@@ -264,8 +329,14 @@ class Top:
 
     async def _follow(self, top):
         """Walk through a part of the tree again and again."""
+        number = 0
         while True:
-            nodes, failed = await _walk(top)
+            if number % WHOLE == 0 or len(self._entries) <= FEW:
+                known = {}
+            else:
+                known = {entry.path: entry.node for entry in self._entries.values() if entry.answered}
+            number += 1
+            nodes, failed = await _walk(top, known)
             lost = any(isinstance(error, errors.Unreachable) for error in failed.values())
             # without their name server, they may still live
             if lost:
@@ -273,10 +344,14 @@ class Top:
             else:
                 identities = {}
             for node in nodes:
-                identities[str(node.path)] = orb.identity(node.ref)
-                self._entries.setdefault(orb.identity(node.ref), Entry(node))
+                identity = orb.identity(node.ref)
+                identities[str(node.path)] = identity
+                if identity not in self._entries:
+                    self._entries[identity] = Entry(node, self._hearing)
             self._found[top], self._failed[top] = identities, failed
             wanted = {identity for listed in self._found.values() for identity in listed.values()}
+            unbound = [self._entries[identity] for identity in set(self._entries) - wanted]
+            self._tasks.start(self._hearing.take_back(unbound))
             self._entries = {identity: self._entries[identity] for identity in wanted}
             self._look_after_all()
             await loop.sleep(WALK)
@@ -287,26 +362,28 @@ class Top:
         """Start a task for each new group of components:
         a process, or one that hangs while its process does not.
         """
+        self._groups = collections.defaultdict(list)
         for entry in self._entries.values():
-            if entry.group not in self._groups:
-                self._groups.add(entry.group)
-                self._tasks.start(self._look_after(entry.group), entry.node.endpoint)
+            self._groups[entry.group].append(entry)
+        for group in set(self._groups) - self._looked_after:
+            self._looked_after.add(group)
+            self._tasks.start(self._look_after(group), self._groups[group][0].node.endpoint)
 
     async def _look_after(self, group):
         trusted = False
-        while True:
-            entries = [entry for entry in self._entries.values() if entry.group == group]
+        while group in self._groups:
+            entries = self._groups[group]
+            is_large = len(self._entries) > FEW
             for entry in entries:
-                entry.is_shown = self.shown is None or len(self._entries) <= FEW or entry.path in self.shown
-            if not entries:
-                self._groups.discard(group)
-                return
+                entry.is_shown = self.shown is None or not is_large or entry.path in self.shown
+                entry.may_report = self._is_live and is_large
             if trusted:
                 trusted = await self._look(entries)
             else:
                 async with self._doubtful:
                     trusted = await self._look(entries)
             await loop.sleep(self.delay if trusted else REST)
+        self._looked_after.discard(group)
 
     async def _look(self, entries):
         """Look at components of one process, one call at a time; False when it did not answer.
@@ -315,9 +392,10 @@ class Top:
         """
         heard = False
         silent = []
-        for entry in sorted(entries, key=lambda entry: entry.silenced):
+        for entry in _due(entries):
             try:
-                heard = await entry.ask() or heard
+                await entry.ask()
+                heard = True
             except errors.Silent as e:
                 entry.silenced = time.monotonic()
                 entry.fail("silent", e)
@@ -463,11 +541,25 @@ def _marked(row, mark):
     return row._replace(event="; ".join(filter(None, ("rtkeep: " + mark, row.event))))
 
 
-async def _walk(top):
-    """(component nodes below a path, {path: errors.Error} of what cannot be listed)."""
+def _due(entries):
+    """Those of a process that are to be asked now, those first that were never silent; one of them at least
+    every SELDOM seconds, as the process may hang.
+    """
+    now = time.monotonic()
+    due = [entry for entry in entries if entry.due() <= now]
+    if not due and now >= max(entry.asked for entry in entries) + SELDOM:
+        rested = [entry for entry in entries if entry.again <= now]
+        due = sorted(rested, key=lambda entry: entry.asked)[:1]
+    return sorted(due, key=lambda entry: entry.silenced)
+
+
+async def _walk(top, known):
+    """(component nodes below a path, {path: errors.Error} of what cannot be listed); the name server is not
+    asked for those `known`, {path: Node}.
+    """
     try:
         start = await tree.resolve(top)
-        walked = list(await tree.walk(start, managers=start.kind == "manager"))
+        walked = list(await tree.walk(start, managers=start.kind == "manager", objects=known))
     except errors.Error as e:
         return [], {str(top): e}
     unsure = [node for node in walked if node.kind == "unsure"]

@@ -390,6 +390,35 @@ class Page(Terminal):
         self.shows("^gone")
 
 
+class Large(Terminal):
+    """Of more than 100 components, those that take observers report what changes, and are hardly asked."""
+
+    def test_what_is_reported_is_not_asked(self):
+        world = World("many", "110", "--context", "large.host_cxt/%n.rtc")
+        place = "/localhost:%d/large.host_cxt" % Server.port
+        self.addCleanup(running.run, ["rtdel", "-z", "-r", place], self.home)
+        self.addCleanup(world.close)
+        names = ["Mock%d" % number for number in range(110)]
+
+        def observers():
+            return sum(world.ctl("observers", name).count("Observer") for name in names)
+
+        self.start(place)
+        self.shows("^110 components: 110 Inactive$")
+        eventually(lambda: observers() == 110, "each component has an observer")
+        world.ctl("error", "Mock100")  # it is not shown, and the first that reports
+        self.shows(r"^Error .*Mock100\.rtc$")
+        world.ctl("reset")
+        world.ctl("error", "Mock101")
+        self.shows(r"^Error .*Mock101\.rtc$")
+        eventually(lambda: "2 get_component_state" in world.ctl("calls", "Mock1"), "what is shown is asked")
+        asked = [int(world.ctl("calls", name).partition(" ")[0] or 0) for name in names[50:100]]
+        self.assertLess(sum(asked), 60, "as rarely as what is not shown, it would be asked twice")
+        self.press("C-c")
+        self.ended(130)
+        self.assertEqual(observers(), 0)
+
+
 class End(Terminal):
     """However it ends, the terminal is as it was, and no connection stays."""
 
