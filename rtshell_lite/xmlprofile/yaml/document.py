@@ -36,11 +36,16 @@ class Document:
         self.other_breaks = ""
         self.nodes = 0
         self.anchors = {}  # name: (node, number of nodes in it)
+        self._texts = {}  # each text by itself: most come thousands of times
 
     def fail(self, pos, reason):
         start = self.text.rfind("\n", 0, pos) + 1
         line = self.text.count("\n", 0, pos) + 1
         raise errors.BadProfile(self.name, line, pos - start + 1, reason)
+
+    def one(self, text):
+        """The one object that is used for a text."""
+        return self._texts.setdefault(text, text)
 
     def node(self, value, pos, depth, tag=None):
         """A new node, within the limits."""

@@ -101,7 +101,7 @@ def _set(doc, found, field, node, depth):
         if not isinstance(node.value, list):
             doc.fail(node.pos, "a list is needed here")
         items = []
-        for item in node.value:
+        for item in _each(doc, node):
             if field.kind == fields.TEXT:
                 items.append(_text(doc, item))
             else:
@@ -114,6 +114,16 @@ def _set(doc, found, field, node, depth):
         found[field.name] = _date(doc, node)
     elif not _is_null(node):
         found[field.name] = _value(doc, field, node)
+
+
+def _each(doc, node):
+    """The nodes in a list; what was read gives its memory back, unless it may be used again."""
+    if doc.anchors:
+        yield from node.value
+        return
+    node.value.reverse()
+    while node.value:
+        yield node.value.pop()
 
 
 def _value(doc, field, node):

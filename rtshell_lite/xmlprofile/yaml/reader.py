@@ -177,6 +177,7 @@ def _mapping(doc, pos, column, depth):
         simple = _SIMPLE.match(doc.text, pos)
         if simple and simple.group(1) not in items:
             key, line, value, quoted, blanks = simple.groups()
+            key = doc.one(key)
             if not line:
                 pos, items[key] = _below(doc, simple.end(), len(blanks), column, depth + 1)
                 here = doc.token_column(pos)
@@ -186,7 +187,7 @@ def _mapping(doc, pos, column, depth):
                 if value is None:
                     value = quoted or ""
                     tag = "str"
-                items[key] = doc.node(value, simple.start(2) + 1, depth + 1, tag)
+                items[key] = doc.node(doc.one(value), simple.start(2) + 1, depth + 1, tag)
                 pos = simple.end()
                 here = len(blanks) or doc.token_column(pos)
                 continue
