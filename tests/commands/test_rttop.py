@@ -396,7 +396,7 @@ class Large(Terminal):
     def test_what_is_reported_is_not_asked(self):
         world = World("many", "110", "--context", "large.host_cxt/%n.rtc")
         place = "/localhost:%d/large.host_cxt" % Server.port
-        self.addCleanup(running.run, ["rtdel", "-zf", place], self.home)
+        self.addCleanup(running.run, ["rtdel", "--recursive", "-f", place], self.home)
         self.addCleanup(world.close)
         names = ["Mock%d" % number for number in range(110)]
 
