@@ -4,39 +4,7 @@ union its first member with a label, and so a template of an operation's argumen
 
 from rtshell_lite import errors
 from rtshell_lite.data import values
-from rtshell_lite.giop import marshal, rare
-from rtshell_lite.giop.descriptors import (
-    ANY,
-    ARRAY,
-    BOOLEAN,
-    CHAR,
-    DOUBLE,
-    ENUM,
-    FIXED,
-    FLOAT,
-    LONGDOUBLE,
-    OBJECT,
-    OCTET,
-    RANGES,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    TYPECODE,
-    UNION,
-    WCHAR,
-    WSTRING,
-    cases_by_label,
-    default_case,
-    element,
-    factory,
-    items,
-    kind,
-    length,
-    members,
-    name,
-    target,
-    words,
-)
+from rtshell_lite.giop import descriptors, marshal, rare
 
 MOST = 100000  # parts of a value: arrays of arrays are soon too large for anybody
 
@@ -61,57 +29,63 @@ class _Default:
     def of(self, descriptor):
         self.left -= 1
         if self.left < 0:
-            raise errors.BadType(name(self.whole), "too large to be written down")
-        descriptor = target(descriptor)
-        sort = kind(descriptor)
-        if sort in RANGES:
+            raise errors.BadType(descriptors.name(self.whole), "too large to be written down")
+        descriptor = descriptors.target(descriptor)
+        sort = descriptors.kind(descriptor)
+        if sort in descriptors.RANGES:
             return 0
         if sort in _PLAIN:
             return _PLAIN[sort]
-        if sort == FIXED:
+        if sort == descriptors.FIXED:
             return rare.fixed("0", *descriptor[1:])
-        if sort == ENUM:
-            return items(descriptor)[0]
-        if sort == SEQUENCE:
-            return self.elements(element(descriptor), 0)
-        if sort == ARRAY:
-            return self.elements(element(descriptor), length(descriptor))
-        if sort == STRUCT:
-            return factory(descriptor)(*[self.of(inner) for _, inner in members(descriptor)])
-        if sort == UNION:
+        if sort == descriptors.ENUM:
+            return descriptors.items(descriptor)[0]
+        if sort == descriptors.SEQUENCE:
+            return self.elements(descriptors.element(descriptor), 0)
+        if sort == descriptors.ARRAY:
+            return self.elements(descriptors.element(descriptor), descriptors.length(descriptor))
+        if sort == descriptors.STRUCT:
+            return descriptors.factory(descriptor)(
+                *[self.of(inner) for _, inner in descriptors.members(descriptor)]
+            )
+        if sort == descriptors.UNION:
             return self.union(descriptor)
-        if sort == ANY:
-            return marshal.Any((STRING, 0), "")
-        if sort == TYPECODE:
-            return marshal.TypeCode((STRING, 0))
-        raise errors.BadType(name(self.whole), f"no value of {words(descriptor)} can be written down")
+        if sort == descriptors.ANY:
+            return marshal.Any((descriptors.STRING, 0), "")
+        if sort == descriptors.TYPECODE:
+            return marshal.TypeCode((descriptors.STRING, 0))
+        raise errors.BadType(
+            descriptors.name(self.whole), f"no value of {descriptors.words(descriptor)} can be written down"
+        )
 
     def elements(self, inner, count):
-        sort = kind(target(inner))
+        sort = descriptors.kind(descriptors.target(inner))
         self.left -= count
         if self.left < 0:
             count = 0
             self.of(inner)
-        if sort == OCTET:
+        if sort == descriptors.OCTET:
             return bytes(count)
-        if sort == CHAR:
+        if sort == descriptors.CHAR:
             return " " * count
         return [self.of(inner) for _ in range(count)]
 
     def union(self, descriptor):
-        case = next(iter(cases_by_label(descriptor).values()), default_case(descriptor))
-        return factory(descriptor)(case.label, self.of(case.type))
+        case = next(
+            iter(descriptors.cases_by_label(descriptor).values()), descriptors.default_case(descriptor)
+        )
+        return descriptors.factory(descriptor)(case.label, self.of(case.type))
 
 
 # a blank, because a NUL cannot be seen
 _PLAIN = {
-    FLOAT: 0.0,
-    DOUBLE: 0.0,
-    LONGDOUBLE: 0.0,
-    BOOLEAN: False,
-    CHAR: " ",
-    WCHAR: " ",
-    STRING: "",
-    WSTRING: "",
-    OBJECT: None,
+    descriptors.FLOAT: 0.0,
+    descriptors.DOUBLE: 0.0,
+    descriptors.LONGDOUBLE: 0.0,
+    descriptors.BOOLEAN: False,
+    descriptors.CHAR: " ",
+    descriptors.WCHAR: " ",
+    descriptors.STRING: "",
+    descriptors.WSTRING: "",
+    descriptors.OBJECT: None,
 }

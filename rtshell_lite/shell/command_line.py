@@ -41,20 +41,29 @@ def _part(title, parser, actions):
 def _usage(action):
     """-e, --exec-context N"""
     value = action.metavar or action.dest.upper()
-    if not action.option_strings:
-        if action.nargs == "?":
-            return f"[{value}]"
-        if action.nargs == "*":
-            return f"[{value} …]"
-        if action.nargs == "+":
-            return f"{value} …"
-        return value
-    names = ", ".join(action.option_strings)
+    if action.option_strings:
+        return option(action, ", ".join(action.option_strings), value)
+    return positional(action, value, "…")
+
+
+def option(action, names, value):
+    """An option as a synopsis shows it: its names, and its value in brackets where that may be left out."""
     if action.nargs == 0:
         return names
     if action.nargs == "?":
         return f"{names} [{value}]"
     return f"{names} {value}"
+
+
+def positional(action, value, more):
+    """A positional argument as a synopsis shows it; `more` follows what may be repeated."""
+    if action.nargs == "?":
+        return f"[{value}]"
+    if action.nargs == "*":
+        return f"[{value} {more}]"
+    if action.nargs == "+":
+        return f"{value} {more}"
+    return value
 
 
 def _default(action, sentence):

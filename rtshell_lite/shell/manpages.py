@@ -6,7 +6,7 @@ import argparse
 import re
 
 from rtshell_lite import __version__, options
-from rtshell_lite.shell import installation
+from rtshell_lite.shell import command_line, installation
 
 # Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from the README, the heading of
 # SEE ALSO.
@@ -115,27 +115,19 @@ def _header(name, section, date):
 
 def _argument(action):
     """A positional argument in the synopsis."""
-    word = f"\\fI{_text(action.metavar or action.dest.upper())}\\fR"
-    if action.nargs == "?":
-        return f"[{word}]"
-    if action.nargs == "*":
-        return f"[{word} ...]"
-    if action.nargs == "+":
-        return f"{word} ..."
-    return word
+    return command_line.positional(action, _value(action), "...")
 
 
 def _label(action):
     """An argument or option with its value, as a heading."""
-    value = _text(action.metavar or action.dest.upper())
     if not action.option_strings:
-        return f"\\fI{value}\\fR"
+        return _value(action)
     names = ", ".join(f"\\fB{_text(name)}\\fR" for name in action.option_strings)
-    if action.nargs == 0:
-        return names
-    if action.nargs == "?":
-        return f"{names} [\\fI{value}\\fR]"
-    return f"{names} \\fI{value}\\fR"
+    return command_line.option(action, names, _value(action))
+
+
+def _value(action):
+    return f"\\fI{_text(action.metavar or action.dest.upper())}\\fR"
 
 
 def _paragraphs(text):

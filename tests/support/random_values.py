@@ -3,75 +3,64 @@ import math
 import struct
 
 from rtshell_lite.giop import descriptors, marshal, rare, references
-from rtshell_lite.giop.descriptors import (
-    ANY,
-    ARRAY,
-    BOOLEAN,
-    CHAR,
-    DOUBLE,
-    ENUM,
-    FIXED,
-    FLOAT,
-    OBJECT,
-    OCTET,
-    RANGES,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    TYPECODE,
-    UNION,
-    WCHAR,
-    WSTRING,
-    kind,
-    target,
-)
 
 LETTERS = "ab'\"\\{}\n\x1b é日本\u202e"
+# types that a TypeCode names, and those of what an any holds
+CODES = (2, (descriptors.STRING, 0), (descriptors.SEQUENCE, (descriptors.SEQUENCE, 3, 0), 4))
+CONTENTS = (
+    3,
+    descriptors.DOUBLE,
+    (descriptors.STRING, 0),
+    (descriptors.WSTRING, 0),
+    (descriptors.SEQUENCE, descriptors.BOOLEAN, 0),
+    (descriptors.SEQUENCE, descriptors.ANY, 0),
+    (descriptors.FIXED, 4, 2),
+)
 
 
 def value(rng, descriptor, depth=4):
     """A value of a type; sequences run dry with the depth."""
-    descriptor = target(descriptor)
-    sort = kind(descriptor)
-    if sort in RANGES:
-        low, high = RANGES[sort]
+    descriptor = descriptors.target(descriptor)
+    sort = descriptors.kind(descriptor)
+    if sort in descriptors.RANGES:
+        low, high = descriptors.RANGES[sort]
         return rng.choice((low, high, 0, rng.randint(low, high)))
-    if sort in (FLOAT, DOUBLE):
+    if sort in (descriptors.FLOAT, descriptors.DOUBLE):
         number = rng.choice(
             (0.0, -1.5, float("inf"), float("-inf"), float("nan"), 0.1, rng.uniform(-1e9, 1e9), 1e-30)
         )
-        return struct.unpack("<f", struct.pack("<f", number))[0] if sort == FLOAT else number
-    if sort == BOOLEAN:
+        return struct.unpack("<f", struct.pack("<f", number))[0] if sort == descriptors.FLOAT else number
+    if sort == descriptors.BOOLEAN:
         return rng.random() < 0.5
-    if sort == CHAR:
+    if sort == descriptors.CHAR:
         return rng.choice("aZ'\\\x00\xe9\xff")
-    if sort == WCHAR:
+    if sort == descriptors.WCHAR:
         return rng.choice("aé日'\\")
-    if sort in (STRING, WSTRING):
+    if sort in (descriptors.STRING, descriptors.WSTRING):
         text = "".join(rng.choice(LETTERS) for _ in range(rng.randrange(6)))
         if not descriptor[1]:
             return text
-        octets = 1 if sort == WSTRING else 4  # at most, of a letter
+        octets = 1 if sort == descriptors.WSTRING else 4  # at most, of a letter
         return text[:descriptor[1] // octets]
-    if sort == ENUM:
+    if sort == descriptors.ENUM:
         return rng.choice(descriptor[3])
-    if sort in (SEQUENCE, ARRAY):
-        if sort == ARRAY:
+    if sort in (descriptors.SEQUENCE, descriptors.ARRAY):
+        if sort == descriptors.ARRAY:
             size = descriptor[2]
         elif depth > 0:
             size = rng.randrange(min(descriptor[2] or 5, 5) + 1)
         else:
             size = 0
         values = [value(rng, descriptor[1], depth - 1) for _ in range(size)]
-        inner = kind(target(descriptor[1]))
-        if inner == OCTET:
+        inner = descriptors.kind(descriptors.target(descriptor[1]))
+        if inner == descriptors.OCTET:
             return bytes(values)
-        if inner == CHAR:
+        if inner == descriptors.CHAR:
             return "".join(values)
         return values
-    if sort == STRUCT:
+    if sort == descriptors.STRUCT:
         return descriptor[1](*[value(rng, inner, depth - 1) for _, inner in descriptors.members(descriptor)])
-    if sort == FIXED:
+    if sort == descriptors.FIXED:
         return rare.fixed(
             "%s%d.%s"
             % (
@@ -81,16 +70,14 @@ def value(rng, descriptor, depth=4):
             ),
             *descriptor[1:]
         )
-    if sort == OBJECT:
+    if sort == descriptors.OBJECT:
         return rng.choice((None, references.make_reference("127.0.0.1", 1, b"key")))
-    if sort == TYPECODE:
-        return marshal.TypeCode(rng.choice((2, (STRING, 0), (SEQUENCE, (SEQUENCE, 3, 0), 4))))
-    if sort == ANY:
-        inner = rng.choice(
-            (3, DOUBLE, (STRING, 0), (WSTRING, 0), (SEQUENCE, BOOLEAN, 0), (SEQUENCE, ANY, 0), (FIXED, 4, 2))
-        )
+    if sort == descriptors.TYPECODE:
+        return marshal.TypeCode(rng.choice(CODES))
+    if sort == descriptors.ANY:
+        inner = rng.choice(CONTENTS)
         return marshal.Any(inner, value(rng, inner, depth - 1))
-    assert sort == UNION
+    assert sort == descriptors.UNION
     label = rng.choice([case[0] for case in descriptor[6]] + [value(rng, descriptor[4])])
     case = descriptor[8].get(label, descriptor[7])
     return descriptor[1](label, value(rng, case[2], depth - 1) if case else None)

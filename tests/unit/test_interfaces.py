@@ -58,6 +58,10 @@ def read(text):
         return parser.read_file(path)
 
 
+# of M::Base, as operations
+ATTRIBUTES = ["_get_a", "_set_a", "_get_b", "_set_b", "_get_s", "_set_s", "_get_few"]
+
+
 class Interfaces(unittest.TestCase):
     maxDiff = None
 
@@ -122,31 +126,9 @@ class Interfaces(unittest.TestCase):
         )
         self.assertEqual(
             list(bottom.all_operations()),
-            [
-                "own",
-                "take",
-                "value",
-                "cookie",
-                "abstracted",
-                "localised",
-                "undeclared",
-                "asked",
-                "price",
-                "get",
-                "stop",
-                "_get_gone",
-                "_set_gone",
-                "_get_lost",
-                "_get_in",
-                "_get_current",
-                "_get_a",
-                "_set_a",
-                "_get_b",
-                "_set_b",
-                "_get_s",
-                "_set_s",
-                "_get_few",
-            ],
+            "own take value cookie abstracted localised undeclared asked price get stop".split()
+            + "_get_gone _set_gone _get_lost _get_in _get_current".split()
+            + ATTRIBUTES,
         )
         operations = bottom.all_operations()
         self.assertEqual(
@@ -169,21 +151,7 @@ class Interfaces(unittest.TestCase):
         self.assertRegex(self.reason("_get_gone"), "not declared: Nothing")
         self.assertEqual(
             [name for name in self.by_name["M::Bottom"].all_operations() if not self.reason(name)],
-            [
-                "own",
-                "take",
-                "price",
-                "get",
-                "stop",
-                "_get_current",
-                "_get_a",
-                "_set_a",
-                "_get_b",
-                "_set_b",
-                "_get_s",
-                "_set_s",
-                "_get_few",
-            ],
+            ["own", "take", "price", "get", "stop", "_get_current"] + ATTRIBUTES,
         )
         with self.assertRaisesRegex(errors.BadType, "value: v is M::Value, which cannot be sent"):
             self.by_name["M::Right"].all_operations()["value"].schema()
