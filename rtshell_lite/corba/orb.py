@@ -185,24 +185,27 @@ def reference_at(ref, host, port):
 
 class Call:
     """A call of `operation` of `ref`; `where`, a Path or text, names the object in errors,
-    `seconds` may be a longer deadline.
+    `seconds` may be a longer deadline, `part` what of its result is needed.
     """
 
-    __slots__ = ("where", "ref", "operation", "args", "seconds")
+    __slots__ = ("where", "ref", "operation", "args", "seconds", "part")
 
-    def __init__(self, where, ref, operation, args, seconds):
+    def __init__(self, where, ref, operation, args, seconds, part=None):
         self.where = where
         self.ref = ref
         self.operation = operation
         self.args = args
         self.seconds = seconds
+        self.part = part
 
 
-async def call(where, ref, operation, *args, seconds=None):
+async def call(where, ref, operation, *args, seconds=None, part=None):
     """The result of `operation` of `ref`; `where`, a Path or text, names the object in errors.
 
     `operation` is the name of one of the IDL, or an operations.Schema, which is asked once, whatever happens.
     `seconds` is a longer deadline for an operation that may take its time; of a Schema it is the deadline.
+    `part`: what is needed of the structure that it returns: a number, its first members, and the others may
+    be None; or a name, that property in the list that is its last member, and the others may be left out.
     Raises Silent, Gone, Unreachable or Refused; made with a nil reference, Garbled: a peer has sent that in
     place of an object.
 
@@ -227,9 +230,9 @@ async def call(where, ref, operation, *args, seconds=None):
         raise errors.Silent(str(where), silence)
     try:
         if now.slots is None:
-            return await _orb.invoke(Call(where, ref, operation, args, seconds))
+            return await _orb.invoke(Call(where, ref, operation, args, seconds, part))
         async with now.slots:
-            return await _orb.invoke(Call(where, ref, operation, args, seconds))
+            return await _orb.invoke(Call(where, ref, operation, args, seconds, part))
     except errors.Silent as e:
         if is_elsewhere:
             raise errors.Unreachable(*e.args)

@@ -109,6 +109,45 @@ class Maker(cdr.Maker):
             return self._pairs_writer()
         return super().write_sequence(descriptor)
 
+    def read_part(self, structure, part):
+        """Read a part of a structure, as in orb.call."""
+        inner = [member for _, member in descriptors.members(structure)]
+        if isinstance(part, int):
+            readers = [self.reader(member) for member in inner[:part]]
+        else:
+            readers = [self.reader(member) for member in inner[:-1]] + [self._pair_reader(part.encode())]
+        rest = [None] * (len(inner) - len(readers))
+        make = descriptors.factory(structure)
+
+        def read(data, at):
+            values = []
+            for member in readers:
+                value, at = member(data, at)
+                values.append(value)
+            return make(*values, *rest), at
+
+        return read
+
+    def _pair_reader(self, name):
+        """Of an NVList at the end, the pair with this name, a text: [], or one pair."""
+        mark = self.count.pack(len(name) + 1) + name + b"\0"
+        start = struct.Struct(self.order + "III")
+        whole = self._pairs_reader()
+
+        def read(data, at):
+            place = data.find(mark, at)
+            if place < 0 or place & 3:
+                return [pair for pair in whole(data, at)[0] if pair[0] == name], len(data)
+            place += len(mark)
+            place += -place & 3
+            kind, most, length = start.unpack_from(data, place)
+            end = place + start.size + length
+            if kind != STRING or most or data[end - 1]:
+                return whole(data, at)
+            return [(name, data[place + start.size : end - 1])], end
+
+        return read
+
     def _pairs_reader(self):
         """An NVList as (octets of the name, octets of the value or an Any) pairs:
         profiles are full of them.

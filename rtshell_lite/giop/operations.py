@@ -33,6 +33,8 @@ class Operation:
         self.arguments = [makers[1].writer(idl.descriptor(word)) for word in given]
         self.results = [[maker.reader(idl.descriptor(word)) for word in returned or ()] for maker in makers]
         self.raised = raised
+        self._returned = returned
+        self._of_parts = {}  # type: dict
         self._makers = makers
         self.takes_values = makers is _OF_SCHEMAS
         self.carries_data = any(
@@ -40,6 +42,14 @@ class Operation:
             for word in returned or ()
             if isinstance(plain(idl.descriptor(word)), tuple)
         )
+
+    def of_part(self, part):
+        """Readers of a part of its one result, a structure, by byte order; `part` as in orb.call."""
+        if part not in self._of_parts:
+            (word,) = self._returned
+            structure = idl.descriptor(word)
+            self._of_parts[part] = [[maker.read_part(structure, part)] for maker in self._makers]
+        return self._of_parts[part]
 
     def exception_reader(self, type_id, little):
         """read(data, at) of one of its exceptions, without the id that comes before it."""

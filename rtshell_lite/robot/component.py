@@ -54,12 +54,17 @@ async def uncertain_if_refused(asked):
 # ---- profile -----------------------------------------------------------------------------------------------
 
 
-async def profile(node, brief=False):
+async def profile(node, brief=False, names=False):
     """The Profile of a component. Ask its ports first (`ports.ports`): docs/protocol.md 1.1.
 
-    `brief`: with one of its properties, which shows that there are any.
+    `brief`: with one of its properties, which shows that there are any. `names`: without its parent and its
+    properties, which come after those of all its ports.
     """
-    raw = await once_more(lambda: node.call("get_component_profile"))
+    if names:
+        part = 6
+    else:
+        part = None
+    raw = await once_more(lambda: node.call("get_component_profile", part=part))
     if raw.parent:
         parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id"))
     else:
@@ -77,7 +82,9 @@ async def profile(node, brief=False):
         )
     ]
     listed = raw.properties
-    if brief:
+    if names:
+        listed = []
+    elif brief:
         listed = listed[:1]
     return Profile(*texts, orb.properties(listed))
 
@@ -153,13 +160,24 @@ async def context_ref(node, index):
 
 async def context(node, ref):
     """The Context of an execution context, complete."""
+    found = await in_profile(node, ref)
+    return found._replace(running=await is_running(node, ref))
+
+
+async def is_running(node, ref):
+    """Whether an execution context runs."""
+    return await orb.call(node.path, ref, "is_running")
+
+
+async def in_profile(node, ref):
+    """The Context of an execution context, except for whether it runs."""
     raw = await orb.call(node.path, ref, "get_profile")
     return Context(
         handle=await node.call("get_context_handle", ref),
         ref=ref,
         kind=_by_number(KINDS, raw.kind),
         rate=raw.rate,
-        running=await orb.call(node.path, ref, "is_running"),
+        running=None,
         owner=raw.owner,
         participants=notes.first(
             MOST_MEMBERS, raw.participants, node.path, "participants of an execution context"
@@ -171,7 +189,7 @@ async def context(node, ref):
 async def running(node, ref):
     """The Context of an execution context with only its rate and whether it runs."""
     rate = await orb.call(node.path, ref, "get_rate")
-    runs = await orb.call(node.path, ref, "is_running")
+    runs = await is_running(node, ref)
     return Context(None, ref, None, rate, bool(runs), None, (), ())
 
 

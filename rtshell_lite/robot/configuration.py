@@ -28,7 +28,8 @@ async def of(node):
 async def _active(node, ref):
     """The id of the active set, '' when no set is active, as after values were set without activating."""
     try:
-        return from_wire((await orb.call(node.path, ref, "get_active_configuration_set")).id)
+        active = await orb.call(node.path, ref, "get_active_configuration_set", part=1)
+        return from_wire(active.id)
     except errors.Refused as e:
         if e.name != "NotAvailable":
             raise

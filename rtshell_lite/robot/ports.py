@@ -53,6 +53,7 @@ PROPERTIES = [
 MOST_PORTS = 1000
 MOST_PARTS = 1000
 MOST_ENDS = 16
+KIND = "port.port_type"  # the property that says which kind of port it is
 MOST_CHOICES = 5  # in a message
 
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
@@ -120,8 +121,14 @@ async def port(node, ref, failures=None, brief=False):
 
     `brief`: without interfaces, and with no property but its type: they take most of the memory.
     """
+    if brief:
+        part = KIND
+    else:
+        part = None
     try:
-        profile = await component.once_more(lambda: orb.call(node.path, ref, "get_port_profile"), failures)
+        profile = await component.once_more(
+            lambda: orb.call(node.path, ref, "get_port_profile", part=part), failures
+        )
     except (errors.Gone, errors.ConnectionRefused):
         if orb.endpoint(ref) == node.endpoint:
             raise
@@ -131,13 +138,13 @@ async def port(node, ref, failures=None, brief=False):
         )
         raise errors.LostMember(str(node.path), why)
     if brief:
-        properties = dict(orb.properties(profile.properties, "port.port_type"))
+        properties = dict(orb.properties(profile.properties, KIND))
         interfaces = []
     else:
         properties = dict(orb.properties(profile.properties))
         interfaces = notes.first(MOST_PARTS, profile.interfaces, node.path, "interfaces of a port")
     connectors = notes.first(MOST_PARTS, profile.connector_profiles, node.path, "connectors of a port")
-    kind = properties.get("port.port_type")
+    kind = properties.get(KIND)
     if kind not in DATA + ("CorbaPort",):
         kind = "Port"
     return Port(
@@ -415,7 +422,7 @@ def connection_properties(ends, given):
     """The properties to connect with: those given (a dict), and defaults that all of the ports allow."""
     properties = dict(given)
     if ends[0].type == "CorbaPort":
-        properties.setdefault("port.port_type", "CorbaPort")
+        properties.setdefault(KIND, "CorbaPort")
     elif ends[0].type in DATA:
         for key, preferred in DEFAULTS:
             properties.setdefault(key, _chosen(ends, key, preferred))

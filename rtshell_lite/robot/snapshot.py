@@ -9,13 +9,15 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import component, ports
 
-# How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`),
-# organisations have BRIEF, without their members, and FULL; execution contexts have REFERENCES (no call
-# each), BRIEF, with handles (one call), RUNNING, with rates and whether they run (two), and FULL (three). All
-# others have FULL.
+# How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`,
+# which has NAMES, too), organisations have BRIEF, without their members, and FULL; execution contexts have
+# REFERENCES (no call each), BRIEF, with handles (one call), RUNNING, with rates and whether they run (two),
+# PROFILE, all but whether they run (two), and FULL (three). All others have FULL.
 REFERENCES = "references"
 BRIEF = "brief"
 RUNNING = "running"
+PROFILE = "profile"
+NAMES = "names"
 FULL = "full"
 # of ports: FULL, and those that fail are noted in `refusing`; otherwise the first failure ends the questions
 EACH = "each"
@@ -163,6 +165,8 @@ async def _contexts(snapshot, refs, how):
         ]
     if how == FULL:
         ask = component.context
+    elif how == PROFILE:
+        ask = component.in_profile
     else:
         ask = component.running
     return [await snapshot.or_default(context.ref, ask, context) for context in bare]
@@ -231,7 +235,7 @@ async def _names(snapshot, how):
 async def _profile(snapshot, how):
     if snapshot.refusing:
         return None
-    return await component.profile(snapshot.node, brief=how == BRIEF)
+    return await component.profile(snapshot.node, brief=how == BRIEF, names=how == NAMES)
 
 
 # The parts by attribute: what is asked for in words, coroutine function(snapshot, how much).

@@ -9,7 +9,7 @@ import re
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, places, ports, search, snapshot, tree
-from rtshell_lite.robot.snapshot import BRIEF, FULL
+from rtshell_lite.robot.snapshot import BRIEF, FULL, NAMES, PROFILE
 from rtshell_lite.text import printable
 from rtshell_lite.xmlprofile import model, rtsprofile
 
@@ -54,9 +54,13 @@ async def ask(node, brief=False, states=True, everything=False):
     everything  all that rtcat shows, too, which stays in a snapshot.Snapshot
     """
     if brief:
-        detail = BRIEF
+        of_ports, of_profile = BRIEF, NAMES
     else:
-        detail = FULL
+        of_ports = of_profile = FULL
+    if everything:
+        of_contexts = FULL
+    else:
+        of_contexts = PROFILE
     if states:
         in_contexts = {"participating": BRIEF, "states": FULL}
     else:
@@ -64,12 +68,24 @@ async def ask(node, brief=False, states=True, everything=False):
     if everything:
         in_contexts.update(participating=FULL, composites=FULL, members=FULL, names=FULL)
     shown = await snapshot.of(
-        node, ports=detail, owned=FULL, **in_contexts, configuration=FULL, organisations=FULL, profile=detail
+        node,
+        ports=of_ports,
+        owned=of_contexts,
+        **in_contexts,
+        configuration=FULL,
+        organisations=FULL,
+        profile=of_profile,
     )
+    if states and not everything and len(shown.contexts) > 1:  # one context counts, whether it runs or not
+        shown.owned = [await _with_running(shown, context) for context in shown.owned]
     found = found_in(shown, brief)
     if everything:
         return found._replace(snapshot=shown)
     return found
+
+
+async def _with_running(shown, context):
+    return context._replace(running=await component.is_running(shown.node, context.ref))
 
 
 def found_in(shown, brief=False):

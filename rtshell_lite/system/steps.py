@@ -306,8 +306,12 @@ class Values(_Configuring):
         for name, value in values.items():
             if present.get(name) != value:
                 changed[name] = value
-        words = ["%s=%s" % item for item in (changed or values).items()]
-        self.command = configuration.command(placement.where, set_id, "set", *words)
+        self._shown = changed or values
+
+    @property
+    def command(self):
+        words = ["%s=%s" % item for item in self._shown.items()]
+        return configuration.command(self.where, self.set_id, "set", *words)
 
     def _present(self, answer):
         """The values that the set has now, a dict; None where there is no such set."""
@@ -371,7 +375,10 @@ class Active(_Configuring):
     def __init__(self, placement, set_id):
         super().__init__(placement, set_id, "active configuration set")
         self.setting = set_id
-        self.command = configuration.command(placement.where, set_id, "act")
+
+    @property
+    def command(self):
+        return configuration.command(self.where, self.set_id, "act")
 
     def differences(self, answers):
         (now,) = answers

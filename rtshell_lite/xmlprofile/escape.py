@@ -6,26 +6,31 @@ Other formats in XML have the same spelling. Other text stays as it is, unless i
 
 import re
 
-from rtshell_lite.text import is_plain, printable_flags
+from rtshell_lite.text import is_ascii, is_plain, printable_flags
 
 _ILLEGAL = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
 _SPELT = "(?:00(?:0[0-8BCEF]|1[0-9A-F]|5F)|D[89A-F][0-9A-F]{2}|FFF[EF])"
+# These are compiled when a file needs them: that takes longer than writing a small one.
 # An underscore that would begin such a spelling is spelt, too.
-_TO_SPELL = re.compile(f"[{_ILLEGAL}]|_(?=x{_SPELT}[_{_ILLEGAL}])")
-_TO_READ = re.compile(f"_x({_SPELT})_")
-_ILLEGAL_ONE = re.compile(f"[{_ILLEGAL}]")
+_TO_SPELL = f"[{_ILLEGAL}]|_(?=x{_SPELT}[_{_ILLEGAL}])"
+_TO_READ = f"_x({_SPELT})_"
+_ILLEGAL_ONE = f"[{_ILLEGAL}]"
 _INVISIBLE = (
     "\x7f-\x9f\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e0fff"
 )
-_MARKUP = re.compile(f'[&<>"\t\n\r{_INVISIBLE}]')
+_MEANS_MORE = re.compile('[&<>"]|_x')
+_MARKUP = f'[&<>"\t\n\r{_INVISIBLE}]'
+
+
+def _is_simple(text):
+    return is_ascii(text) and text.isprintable() and not _MEANS_MORE.search(text)
 
 
 def quoted(text):
     """`text` for an attribute in double quotes, or for the content of an element."""
-    if text.isalnum() and is_plain(text):  # most are
+    if _is_simple(text):  # most are
         return text
-    if _TO_SPELL.search(text):
-        text = _TO_SPELL.sub(lambda character: f"_x{ord(character.group()):04X}_", text)
+    text = re.sub(_TO_SPELL, lambda character: f"_x{ord(character.group()):04X}_", text)
     return marked(text)
 
 
@@ -33,8 +38,9 @@ def marked(text):
     """`text`, which XML can hold, with references for markup, tabs and line ends,
     and what is not printable.
     """
-    if _MARKUP.search(text):
-        text = _MARKUP.sub(_reference, text)
+    if _is_simple(text):
+        return text
+    text = re.sub(_MARKUP, _reference, text)
     if is_plain(text):
         return text
     return "".join(c if plain or c < "\u0300" else "&#%d;" % ord(c) for c, plain in printable_flags(text))
@@ -42,7 +48,7 @@ def marked(text):
 
 def is_legal(text):
     """True for text that XML can hold as it is."""
-    return not _ILLEGAL_ONE.search(text)
+    return not re.search(_ILLEGAL_ONE, text)
 
 
 _NAMED = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}
@@ -55,5 +61,5 @@ def _reference(character):
 def unspelt(text):
     """The reverse of `quoted`, after the XML parser has replaced references."""
     if "_x" in text:
-        return _TO_READ.sub(lambda spelling: chr(int(spelling.group(1), 16)), text)
+        return re.sub(_TO_READ, lambda spelling: chr(int(spelling.group(1), 16)), text)
     return text

@@ -4,6 +4,8 @@ fields with their names in files, elements, foreign parts.
 
 import itertools
 
+from rtshell_lite.records import cached
+
 TEXT = "text"
 BOOLEAN = "true or false"
 INTEGER = "whole number"
@@ -37,6 +39,7 @@ class Field:
                 key = f"{self.prefix}::{key}"
         self.key = key
         self.within = None  # the key of a mapping that YAML puts around it
+        self.is_text = kind == DATE or kind == TEXT and not choices  # it is in XML as it is here
 
 
 class Child(Field):
@@ -100,7 +103,7 @@ def tidy(content):
     """The content of an XML element with adjacent texts joined,
     and without blanks that only indent children.
     """
-    if len(content) == 1 and content[0] != "":
+    if not content or len(content) == 1 and content[0] != "":
         return content
     joined = []
     for is_text, items in itertools.groupby(content, lambda item: isinstance(item, str)):
@@ -111,6 +114,19 @@ def tidy(content):
     if len(joined) == 1:
         return [item for item in joined if item != ""]
     return [item for item in joined if not isinstance(item, str) or item.strip(" \t\r\n")]
+
+
+@cached(64)
+def _blank(cls):
+    """({name: default} of the fields of a class of elements, names of those that are lists)."""
+    defaults = {field.name: field.default for field in cls.FIELDS}
+    defaults["foreign"] = None
+    return defaults, [field.name for field in cls.FIELDS if field.many]
+
+
+@cached(64)
+def _required(cls):
+    return [field for field in cls.FIELDS if field.required]
 
 
 class Element:
@@ -124,12 +140,10 @@ class Element:
 
     def __init__(self, **values):
         own = self.__dict__
-        for field in self.FIELDS:
-            if field.many:
-                own[field.name] = []
-            else:
-                own[field.name] = field.default
-        own["foreign"] = None
+        defaults, lists = _blank(type(self))
+        own.update(defaults)
+        for name in lists:
+            own[name] = []
         known = len(own)
         own.update(values)
         if len(own) > known:
@@ -157,8 +171,8 @@ class Element:
 
     def fault(self, given):
         """What is wrong with this element, of which a file has the fields `given`, or None."""
-        for field in self.FIELDS:
-            if field.required and field.name not in given:
+        for field in _required(type(self)):
+            if field.name not in given:
                 return f"{field.local} is missing"
         return None
 

@@ -3,7 +3,6 @@
 import re
 
 from rtshell_lite.xmlprofile import fields
-from rtshell_lite.xmlprofile.yaml import scalars
 
 _WHOLE = re.compile(r"[-+]?[0-9]{1,18}\Z")
 _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
@@ -60,6 +59,8 @@ def from_number(field, value):
     if isinstance(value, bool):
         raise ValueError(f"{str(value).lower()}: not a number")
     if field.kind == fields.NUMBER:
+        from rtshell_lite.xmlprofile.yaml import scalars  # loaded where a file is YAML
+
         return scalars.as_float(value)
     if value != value or abs(value) >= 10**18:
         raise ValueError(f"{value}: not a whole number")

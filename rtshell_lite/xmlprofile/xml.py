@@ -257,8 +257,11 @@ def _attributes(node, table, fail):
 
 
 def _value(node, field, text, fail):
+    text = sys.intern(escape.unspelt(text))  # most are there many times
+    if field.is_text:
+        return text
     try:
-        return values.from_text(field, sys.intern(escape.unspelt(text)))  # most are there many times
+        return values.from_text(field, text)
     except ValueError as e:
         fail(node, f"{field.local}: {e}")
 
@@ -356,8 +359,9 @@ class _Writer:
                 if value is not None:
                     children += [(field, value)]
             elif value is not None and (field.always or value != field.default):
-                shown = escape.quoted(values.to_text(field, value))
-                head.append(f' {field.tag}="{shown}"')
+                if not field.is_text:
+                    value = values.to_text(field, value)
+                head.append(f' {field.tag}="{escape.quoted(str(value))}"')
         foreign = element.foreign or _NOTHING
         head += [self.attribute(*pair) for pair in sorted(foreign.attributes.items())]
         if not (children or foreign.elements or foreign.keys or element.comments_inside):

@@ -126,7 +126,11 @@ class Request:
             if len(data) > self.max_reply:
                 raise ValueError(f"more than {self.max_reply} octets")
             if status == messages.NO_EXCEPTION:
-                value = values(self.operation.results[little], data, at, self.is_once)
+                if self.call.part is None:
+                    readers = self.operation.results[little]
+                else:
+                    readers = self.operation.of_part(self.call.part)[little]
+                value = values(readers, data, at, self.is_once)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label, completed = _system_exception(data, at, little)
                 if (
