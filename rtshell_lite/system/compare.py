@@ -57,8 +57,8 @@ class Result:
         self.asked = 0
 
 
-async def compare(profile, state, tell=lambda line: None, extra=False):
-    """Do all checks, in order, and return the Result; `tell` is called with a line for each.
+async def compare(profile, state, tell=None, extra=False):
+    """Do all checks, in order, and return the Result; `tell`, if given, is called with a line for each.
 
     `extra`: report, too, what the system has beyond the profile.
     """
@@ -69,8 +69,9 @@ async def compare(profile, state, tell=lambda line: None, extra=False):
     result.asked = len(listed) - len(result.failures)
     seen = set()
     for step in checks(profile, state, listed):
-        for line in _lines(step):
-            tell("Checking " + line)
+        if tell is not None:
+            for line in _lines(step):
+                tell("Checking " + line)
         for difference in _differences(step) + _remarks(step):
             if difference.message not in seen:
                 seen.add(difference.message)

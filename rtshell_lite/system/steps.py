@@ -272,7 +272,11 @@ class _Configuring(Step):
         super().__init__([placement], placement.where, f"{title} {printable(set_id)} of {placement.where}")
         self.placement = placement
         self.set_id = set_id
-        self.unknown_set = errors.NoSuch(placement.where, "configuration set", printable(set_id))
+
+    @property
+    def unknown_set(self):
+        """The error where the component has no such set."""
+        return errors.NoSuch(self.where, "configuration set", printable(self.set_id))
 
     def questions(self):
         return [Question(self.endpoint, self.where, self._configured)]
@@ -309,7 +313,7 @@ class Values(_Configuring):
         self._shown = changed or values
 
     @property
-    def command(self):
+    def command(self):  # type: ignore[override]
         words = ["%s=%s" % item for item in self._shown.items()]
         return configuration.command(self.where, self.set_id, "set", *words)
 
@@ -377,7 +381,7 @@ class Active(_Configuring):
         self.setting = set_id
 
     @property
-    def command(self):
+    def command(self):  # type: ignore[override]
         return configuration.command(self.where, self.set_id, "act")
 
     def differences(self, answers):

@@ -255,7 +255,6 @@ What it costs: nothing is asked twice, and the profile comes last.
   1 get_port_profile
   1 get_ports
   1 get_profile
-  1 is_running
 
 A name server that is not there, a path that is malformed, a file that cannot be written; the old file stays:
 

@@ -22,7 +22,6 @@ What a restoration costs that has nothing to do: a look at everything, once.
   1 get_port_profile
   1 get_ports
   1 get_profile
-  1 is_running
 
 A connection that a component refuses: what else can be done is done, and the second time it is completed.
 
