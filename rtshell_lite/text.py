@@ -12,6 +12,11 @@ from rtshell_lite import errors
 is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # missing in Python 3.6
 
 
+def is_identifier(word):
+    """Whether a word is an identifier of IDL."""
+    return word.isidentifier() and is_ascii(word)
+
+
 def from_wire(s):
     """Turn a string that a peer sent into text.
 

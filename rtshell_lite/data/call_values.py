@@ -26,7 +26,7 @@ def of_words(operation, words, find):
     position = 0
     for word in words:
         name, equals, rest = word.partition("=")
-        if equals and _is_name(name):
+        if equals and text.is_identifier(name):
             parameter = _parameter(operation, name)
             word = rest
         elif position < len(given):
@@ -88,11 +88,6 @@ def of_values(operation, values, named, find):
     return _built(operation, written, find)
 
 
-def _is_name(word):
-    """Whether a word is an identifier of IDL."""
-    return word.isidentifier() and text.is_ascii(word)
-
-
 def _parameter(operation, name):
     """The parameter of this name that is sent."""
     given = operation.given()
@@ -125,7 +120,7 @@ def _parsed(descriptor, word):
     word = text.typed(word)
     if kind in TEXTS and word[:1] not in ('"', "'"):
         return word, False
-    if kind == ENUM and _is_name(word):
+    if kind == ENUM and text.is_identifier(word):
         from rtshell_lite.data import build_value
 
         return build_value.Word(word), False

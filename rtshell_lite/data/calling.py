@@ -85,9 +85,9 @@ class Provider:
         found = self.operations().get(name) or self.operations().get("_get_" + name)
         if found is None and self.service is None and self.node.kind == "component":
             remedy = f"; rtcall {text.shell_word(self.where)} lists what its ports provide"
-            raise _no_operation(self.where, name, self.names(), remedy)
+            raise no_operation(self.where, name, self.names(), remedy)
         if found is None:
-            raise _no_operation(self.where, name, self.names())
+            raise no_operation(self.where, name, self.names())
         return found
 
     def names(self):
@@ -306,10 +306,10 @@ async def find(path, types, name):
         return having[0]
     for provider in known:
         provider.check_known()
-    raise _no_operation(str(path), name, [each for provider in known for each in provider.names()])
+    raise no_operation(str(path), name, [each for provider in known for each in provider.names()])
 
 
-def _no_operation(where, name, known, remedy=""):
+def no_operation(where, name, known, remedy=""):
     """The NoSuch for an operation, with candidates."""
     known = list(dict.fromkeys(known))
     return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, known) + remedy)

@@ -19,7 +19,7 @@ a number                                    a basic type, its CORBA::TCKind
 """
 
 from rtshell_lite import errors, records
-from rtshell_lite.text import is_ascii
+from rtshell_lite.text import is_identifier
 
 (
     SHORT,
@@ -532,7 +532,7 @@ def _is_identifier(word):
     """Whether a word is an identifier of IDL, or one with the _ that marks a keyword."""
     if word.startswith("_"):
         word = word[1:]
-    return word.isidentifier() and not word.startswith("_") and is_ascii(word)
+    return is_identifier(word) and not word.startswith("_")
 
 
 def check_members(descriptor):

@@ -40,9 +40,9 @@ async def interfaces(path, types, as_json):
     return text.table([[text.printable(cell or "IDL not known") for cell in row.values()] for row in rows])
 
 
-async def operations(paths, types, as_json):
-    """Lines with the operations and attributes of the providers at Paths, as IDL; an errors.Error for what
-    failed.
+async def operations(paths, types, as_json, names=()):
+    """Lines with the operations and attributes of the providers at Paths, as IDL, of these names or all; an
+    errors.Error for what failed.
     """
     found = []
     for path in paths:
@@ -55,11 +55,11 @@ async def operations(paths, types, as_json):
             found.append(e)
     lines = []
     for provider in found:
-        lines += _operations(provider, len(found) > 1, as_json)
-    return lines
+        lines += _operations(provider, len(found) > 1, as_json, names)
+    return lines + _unknown(found, names)
 
 
-def _operations(provider, is_one_of_several, as_json):
+def _operations(provider, is_one_of_several, as_json, names):
     if isinstance(provider, errors.Error):
         return [provider]
     try:
@@ -67,14 +67,26 @@ def _operations(provider, is_one_of_several, as_json):
     except errors.Error as e:
         return [e]
     notes.detail(f"{provider.where}: {provider.described()}")
+    members = [each for each in provider.members() if not names or each.name in names]
     if as_json:
-        rows = [
-            {"provider": provider.where, "name": each.name, "idl": each.idl()} for each in provider.members()
-        ]
+        rows = [{"provider": provider.where, "name": each.name, "idl": each.idl()} for each in members]
         return list(map(text.json_line, rows))
     if not is_one_of_several:
-        return [each.idl() for each in provider.members()]
-    return [provider.where + ":"] + ["  " + each.idl() for each in provider.members()]
+        return [each.idl() for each in members]
+    if not members:
+        return []
+    return [provider.where + ":"] + ["  " + each.idl() for each in members]
+
+
+def _unknown(found, names):
+    """An errors.NoSuch for each of the names that none of the Providers has; none where one has failed."""
+    known = []
+    for provider in found:
+        if isinstance(provider, errors.Error) or provider.interface is None:
+            return []
+        known += provider.names()
+    where = ", ".join(provider.where for provider in found)
+    return [calling.no_operation(where, name, known) for name in names if name not in known]
 
 
 class Repeated:

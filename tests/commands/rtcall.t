@@ -69,6 +69,21 @@ Its operations and attributes, as IDL:
   $ rtcall Robot0.rtc:svc -l $IDL --json | tail -n 2
   {"idl": "readonly attribute long calls;", "name": "calls", "provider": "/localhost:$PORT/test.host_cxt/Robot0.rtc:svc.tally"}
   {"idl": "void reset();", "name": "reset", "provider": "/localhost:$PORT/test.host_cxt/Robot0.rtc:svc.tally"}
+  $ rtcall Robot0.rtc:svc say reset -l $IDL
+  /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm:
+    string say(in string words);
+    void reset();
+  /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.tally:
+    void reset();
+  $ rtcall Robot0.rtc:svc.tally sey -l $IDL
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.tally: no such operation: sey (there are: calls, reset)
+  [3]
+  $ rtcall Robot0.rtc:svc Robot0.rtc:svc $IDL
+  rtcall: Robot0.rtc:svc: not the name of an operation; -l takes several paths (see --help)
+  [2]
+  $ rtcall -l -n 3 Robot0.rtc:svc $IDL
+  rtcall: -l only lists: it does not go with -t, -d, -r and -n (see --help)
+  [2]
   $ rtcall Robot0.rtc:svc.tally ../py.host_cxt/MyServiceProvider0.rtc:MyService -l $IDL
   /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.tally:
     readonly attribute long calls;
