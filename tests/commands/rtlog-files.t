@@ -163,6 +163,9 @@ For others it is made whole in a copy, or in place:
   $ rtlog --mend torn.mcap -d
   rtlog: --mend takes only -f OUT or --in-place (see --help)
   [2]
+  $ rtlog --mend --in-place torn.mcap
+  rtlog: --mend --in-place: the log comes first: --mend FILE --in-place (see --help)
+  [2]
   $ rtlog --in-place -d -f torn.mcap
   rtlog: --in-place is for --mend (see --help)
   [2]
