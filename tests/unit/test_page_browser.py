@@ -358,6 +358,10 @@ class Hostile(Pages):
         self.assertEqual(
             shown.run("document.images[0].decode().then(() => document.images[0].naturalWidth)"), 40
         )
+        width = "document.images[0].getBoundingClientRect().width"
+        self.assertLess(shown.run(width), 400)
+        shown.run("document.images[0].focus()")  # as a click does
+        self.assertGreater(shown.run(width), 1000, "a plot that is clicked is large")
         self.assertEqual(
             shown.run("[typeof window.owned, document.querySelectorAll('script').length]"), ["undefined", 2]
         )
