@@ -32,6 +32,9 @@ UNANSWERED = "it has not answered in this time"
 BUSY = 4  # times what other stages take, before it is the one that is late
 MOST_SLOWER = 3  # times: what a busy host is allowed
 
+BUFFERS = {"": "replaces", "do_nothing": "refuses", "block": "blocks"}  # by policy
+FULL = "full"
+
 CERTAIN = "certain"
 PROBABLE = "probable"
 
@@ -96,6 +99,13 @@ class Watch:
         if self.seconds:
             return self.count / self.seconds
         return 0.0
+
+    @property
+    def newest(self):
+        """Seconds from the arrival of the newest value to the end, None if none came."""
+        if self.flow.last is None:
+            return None
+        return max(0.0, (self.until - self.flow.last) / 1e9)
 
     def delay_after(self, other):
         """Mean seconds from a value of another Watch to the one of this with the same timestamp, None if
@@ -436,6 +446,18 @@ class Trace:
             if measured:
                 return min(max(stage.rate / measured, 1.0), MOST_SLOWER)
         return 1.0
+
+    def buffer(self, stage):
+        """What the buffers of a Stage's in ports on the way do with values that they have no room for: one of
+        BUFFERS, FULL where they probably find no room; None if that is unknown.
+        """
+        feeding = self.feeding(stage)
+        if stage.contexts is None or not feeding:
+            return None
+        if self._full_buffer(stage, feeding) is not None:
+            return FULL
+        policies = {buffers.refusal(link.port) for link in feeding}
+        return BUFFERS[(policies - {""} or {""}).pop()]
 
     def _full_buffer(self, stage, feeding):
         """A Fault if values find the buffer of its in port full."""

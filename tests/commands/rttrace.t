@@ -14,7 +14,7 @@ Values and times differ from run to run; what stays is who is named:
   Active Link2.rtc:out
   no stage stops, holds, thins, delays or disorders the values
   $ head -1 out
-  STATE     CONTEXT   VALUES        HZ       AGE    JITTER     DELAY  CHANGE  PORT
+  STATE     CONTEXT   VALUES        HZ       AGE    NEWEST    JITTER     DELAY  CHANGE  BUFFER    PORT
   $ trace -u Link3.rtc:in
   Active Link0.rtc:out
   Active Link1.rtc:out
@@ -25,8 +25,8 @@ Values and times differ from run to run; what stays is who is named:
   Active Link2.rtc:out
   no stage stops, holds, thins, delays or disorders the values
   $ rttrace -t 0.5 --json Link2.rtc:out | sed 's/[0-9]*[.][0-9]*[e0-9-]*/N/g; s/"values": [0-9]*/"values": N/; s/"changes": [0-9]*/"changes": N/'
-  {"age": N, "changes": N, "context": N, "delay": null, "jitter": N, "port": "/localhost:$PORT/testNhost_cxt/LinkNrtc:out", "rate": N, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active", "values": N}
-  {"context": N, "delay": null, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active"}
+  {"age": N, "buffer": null, "changes": N, "context": N, "delay": null, "jitter": N, "newest": N, "port": "/localhost:$PORT/testNhost_cxt/LinkNrtc:out", "rate": N, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active", "values": N}
+  {"buffer": "replaces", "context": N, "delay": null, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active"}
   {"culprit": null, "sure": null, "why": null}
 
 A connection is made to each port on the way, and removed:
@@ -89,7 +89,7 @@ What stops it; rtdoctor has the last word:
   $ rtec Link2.rtc stop; trace Link0.rtc:out | head -4
   Active Link0.rtc:out
   Active Link1.rtc:out
-  Inactive  stopped         0         0         -         -         -  no      /localhost:$PORT/test.host_cxt/Link2.rtc:out
+  Inactive  stopped         0         0         -         -         -         -  no      replaces  /localhost:$PORT/test.host_cxt/Link2.rtc:out
   /localhost:$PORT/test.host_cxt/Link2.rtc: its execution context is stopped (certain)
   $ rttrace -t 2 --plot Link1.rtc:out | grep -A1 'Link2.rtc:out, values'
   /localhost:$PORT/test.host_cxt/Link2.rtc:out, values per second
