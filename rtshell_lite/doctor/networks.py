@@ -94,14 +94,13 @@ async def names_here(ref, homes):
     """
     if any(addresses.is_own(home) for home in homes):
         return []
-    names = [
-        host
-        for host, _ in orb.addresses(ref)
-        if host and host != "localhost" and not addresses.is_numeric(host)
-    ]
-    return [
-        name for name in names if any(addresses.is_own(address) for address in await _numeric([(name, 0)]))
-    ]
+    own = []
+    for host, _ in orb.addresses(ref):
+        if not host or host == "localhost" or addresses.is_numeric(host):
+            continue
+        if any(addresses.is_own(address) for address in await _numeric([(host, 0)])):
+            own.append(host)
+    return own
 
 
 async def is_apart(ref, homes):

@@ -26,13 +26,15 @@ def mismatches(ends, properties):
     ]
     if not wanting:
         return ["each end provides something, and none requires anything"]
-    return [
-        f"nobody in it provides interface {printable(interface.instance_name)} "
-        f"({printable(interface.type_name)}), which {ports.label(port)} requires"
-        for port, interface in wanting
-        if not _served(interface, properties)
-        and not any(_served(interface, dict(connector.properties)) for connector in port.connectors)
-    ]
+    lines = []
+    for port, interface in wanting:
+        known = [properties] + [dict(connector.properties) for connector in port.connectors]
+        if not any(_served(interface, each) for each in known):
+            lines.append(
+                f"nobody in it provides interface {printable(interface.instance_name)} "
+                f"({printable(interface.type_name)}), which {ports.label(port)} requires"
+            )
+    return lines
 
 
 def _served(interface, properties):

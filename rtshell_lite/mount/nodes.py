@@ -369,8 +369,12 @@ class Items(Directory):
 
     def texts(self, value):
         """{file name: text}"""
-        pairs = list(self._texts_of(value))
-        return dict(zip(unique(name for name, _ in pairs), (text for _, text in pairs)))
+        names = []
+        texts = []
+        for name, text in self._texts_of(value):
+            names.append(name)
+            texts.append(text)
+        return dict(zip(unique(names), texts))
 
     def entries(self, value):
         return {name: (Item,) for name in self.texts(value)}

@@ -289,12 +289,11 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     if wanted != now:
         await sets.store({EXPORTED: ",".join(wanted)}, within)
         await sets.activate("default")
-    return (
-        ["exported port " + printable(name) for name in wanted if name not in now]
-        + [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
-        + ["hid port " + printable(name) for name in now if name not in wanted]
-        + [f"port {printable(name)} is hidden already" for name in hide if name not in now]
-    )
+    lines = ["exported port " + printable(name) for name in wanted if name not in now]
+    lines += [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
+    lines += ["hid port " + printable(name) for name in now if name not in wanted]
+    lines += [f"port {printable(name)} is hidden already" for name in hide if name not in now]
+    return lines
 
 
 # ---- rtcomp: find or make a composite on a manager, then change its members --------------------------------

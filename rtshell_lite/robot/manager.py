@@ -397,18 +397,18 @@ def meant(word, paths):
     """
     import re
 
-    exact = sorted({path for path in paths if path == word})
+    if word in paths:
+        return [word]
     tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
-    whole = {path: _plain(path) for path in paths}
+    known = {path: _plain(path) for path in paths}
 
     def ends(path):
         return path == tail or path.endswith("/" + tail.lstrip("/"))
 
-    return (
-        exact
-        or sorted(path for path, plain in whole.items() if ends(plain))
-        or sorted(path for path, plain in whole.items() if ends(posixpath.splitext(plain)[0]))
-    )
+    found = sorted(path for path, plain in known.items() if ends(plain))
+    if found:
+        return found
+    return sorted(path for path, plain in known.items() if ends(posixpath.splitext(plain)[0]))
 
 
 def _plain(path):
@@ -509,11 +509,11 @@ async def shut_down(node, wait=None, above=()):
     `wait` seconds, or END_TIME; it has ended when nobody listens there any more.
     """
     known = [node.ref] + list(above)
-    slaves = [
-        slave
-        for slave in await tree.slaves(node)
-        if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in known)
-    ]
+    slaves = []
+    for slave in await tree.slaves(node):
+        is_known = any(orb.same(slave.ref, ref) for ref in known)
+        if slave.kind != "zombie" and not is_known:
+            slaves.append(slave)
     parts = await tree.on_nodes(
         [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known)
     )

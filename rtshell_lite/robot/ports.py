@@ -458,12 +458,9 @@ def without_rate(ends, properties):
     has_writer = any(port.type == "DataOutPort" for port in ends)
     if subscription != "periodic" or flow == "pull" or not has_writer:
         return []
-    rates = [
-        given[key]
-        for given in [properties] + [port.properties for port in ends]
-        for key in RATES
-        if key in given
-    ]
+    rates = []
+    for given in [properties] + [port.properties for port in ends]:
+        rates += [given[key] for key in RATES if key in given]
     if not rates:
         return [f"a periodic connection needs a rate: {RATES[0]}=HZ"]
     try:

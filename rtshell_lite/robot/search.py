@@ -22,9 +22,10 @@ def patterns(exact, any_case):
     """
     import re
 
-    return [re.compile(_expression(p), re.DOTALL).match for p in exact] + [
-        re.compile(_expression(p), re.DOTALL | re.IGNORECASE).match for p in any_case
-    ]
+    functions = [re.compile(_expression(pattern), re.DOTALL).match for pattern in exact]
+    for pattern in any_case:
+        functions.append(re.compile(_expression(pattern), re.DOTALL | re.IGNORECASE).match)
+    return functions
 
 
 def _expression(pattern):
@@ -132,7 +133,6 @@ async def _in_state(nodes, state):
     silent = [node.error for node in nodes if node.kind == "silent"]
     components = [node for node in nodes if node.kind == "component"]
     states = await tree.on_nodes(components, component.state)
-    return (
-        [node for node, answer in zip(components, states) if answer == state],
-        silent + [answer for answer in states if isinstance(answer, errors.Error)],
-    )
+    found = [node for node, answer in zip(components, states) if answer == state]
+    failures = [answer for answer in states if isinstance(answer, errors.Error)]
+    return found, silent + failures

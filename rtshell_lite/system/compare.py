@@ -361,13 +361,14 @@ def _beyond(check, required, message, path, actual):
 async def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Placements `listed` that are not listed."""
     servers = set()
+    known = set()  # paths and identities
     for placement in listed:
+        known.add(placement.where)
+        if placement.found is not None:
+            known.add(orb.identity(placement.node.ref))
         if placement.path.server is not None:
             servers.add(placement.path._replace(names=()))
     nodes, _, failures, _ = await search.components(sorted(servers, key=str))
-    known = {orb.identity(placement.node.ref) for placement in listed if placement.found is not None} | {
-        placement.where for placement in listed
-    }
     strange = []
     for node in nodes:
         if orb.identity(node.ref) not in known and str(node.path) not in known:

@@ -312,9 +312,9 @@ def plain_line(action, verb):
 
 def in_order(actions):
     """The actions in the order to expect: in their steps, then those that wait."""
-    return [action for step in _steps(actions) for action in step] + sorted(
-        (action for action in actions if _waits(action)), key=lambda action: action.order
-    )
+    in_steps = [action for step in _steps(actions) for action in step]
+    waiting = [action for action in actions if _waits(action)]
+    return in_steps + sorted(waiting, key=lambda action: action.order)
 
 
 def _waits(action):

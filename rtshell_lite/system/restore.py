@@ -176,10 +176,9 @@ def _above(where):
 async def memberships(placement, placement_of):
     """Whether a composite has its members; those that are not there are reported apart from the others."""
     members = steps.members(placement, placement_of)
-    parts = [member for member in members if member.error is None], [
-        member for member in members if member.error is not None
-    ]
-    return [await apply.assess(steps.Members(placement, part)) for part in parts if part]
+    present = [member for member in members if member.error is None]
+    absent = [member for member in members if member.error is not None]
+    return [await apply.assess(steps.Members(placement, part)) for part in (present, absent) if part]
 
 
 async def _configurations(placement):
