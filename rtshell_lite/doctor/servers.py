@@ -9,7 +9,7 @@ from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, local, networks, references, remedies
 from rtshell_lite.doctor.finding import fail, listed, ok, reason, warn
-from rtshell_lite.robot import aliases, manager, tree
+from rtshell_lite.robot import aliases, manager, tree, usual
 from rtshell_lite.text import counted, printable, shell_word
 
 SLOW = 1.0  # seconds: a step that takes longer makes every command slow
@@ -221,10 +221,13 @@ async def _transport(visit, endpoint, times, used):
 
 
 async def _other_port(visit, port, used):
-    """Another port of name servers, of those given, at which this host accepts connections;
-    None if no other port accepts them.
+    """Another port of name servers at which the host accepts connections: one of those given, or, on this
+    host, one of the usual; None if no other port accepts them.
     """
-    for other in sorted(used - {port}):
+    ports = set(used)
+    if any(addresses.is_own(address) for address in visit.addresses):
+        ports.update(usual.PORTS)
+    for other in sorted(ports - {port}):
         try:
             await addresses.connect(visit.addresses, other)
         except errors.Error:

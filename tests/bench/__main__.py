@@ -5,6 +5,7 @@ asserted.
 
 sections: commands   CPU, wall, peak memory and remote calls of every command, for 1, 10, 100 and 1,000 components, with omniORBpy;
                      then the same with the builtin ORB, as ratios to that
+          instructions  of the same commands, counted by valgrind, where that is: no load changes them
           hung       how long a listing takes beside processes that hang
           sessions   many commands from a pipe to rtsh, beside as many processes
           profiles   loading and saving a large RtsProfile, restoring and checking a system of 200 components
@@ -20,6 +21,7 @@ do this, or not so.
 import argparse
 import json
 import os
+import shutil
 import signal
 import statistics
 import subprocess
@@ -33,7 +35,8 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
 import worlds  # noqa: E402: the path first
 
-SECTIONS = ("commands", "hung", "sessions", "profiles", "logs", "ports", "mount", "idl")
+COMMANDS = os.path.join(ROOT, "bin")
+SECTIONS = ("commands", "instructions", "hung", "sessions", "profiles", "logs", "ports", "mount", "idl")
 ROUNDS = {1: 15, 10: 15, 100: 7, 1000: 3}
 SIZES = sorted(ROUNDS)
 
@@ -151,7 +154,7 @@ class Bench:
         return words
 
     def ours(self, words, orb="omniorb"):
-        command = [sys.executable, os.path.join(worlds.COMMANDS, words[0])]
+        command = [sys.executable, os.path.join(COMMANDS, words[0])]
         return self.meter.run(command + words[1:], dict(self.environment, RTSHELL_ORB=orb))
 
     def theirs(self, words):
@@ -259,7 +262,7 @@ class Bench:
             try:
                 self.ours(self.words("rtcryo --all -o {file} {dir}", size))
                 for row in rows:
-                    if os.path.exists(os.path.join(worlds.COMMANDS, row[0].split()[0])):
+                    if os.path.exists(os.path.join(COMMANDS, row[0].split()[0])):
                         costs[row[0], size] = self.compare(world, size, *row)
             finally:
                 for each in [world] + beside:
@@ -280,6 +283,42 @@ class Bench:
                     "%-50s each component more: %.2f ms, floor %.2f ms, ratio %.2f"
                     % (command, own, floor, own / floor)
                 )
+
+    def instructions(self, sizes):
+        """Millions of instructions of a command with our own ORB, and of each component more."""
+        if shutil.which("valgrind") is None:
+            print("valgrind is not there: no instructions are counted")
+            return
+        print("%-50s %6.1f million instructions" % ("Python alone", self.counted(["-c", "pass"])), flush=True)
+        found = {}
+        for size in sizes:
+            world = worlds.World("many", str(size))
+            try:
+                self.ours(self.words("rtcryo --all -o {file} {dir}", size), "builtin")
+                for command, _, _, undo in GROWING:
+                    if undo or self.only and command.split()[0] not in self.only:
+                        continue
+                    words = self.words(command, size)
+                    found[command, size] = self.counted([os.path.join(COMMANDS, words[0])] + words[1:])
+                    more = ""
+                    if size > sizes[0]:
+                        each = (found[command, size] - found[command, sizes[0]]) / (size - sizes[0])
+                        more = ", %.2f for each component more" % each
+                    print("%-50s %5d %6.1f%s" % (command, size, found[command, size], more), flush=True)
+            finally:
+                world.close()
+                self.ours(["rtdel", "-q", "-z"])
+
+    def counted(self, words):
+        """Millions of instructions of a run of Python."""
+        with tempfile.NamedTemporaryFile("r", suffix=".counted") as file:
+            command = ["valgrind", "--tool=cachegrind", "--cache-sim=no"]
+            command += ["--cachegrind-out-file=" + file.name, sys.executable]
+            environment = dict(self.environment, RTSHELL_ORB="builtin")
+            status = self.meter.run(command + words, environment)[3]
+            if status:
+                raise SystemExit("%s: status %d" % (" ".join(words), status))
+            return int(file.read().rpartition("summary:")[2].split()[0]) / 1e6
 
     def hung(self):
         live = worlds.World("two")
@@ -302,7 +341,7 @@ class Bench:
     def sessions(self, count=100):
         """`ls -l`, `count` times, and ten times as many, in one rtsh, beside a process each."""
         world = worlds.World("two")
-        shell = dict(self.environment, PATH=worlds.COMMANDS + os.pathsep + self.environment["PATH"])
+        shell = dict(self.environment, PATH=COMMANDS + os.pathsep + self.environment["PATH"])
         apart = self.meter.run(["sh", "-c", "for i in $(seq %d); do rtls -l; done" % count], shell)[0] / count
         print("rtls -l, a process each:        %6.2f ms of CPU" % (apart * 1000), flush=True)
         for many in (count, 10 * count):
@@ -359,11 +398,13 @@ def main():
     wanted = args.section or SECTIONS
     with tempfile.TemporaryDirectory() as directory:
         peer = real_rtshell(directory) if args.rtshell else None
-        if {"commands", "hung", "sessions"}.intersection(wanted):
+        if {"commands", "instructions", "hung", "sessions"}.intersection(wanted):
             bench = Bench(args.rounds, args.only, peer)
             try:
                 if "commands" in wanted:
                     bench.commands([int(size) for size in args.sizes.split(",")])
+                if "instructions" in wanted:
+                    bench.instructions([int(size) for size in args.sizes.split(",") if int(size) < 1000])
                 if "hung" in wanted:
                     bench.hung()
                 if "sessions" in wanted:
