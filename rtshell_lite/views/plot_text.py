@@ -189,7 +189,7 @@ def _time_axis(picture, width, margin):
         room = len(words_below)
         if words_below:
             room += 1
-        if begin >= room and begin + len(words) <= width:
+        if begin >= room and begin + len(words) + 1 + len(unit) <= width:
             words_below = padded(words_below, begin) + words
     for moment, _ in picture.marks:
         place = margin + 1 + round((moment - picture.first) / (picture.last - picture.first) * right)

@@ -166,6 +166,15 @@ class Drawn(unittest.TestCase):
                 for line in plot_text.lines(made, width, 12, is_braille):
                     self.assertTrue(len(line) <= max(width, 30) + 10 * (width < 60), line)
 
+    def test_words_at_the_right_end_have_room(self):
+        """The last time, and its unit: a line that is too long takes two on a terminal, where each picture
+        has to cover the one before.
+        """
+        for width in range(40, 140):
+            for count in range(2, 40):
+                for line in plot_text.lines(picture(count, SECOND // 7), width, 12):
+                    self.assertLessEqual(len(line), width, line)
+
     def test_nothing_hostile_is_drawn(self):
         hostile = picture(name='\x1b[2J<script>"&\u202e')
         hostile.panels[0].title = "\x1b]0;x\x07</svg>"
