@@ -45,6 +45,11 @@ class Carrier:
     def write(self, data):
         """Send a value."""
 
+    async def finish(self):
+        """Send no more values, and wait until the far end has taken the one under way: a C++ component whose
+        connector goes meanwhile ends.
+        """
+
     def is_busy(self):
         """Whether values wait to be sent."""
         return False
@@ -101,6 +106,9 @@ class Sender(Carrier):
         self.task = None
         self.far = self.operation = None
         self.is_sending = False
+        self.is_ending = False
+        self.under_way = loop.Wait()  # over while the far end has no value to take
+        self.under_way.done()
 
     def join(self, properties):
         interface, self.operation = _PUSH[self.interface]
@@ -111,7 +119,7 @@ class Sender(Carrier):
 
     def write(self, data):
         self.count += 1
-        if self.count % self.every:
+        if self.is_ending or self.count % self.every:
             return
         if self.is_newest:
             self.waiting.clear()
@@ -129,6 +137,11 @@ class Sender(Carrier):
             self.dropped = 0
         if self.task is not None:
             self.task.cancel()
+
+    async def finish(self):
+        self.is_ending = True
+        self.waiting.clear()
+        await self.under_way
 
     def is_busy(self):
         return bool(self.waiting) or self.is_sending
@@ -148,17 +161,21 @@ class Sender(Carrier):
 
     async def _put(self, data):
         """Send a value; False where the far end is gone, which ends the connector."""
+        self.under_way = loop.Wait()
         try:
             await orb.call(self.port.name, self.far, self.operation, data)
             return True
         except errors.Refused:
             return True
         except errors.Error:
+            self.under_way.done()
             self.waiting.clear()
             leaving = self.port.lost(self)
             if leaving is not None:
                 await loop.finish(leaving)
             return False
+        finally:
+            self.under_way.done()
 
 
 class Provider(Carrier):

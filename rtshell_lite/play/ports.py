@@ -165,9 +165,11 @@ class Port:
         return code("RTC_OK")
 
     async def notify_disconnect(self, connector_id):
-        profile = self.connectors.get(connector_id)
+        profile = self.connectors.pop(connector_id, None)
         if profile is None:
             return code("BAD_PARAMETER")
+        if connector_id in self.carriers:
+            await self.carriers[connector_id].finish()
         self.forget(connector_id)
         places = [at for at, end in enumerate(profile.ports) if orb.same(end, self.reference)]
         following = profile.ports[places[0] + 1 :]

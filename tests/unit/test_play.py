@@ -228,6 +228,42 @@ class Connecting(unittest.TestCase):
             wait.done()
         self.run_with_components(work)
 
+    def test_it_leaves_when_its_last_value_has_been_taken(self):
+        """A C++ component whose connector goes meanwhile ends."""
+        async def work(out, into):
+            wait = loop.Wait()
+            events = []
+
+            class Slow:
+                interface = "OpenRTM.InPortCdr"
+
+                async def put(self, data):
+                    events.append("put")
+                    await wait
+                    events.append("taken")
+                    return orb.items("OpenRTM.PortStatus")[0]
+
+            async def leave():
+                events.append((await self.ask(out, "disconnect", "s"))._n)
+
+            servant = Slow()
+            orb.publish(servant, HOST)
+            more = [("dataport.corba_cdr.inport_ior", servant.reference.text())]
+            await self.ask(out, "connect", self.profile([out], PUSH + more, "s"))
+            for _ in range(3):
+                out.write(lambda little: b"1")
+            while not events:
+                await loop.sleep(0.01)
+            async with loop.background(leave()):
+                while out.connectors:
+                    await loop.sleep(0.01)
+                self.assertEqual(events, ["put"])
+                wait.done()
+                while len(events) < 3:
+                    await loop.sleep(0.01)
+            self.assertEqual(events, ["put", "taken", "RTC_OK"])
+        self.run_with_components(work)
+
     def test_states(self):
         async def work(out, into):
             owner = out.component
