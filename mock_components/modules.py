@@ -197,17 +197,19 @@ NOT_IN_PYTHON = (
 def _manager(flavour, master):
     """The rest of the properties below `manager.`; Python lacks some."""
     suffix = SUFFIXES[flavour.language]
+    is_master = "YES" if master else "NO"
+    duration = "20.0" if flavour.modern else "10.0"
     pairs = [
         ("modules.config_path", ""),
         ("modules.download_allowed", ""),
         ("modules.init_func_suffix", ""),
         ("modules.init_func_prefix", ""),
         ("modules.preload", ", ".join(name + suffix for name in PRELOADED)),
-        ("is_master", "YES" if master else "NO"),
+        ("is_master", is_master),
         ("corba_servant", "YES"),
         ("shutdown_on_nortcs", "NO"),
         ("shutdown_auto", "NO"),
-        ("auto_shutdown_duration", "20.0" if flavour.modern else "10.0"),
+        ("auto_shutdown_duration", duration),
         ("command", flavour.program),
         ("supported_languages", ", ".join(LANGUAGES)),
         ("components.precreate", ""),
