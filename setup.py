@@ -32,6 +32,8 @@ class Modules(build_py):
 
     def run(self):
         super().run()
+        if getattr(self, "editable_mode", False):  # the files of bin/ are run themselves, see Starters
+            return
         for path in COMMANDS:
             target = os.path.join(self.build_lib, "rtshell_lite", "commands", os.path.basename(path) + ".py")
             self.copy_file(path, target,
