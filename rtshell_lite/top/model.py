@@ -390,9 +390,27 @@ class Top:
 
         If two are silent, or the only one, the process hangs: the rest is not asked.
         """
+        heard, silent = await self._ask(_due(entries))
+        if len(silent) == 1 and not heard:  # is it the process that hangs?
+            others = [entry for entry in _rested(entries) if entry not in silent]
+            heard, more = await self._ask(others[:1])
+            silent += more
+        if heard and silent:
+            for entry in silent:
+                entry.group = orb.identity(entry.node.ref)
+            self._look_after_all()
+        elif silent:
+            for entry in entries:
+                entry.fail("silent", errors.Silent(str(entry.node.path), silent[-1].failure.why))
+        return heard or not silent
+
+    async def _ask(self, entries):
+        """Ask components of one process until two are silent, or one where others have answered:
+        (whether one answered, those that were silent).
+        """
         heard = False
         silent = []
-        for entry in _due(entries):
+        for entry in entries:
             try:
                 await entry.ask()
                 heard = True
@@ -402,14 +420,7 @@ class Top:
                 silent.append(entry)
                 if heard or len(silent) == 2:
                     break
-        if heard and silent:
-            for entry in silent:
-                entry.group = orb.identity(entry.node.ref)
-            self._look_after_all()
-        elif silent:
-            for entry in entries:
-                entry.fail("silent", errors.Silent(str(entry.node.path), silent[-1].failure.why))
-        return heard or not silent
+        return heard, silent
 
     # ---- what it looks like ----
 
@@ -548,9 +559,14 @@ def _due(entries):
     now = time.monotonic()
     due = [entry for entry in entries if entry.due() <= now]
     if not due and now >= max(entry.asked for entry in entries) + SELDOM:
-        rested = [entry for entry in entries if entry.again <= now]
-        due = sorted(rested, key=lambda entry: entry.asked)[:1]
+        due = _rested(entries)[:1]
     return sorted(due, key=lambda entry: entry.silenced)
+
+
+def _rested(entries):
+    """Those that may be asked now, those first that were not asked for longest."""
+    now = time.monotonic()
+    return sorted((entry for entry in entries if entry.again <= now), key=lambda entry: entry.asked)
 
 
 async def _walk(top, known):
