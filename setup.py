@@ -4,6 +4,7 @@ checkout only needs.
 import glob
 import os
 import sys
+import zlib
 
 import setuptools
 from distutils.command.build_scripts import build_scripts  # that of setuptools
@@ -16,6 +17,7 @@ except ImportError:
 
 os.chdir(os.path.dirname(os.path.abspath(__file__)))
 os.umask(0o022)
+zlib.Z_DEFAULT_COMPRESSION = zlib.Z_BEST_COMPRESSION  # what zipfile uses where no level is given
 sys.path.insert(0, os.getcwd())
 from rtshell_lite.shell import installation  # noqa: E402: the path first
 TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/documentation.py", "shell/manpages.py"]
