@@ -48,7 +48,7 @@ What is paused is not mended, until it is resumed; that takes back what a person
   "by_hand": ["was made Inactive by hand"
   $ rtkeep stop Motor0; soon '! rtcheck a.xml'; rtkeep status | grep Motor0 | said; rtkeep resume
     Motor0.rtc         paused  Inactive  T    deactivated on request
-  $ rtkeep pause Motor0.rtc; rtkeep status | grep -c paused; rtkeep resume
+  $ rtkeep pause Motor0.rtc; rtkeep status | grep -c paused; rtkeep resume; soon 'rtcheck a.xml && rtkeep status | grep all.is.as'
   1
   $ rtkeep pause Nothing0; rtkeep --of b.xml pause
   rtkeep: a.xml: no such component or process in it: Nothing0
