@@ -5,7 +5,7 @@ world: these ConfigSample
 world: hostile --context h.host_cxt/%n.rtc
 world: managers --context m.host_cxt/%n.rtc
 world: zombie 1 --context z.host_cxt/%n.rtc
-faulty: bad-exception
+faulty: bad-profiles
 
   $ has() { for word; do grep -q -e "$word" a.html || echo "no $word"; done; }
   $ rtact --wait Sensor0.rtc Motor0.rtc
@@ -98,7 +98,7 @@ Where nothing can be looked at, the file says so:
 
 A name that is bound to nothing usable:
 
-  $ rtdoctor -q --report a.html localhost:$BAD_EXCEPTION > now; echo $?; has 'Evil0.rtc.*garbled answer'
+  $ rtdoctor -q --report a.html localhost:$BAD_PROFILES > now; echo $?; has 'Evil0.rtc.*garbled answer'
   1
 
 Files that are no report, wrong usage:

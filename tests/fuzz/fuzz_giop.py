@@ -150,10 +150,10 @@ class Answers(Target):
         try:
             _, status, little, at = messages.reply(message)
             if status == messages.NO_EXCEPTION:
-                calls._values(self.operations[name.decode()].results[little], message, at)
+                calls.values(self.operations[name.decode()].results[little], message, at)
             elif status == messages.SYSTEM_EXCEPTION:
                 calls._system_exception(message, at, little)
-        except calls._GARBLED as e:
+        except calls.GARBLED as e:
             raise Refused(str(e))
 
 
@@ -194,8 +194,8 @@ class Results(Target):
         octets = bytes(messages.HEADER + 12) + data[1:]
         allowance.begin()
         try:
-            value = calls._values(schema.operation.results[1], octets, messages.HEADER + 12)
-        except calls._GARBLED as e:
+            value = calls.values(schema.operation.results[1], octets, messages.HEADER + 12)
+        except calls.GARBLED as e:
             raise Refused(str(e))
         try:
             shown = [
