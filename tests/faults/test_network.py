@@ -230,6 +230,28 @@ A, B = (
 BOUND = running.TIMEOUT + running.SLACK
 
 
+def start_lasting():
+    """Processes of commands that go on, once they hold something on both robots."""
+    lasting = [
+        running.start(
+            words,
+            around.top,
+            surroundings(running.TIMEOUT),
+            inside("laptop"),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        for words in (
+            ["rtwatch", A, B],
+            ["rtfind", "--wait", "60", "/", "-n", "none"],
+            ["rtprint", A + ":out"],
+        )
+    ]
+    while not len(around.ctl("robot1", "connectors", "ConsoleIn0:out")) == 2:  # until rtprint is there
+        time.sleep(0.02)
+    return lasting
+
+
 class Network(unittest.TestCase):
     def ends(self, ran, status, seconds=BOUND):
         self.assertIn(ran.status, status, ran)
@@ -244,24 +266,30 @@ class Network(unittest.TestCase):
         self.assertEqual(laptop("rtact", "--wait", B, timeout=10).status, 0)
         around.ctl("robot1", "write", "ConsoleIn0:out", "42")
         self.assertEqual(around.ctl("robot2", "received", "ConsoleOut0:in", "1"), ["1 42"])
-        lasting = [
-            running.start(
-                words,
-                around.top,
-                surroundings(running.TIMEOUT),
-                inside("laptop"),
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-            )
-            for words in (
-                ["rtwatch", A, B],
-                ["rtfind", "--wait", "60", "/", "-n", "none"],
-                ["rtprint", A + ":out"],
-            )
-        ]
-        while not len(around.ctl("robot1", "connectors", "ConsoleIn0:out")) == 2:  # until rtprint is there
-            time.sleep(0.02)
+        lasting = start_lasting()
         cable("robot2", "down")
+        self.ask_without_cable()
+        for process in lasting:  # while what they hold is out of reach
+            begun = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            process.wait(running.LIMIT)
+            self.assertLess(time.monotonic() - begun, BOUND + self.start_up, process.args)
+        cable("robot2", "up")
+        end = time.monotonic() + running.LIMIT
+        while laptop("rtls", "-l", "-R", "/").status:  # the hosts have to find each other again
+            self.assertLess(time.monotonic(), end)
+        self.assertEqual(laptop("rtdis", A, timeout=10).status, 0)
+        self.assertEqual(
+            (
+                around.ctl("robot1", "connectors", "ConsoleIn0:out"),
+                around.ctl("robot2", "connectors", "ConsoleOut0:in"),
+            ),
+            ([], []),
+        )
+        self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
+
+    def ask_without_cable(self):
+        """Every command ends in time."""
         # the component on robot1 waits for its peer, too: those that ask it, and robot2 before, wait twice
         for words, status in (
             (["rtls", "-l", "-R", "/"], (4, 5)),
@@ -281,24 +309,6 @@ class Network(unittest.TestCase):
                 )
         self.assertIn(b"ConsoleIn0", laptop("rtls", "-R", "/").out)
         self.ends(laptop("rtdoctor", "-q"), (1,), 3 * running.TIMEOUT + running.SLACK)
-        for process in lasting:  # while what they hold is out of reach
-            begun = time.monotonic()
-            process.send_signal(signal.SIGINT)
-            process.wait(running.LIMIT)
-            self.assertLess(time.monotonic() - begun, BOUND + self.start_up, process.args)
-        cable("robot2", "up")
-        end = time.monotonic() + running.LIMIT
-        while laptop("rtls", "-l", "-R", "/").status:  # the hosts have to find each other again
-            self.assertLess(time.monotonic(), end)
-        self.assertEqual(laptop("rtdis", A, timeout=10).status, 0)
-        self.assertEqual(
-            (
-                around.ctl("robot1", "connectors", "ConsoleIn0:out"),
-                around.ctl("robot2", "connectors", "ConsoleOut0:in"),
-            ),
-            ([], []),
-        )
-        self.assertEqual(laptop("rtcon", A + ":out", B + ":in", timeout=10).status, 0)
 
     def test_an_address_that_leads_nowhere(self):
         """It lives, but from here it cannot be reached: rtdoctor says so, and does not take its name for that

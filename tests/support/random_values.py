@@ -45,19 +45,7 @@ def value(rng, descriptor, depth=4):
     if sort == descriptors.ENUM:
         return rng.choice(descriptor[3])
     if sort in (descriptors.SEQUENCE, descriptors.ARRAY):
-        if sort == descriptors.ARRAY:
-            size = descriptor[2]
-        elif depth > 0:
-            size = rng.randrange(min(descriptor[2] or 5, 5) + 1)
-        else:
-            size = 0
-        values = [value(rng, descriptor[1], depth - 1) for _ in range(size)]
-        inner = descriptors.kind(descriptors.target(descriptor[1]))
-        if inner == descriptors.OCTET:
-            return bytes(values)
-        if inner == descriptors.CHAR:
-            return "".join(values)
-        return values
+        return _elements(rng, descriptor, depth)
     if sort == descriptors.STRUCT:
         return descriptor[1](*[value(rng, inner, depth - 1) for _, inner in descriptors.members(descriptor)])
     if sort == descriptors.FIXED:
@@ -81,6 +69,23 @@ def value(rng, descriptor, depth=4):
     label = rng.choice([case[0] for case in descriptor[6]] + [value(rng, descriptor[4])])
     case = descriptor[8].get(label, descriptor[7])
     return descriptor[1](label, value(rng, case[2], depth - 1) if case else None)
+
+
+def _elements(rng, descriptor, depth):
+    """The value of a sequence or an array."""
+    if descriptors.kind(descriptor) == descriptors.ARRAY:
+        size = descriptor[2]
+    elif depth > 0:
+        size = rng.randrange(min(descriptor[2] or 5, 5) + 1)
+    else:
+        size = 0
+    values = [value(rng, descriptor[1], depth - 1) for _ in range(size)]
+    inner = descriptors.kind(descriptors.target(descriptor[1]))
+    if inner == descriptors.OCTET:
+        return bytes(values)
+    if inner == descriptors.CHAR:
+        return "".join(values)
+    return values
 
 
 def plain(found):
