@@ -333,8 +333,8 @@ def _not_offered(ends, key, value):
 
 
 def offer_without(port, key, value):
-    """The values that a port offers for a property, spelt for the terminal, when `value` is none of them;
-    else None.
+    """The values that a port offers for a property, spelt for the terminal; None if `value` is one of
+    them.
     """
     offer = _choices(port, key)
     if offer is None or value in offer:

@@ -244,7 +244,7 @@ def _mark(line):
 
 def notify(**said):
     """Tell systemd, or who speaks its protocol, how it is: READY=1, STATUS=…, WATCHDOG=1 (sd_notify(3)).
-    False where it has too much to read: a robot is kept though that is stopped.
+    False where it reads nothing, so that its socket is full: that must not stop us.
     """
     where = os.environ.get("NOTIFY_SOCKET")
     if not where:
