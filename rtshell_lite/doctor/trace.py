@@ -32,7 +32,8 @@ UNANSWERED = "it has not answered in this time"
 BUSY = 4  # times what other stages take, before it is the one that is late
 MOST_SLOWER = 3  # times: what a busy host is allowed
 
-BUFFERS = {"": "replaces", "do_nothing": "refuses", "block": "blocks"}  # by policy
+# (policy, what a buffer that is full does by it), the one that matters most first
+BUFFERS = (("block", "blocks"), ("do_nothing", "refuses"), ("", "replaces"))
 FULL = "full"
 
 CERTAIN = "certain"
@@ -457,7 +458,7 @@ class Trace:
         if self._full_buffer(stage, feeding) is not None:
             return FULL
         policies = {buffers.refusal(link.port) for link in feeding}
-        return BUFFERS[(policies - {""} or {""}).pop()]
+        return next(words for policy, words in BUFFERS if policy in policies)
 
     def _full_buffer(self, stage, feeding):
         """A Fault if values find the buffer of its in port full."""

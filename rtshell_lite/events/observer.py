@@ -163,10 +163,10 @@ def observer(node, interface, kinds, heard, beat=BEAT, more=()):
     """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS),
     and to the component's end; it beats every `beat` seconds. `more` are further (property, value).
     """
-    return Subscription(node, interface, wishes(interface, kinds, beat, more), heard)
+    return Subscription(node, interface, requested(interface, kinds, beat, more), heard)
 
 
-def wishes(interface, kinds, beat, more):
+def requested(interface, kinds, beat, more):
     """The properties, [(name, value)], of an `observer`; with None for `beat` it never beats."""
     if len(kinds) == len(KINDS):
         wanted = "ALL"

@@ -168,14 +168,14 @@ class Sender(Carrier):
         except errors.Refused:
             return True
         except errors.Error:
-            self.under_way.done()
-            self.waiting.clear()
-            leaving = self.port.lost(self)
-            if leaving is not None:
-                await loop.finish(leaving)
-            return False
+            pass
         finally:
             self.under_way.done()
+        self.waiting.clear()
+        leaving = self.port.lost(self)
+        if leaving is not None:
+            await loop.finish(leaving)
+        return False
 
 
 class Provider(Carrier):

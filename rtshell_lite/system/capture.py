@@ -54,7 +54,8 @@ async def ask(node, brief=False, states=True, everything=False):
     everything  all that rtcat shows, too, which stays in a snapshot.Snapshot
     """
     if brief:
-        of_ports, of_profile = BRIEF, NAMES
+        of_ports = BRIEF
+        of_profile = NAMES
     else:
         of_ports = of_profile = FULL
     if everything:

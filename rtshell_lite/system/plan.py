@@ -432,9 +432,8 @@ class Schedule:
         outcome = self.ended.get(after.number)
         if after.sync:
             return outcome in REACHED
-        return (
-            after.number in self._accepted or outcome is not None
-        )  # an action that failed has taken place, too
+        # an action that failed has taken place, too
+        return after.number in self._accepted or outcome is not None
 
     def _obstacle(self, action):
         """Why an action cannot go: the failure of one that it depends on."""

@@ -69,7 +69,7 @@ class Hearing:
             beat = BEAT
             process.asked = now
             process.beating = entry.subscription
-        entry.subscription.properties = observer.wishes(
+        entry.subscription.properties = observer.requested(
             entry.subscription.interface, KINDS, beat, observer.NO_VALUES
         )
         try:

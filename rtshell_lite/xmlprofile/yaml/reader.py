@@ -222,7 +222,7 @@ def _key(doc, pos, depth):
             doc.fail(end + 1, scalars.TAB)
         doc.fail(pos, "a key and a colon are needed here")
     start = pos
-    (pos, anchor, tag) = _properties(doc, pos)
+    pos, anchor, tag = _properties(doc, pos)
     if doc.text.startswith("<<", pos) and _COLON.match(doc.text, pos + 2):
         doc.fail(pos, "merge keys are not supported here")
     count = doc.nodes
