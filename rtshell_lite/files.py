@@ -9,7 +9,6 @@ of Linux itself.
 
 import errno
 import os
-import re
 import stat
 import sys
 
@@ -18,9 +17,6 @@ from rtshell_lite.text import printable
 
 LIMIT = 16 << 20  # octets of a file that is read as a whole
 LINKS = 40  # links to links that are followed
-# Names of open descriptors, as the shell passes them for `<(command)`: a pipe is fine there, for it has a
-# writer.
-_DESCRIPTOR = r"(/dev/stdin|/dev/fd/\d+|/proc/(self|\d+)/fd/\d+)\Z"
 
 
 # ---- reading -----------------------------------------------------------------------------------------------
@@ -60,11 +56,7 @@ def opened(name):
 def _refuse_endless(name, status):
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
-    if (
-        stat.S_ISREG(status.st_mode)
-        or re.match(_DESCRIPTOR, name)
-        or os.path.samestat(status, os.stat(os.devnull))
-    ):
+    if stat.S_ISREG(status.st_mode) or _is_descriptor(name) or os.path.samestat(status, os.stat(os.devnull)):
         return
     if stat.S_ISFIFO(status.st_mode):
         what = "FIFO"
@@ -73,6 +65,15 @@ def _refuse_endless(name, status):
     else:
         what = "device"
     raise errors.Failed(printable(name), f"a {what}; only files are read by name")
+
+
+def _is_descriptor(name):
+    """Whether a name is that of an open descriptor, as the shell passes it for `<(command)`: a pipe is fine
+    there, for it has a writer.
+    """
+    directory, _, number = name.rpartition("/")
+    is_of_process = directory.startswith("/proc/") and directory.endswith("/fd")
+    return name == "/dev/stdin" or number.isdigit() and (is_of_process or directory == "/dev/fd")
 
 
 # ---- writing -----------------------------------------------------------------------------------------------

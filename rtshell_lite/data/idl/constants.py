@@ -1,8 +1,5 @@
 """Constant expressions of IDL (CORBA 3.0, 3.10.2): numbers, texts and items of enums."""
 
-import operator
-import re
-
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
     BOOLEAN,
@@ -16,10 +13,10 @@ from rtshell_lite.giop.descriptors import (
     WSTRING,
     kind,
 )
-from rtshell_lite.data.idl import tokens
+from rtshell_lite.data.idl import scanner
 from rtshell_lite.text import literal
 
-_ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{1,2})|.)", re.DOTALL)
+_ESCAPE = r"\\(?:x([0-9a-fA-F]{1,2})|.)"
 DEEPEST = 50  # brackets within brackets
 WIDEST = 128  # bits of an intermediate number
 LEVELS = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
@@ -73,14 +70,14 @@ def _quotient(a, b):
 
 
 OPERATORS = {
-    "|": operator.or_,
-    "^": operator.xor,
-    "&": operator.and_,
-    "<<": _shift(operator.lshift),
-    ">>": _shift(operator.rshift),
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
+    "|": lambda a, b: a | b,
+    "^": lambda a, b: a ^ b,
+    "&": lambda a, b: a & b,
+    "<<": _shift(lambda a, b: a << b),
+    ">>": _shift(lambda a, b: a >> b),
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
     "/": _quotient,
     "%": lambda a, b: a - b * _quotient(a, b),
 }
@@ -136,11 +133,11 @@ def _literal(parser):
 
 def _number(parser, token):
     word = token.word
-    if len(word) > tokens.LONGEST_NUMBER:
+    if len(word) > scanner.LONGEST_NUMBER:
         raise parser.fault("too long a number", token)
     try:
-        if tokens.is_whole(word):
-            return tokens.whole(word)
+        if scanner.is_whole(word):
+            return scanner.whole(word)
         return float(word.rstrip("dD"))
     except ValueError:
         raise parser.fault(f"not a number: {word}", token)
@@ -153,9 +150,18 @@ def text(parser, token):
     else:
         word = token.word
     try:
-        return literal(_ESCAPE.sub(_python_escape, word))
+        return literal(_of_python(word))
     except ValueError as e:
         raise parser.fault(str(e), token)
+
+
+def _of_python(word):
+    """A literal with escapes of C as Python spells it."""
+    if "\\" not in word:
+        return word
+    import re  # few have an escape, and it takes long
+
+    return re.sub(_ESCAPE, _python_escape, word, flags=re.DOTALL)
 
 
 def _python_escape(match):

@@ -1,7 +1,5 @@
 """The grammar of IDL (CORBA 3.0, 3.4), from tokens to descriptors and interfaces."""
 
-import re
-
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ALIAS
@@ -11,8 +9,6 @@ from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scop
 from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
-_PRAGMA = r"(prefix|ID|version)\s+(.*)"
-_QUOTED = r'"([^"]*)"\s*\Z'
 
 
 def parse_file(path, include=()):
@@ -135,32 +131,31 @@ class Parser:
             self.scope.prefix = self.prefixes.pop()
 
     def _pragma(self, token):
-        found = re.match(_PRAGMA, token.word, re.DOTALL)
-        if found is None:
+        words = token.word.split(None, 1)
+        if len(words) < 2 or words[0] not in ("prefix", "ID", "version"):
             return  # keylist and others, for other tools
-        name, rest = found.groups()
+        name, rest = words
         if name == "prefix":
-            quoted = re.match(_QUOTED, rest)
-            if quoted is None:
+            prefix = _unquoted(rest)
+            if prefix is None:
                 raise self.fault("#pragma prefix needs a text in quotes", token)
-            self.scope.prefix = quoted.group(1)
+            self.scope.prefix = prefix
             return
-        word, _, value = rest.strip().partition(" ")
-        quoted = re.match(_QUOTED, value.strip())
-        if (
-            name == "ID"
-            and quoted is None
-            or name == "version"
-            and not re.match(r"\d+\.\d+\Z", value.strip())
-        ):
+        word, _, value = rest.partition(" ")
+        self._of_type(name, word, value.strip(), token)
+
+    def _of_type(self, name, word, value, token):
+        """The pragma ID or version of a type that is declared."""
+        repository_id = _unquoted(value)
+        if name == "ID" and repository_id is None or name == "version" and not _is_version(value):
             raise self.fault(f"#pragma {name} cannot be read", token)
         entry = self._of_pragma(word)
         if entry is None:
             raise self.fault(f"#pragma {name}: not declared: {printable(word)}", token)
         if name == "ID":
-            self._rename(entry, quoted.group(1))
+            self._rename(entry, repository_id)
         elif entry.type_id:
-            self._rename(entry, entry.type_id.rpartition(":")[0] + ":" + value.strip())
+            self._rename(entry, entry.type_id.rpartition(":")[0] + ":" + value)
 
     def _of_pragma(self, name):
         parts = [part for part in name.split("::") if part]
@@ -503,3 +498,17 @@ class Parser:
         return self.weigh(
             descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights)
         )
+
+
+def _unquoted(word):
+    """What is between the quotes of a word, None where it has none."""
+    parts = word.split('"')
+    if len(parts) != 3 or parts[0] or parts[2]:
+        return None
+    return parts[1]
+
+
+def _is_version(word):
+    """Whether a word is a version of a type, as 1.0."""
+    major, _, minor = word.partition(".")
+    return major.isdigit() and minor.isdigit()

@@ -1,46 +1,19 @@
 """IDL text as tokens, preprocessed, without comments."""
 
 import os
-import re
 
 from rtshell_lite import errors, files
+from rtshell_lite.data.idl import conditions, scanner
 from rtshell_lite.giop import idl
-from rtshell_lite.text import printable
+from rtshell_lite.text import is_identifier, printable
 
 LARGEST = 1 << 22  # bytes of a file
-LONGEST_NUMBER = 100  # characters: long ones take quadratic time
 MOST_TOKENS = 200000
 MOST_FILES = 1000
-DEEPEST = 40  # files within files, conditions within conditions
+DEEPEST = conditions.DEEPEST  # files within files
 MACRO = 1000  # tokens that a macro may grow to
 OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # built into every ORB
-
-_TOKEN = re.compile(
-    r"""
-    (?P<space>[ \t\r\f\v\n\x1a]+|\\\r?\n)
-  | (?P<comment>//[^\n]*|/\*.*?\*/)
-  | (?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)
-  | (?P<string>L?"(?:[^"\\\n]|\\.)*")
-  | (?P<char>L?'(?:[^'\\\n]|\\[^\n])[^'\n]{0,8}')
-  | (?P<number>(?:0[xX][0-9a-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[dD]?)(?![A-Za-z0-9_.]))
-  | (?P<name>[A-Za-z_][A-Za-z0-9_]*)
-  | (?P<mark>::|<<|>>|/(?!\*)|[][(){}<>,;:=+\-*%|&^~])""",
-    re.VERBOSE | re.DOTALL,
-)
-# what few files need is compiled when one does
-_SKIPPED = (
-    r"(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<directive>\#(?:\\\r?\n|/\*.*?\*/|(?!/[/*])[^\n])*)|"
-    r"(?P<string>\"(?:[^\"\\\n]|\\.)*\")|(?P<other>\s+|(?!/\*)\S)"
-)
-_COMMENT = r"/\*.*?\*/|\\\r?\n"
-_DIRECTIVE = r"#\s*([A-Za-z]*)\s*(.*)"
-_NAME = r"[A-Za-z_][A-Za-z0-9_]*"
-_PARAMETERS = r"\(\s*(?:[A-Za-z_]\w*\s*(?:,\s*[A-Za-z_]\w*\s*)*)?\)"
-_CONDITION = (
-    r"\s*(?:(defined)\s*(?:\(\s*([A-Za-z_]\w*)\s*\)|([A-Za-z_]\w*))|([A-Za-z_]\w*)|"
-    r"(0[xX][0-9a-fA-F]+|\d+)[uUlL]*|"
-    r"(&&|\|\||==|!=|<=|>=|[!()<>+-]))"
-)
+CLOSING = {'"': '"', "<": ">"}  # of the name of a file
 
 
 class Macro:
@@ -139,67 +112,66 @@ class _File:
         self.at = 0
         self.line = 1
         self.line_start = 0
-        self.conditions = []  # for each open #if: [taken now, taken once, line, #else seen]
+        self.conditions = []  # a conditions.Open for each #if around this place
 
     def fault(self, why):
         return errors.BadIdl(printable(self.path), self.line, self.at - self.line_start + 1, why)
 
     def scan(self):
-        # fresh: only blanks on this line so far
-        found = self.source.found
-        fresh = True
+        """Add the tokens of the file to those of the source. Raises BadIdl, errors.Failed."""
+        fresh = True  # only blanks on this line so far
         while self.at < len(self.text):
-            active = not self.conditions or all(condition[0] for condition in self.conditions)
-            match = (_TOKEN if active else re.compile(_SKIPPED, re.DOTALL)).match(self.text, self.at)
-            if match is None:
+            active = not self.conditions or self.conditions[-1].is_taken
+            read = scanner.piece
+            if not active:
+                read = scanner.skipped
+            kind, end = read(self.text, self.at)
+            if kind is None:
                 raise self.fault(self._unreadable())
-            kind = match.lastgroup
-            if kind == "space" and "\n" not in match.group():  # every second one is
-                self.at = match.end()
-                continue
-            word = match.group()
             if kind == "directive" and fresh:
-                self._directive(re.sub(_COMMENT, " ", word, flags=re.DOTALL), active)
+                self._directive(scanner.one_line(self.text[self.at : end]), active)
             elif kind == "directive" and active:
                 raise self.fault("a # within a line")
             elif active and kind not in ("space", "comment"):
-                end = self._token(
-                    Token(kind, word, self.path, self.line, self.at - self.line_start + 1), match.end()
-                )
-                word = self.text[self.at : end]
+                end = self._token(kind, end)
+            if kind not in ("space", "comment", "directive"):
                 fresh = False
-            if kind not in ("space", "comment", "directive") and word.strip():
-                fresh = False
-            lines = word.count("\n")
-            if lines:
-                self.line += lines
-                self.line_start = self.at + word.rindex("\n") + 1
-                fresh = True
-            self.at += len(word)
-            if len(found) > MOST_TOKENS:
+            fresh = self._pass(end) or fresh
+            if len(self.source.found) > MOST_TOKENS:
                 raise self.fault("too long")
         if self.conditions:
-            raise errors.BadIdl(printable(self.path), self.conditions[-1][2], 1, "#if without #endif")
+            raise errors.BadIdl(printable(self.path), self.conditions[-1].line, 1, "#if without #endif")
+
+    def _pass(self, end):
+        """Go to where a piece ends; whether a new line begins in it."""
+        lines = self.text.count("\n", self.at, end)
+        if lines:
+            self.line += lines
+            self.line_start = self.text.rindex("\n", self.at, end) + 1
+        self.at = end
+        return lines > 0
 
     def _unreadable(self):
         rest = self.text[self.at : self.at + 2]
         if rest == "/*":
             return "a comment without its end"
-        if rest[0] in "\"'":
+        if rest.lstrip("L")[:1] in ("'", '"'):
             return "a string or character without its end"
         return "cannot be read: " + printable(self.text[self.at : self.at + 12].split("\n")[0])
 
-    def _token(self, token, end):
-        """Add a token that ends at `end`, or the expansion of the macro of its name; returns where
+    def _token(self, kind, end):
+        """Add the token that begins here and ends at `end`, or the expansion of the macro of its name; where
         that ends.
         """
+        word = self.text[self.at : end]
+        token = Token(kind, word, self.path, self.line, self.at - self.line_start + 1)
         macro = None
-        if token.kind == "name":
-            macro = self.source.macros.get(token.word)
+        if kind == "name":
+            macro = self.source.macros.get(word)
         if macro is None:
             self.source.found.append(token)
             return end
-        words = [(token.kind, token.word, frozenset())]
+        words = [(kind, word, frozenset())]
         if macro.parameters is not None:
             arguments, end = self._arguments(end)
             words += [part + (frozenset(),) for part in arguments]
@@ -212,19 +184,16 @@ class _File:
         """
         found = []
         depth = 0
-        start = at
-        while True:
-            match = _TOKEN.match(self.text, at)
-            if match is None or match.lastgroup == "directive" or len(found) > MACRO:
-                raise self.fault("the parameters of a macro that cannot be read")
-            if match.lastgroup not in ("space", "comment"):
-                found.append((match.lastgroup, match.group()))
-                depth += (match.group() == "(") - (match.group() == ")")
-                if found[0] != ("mark", "("):
-                    return [], start
-                if not depth:
-                    return found, match.end()
-            at = match.end()
+        for kind, word, end in scanner.words(self.text, at):
+            if kind in (None, "directive") or len(found) > MACRO:
+                break
+            found.append((kind, word))
+            depth += (word == "(") - (word == ")")
+            if found[0] != ("mark", "("):
+                return [], at
+            if not depth:
+                return found, end
+        raise self.fault("the parameters of a macro that cannot be read")
 
     def _expanded(self, words, token):
         """The tokens of words, (kind, word, names of the macros that it comes from) each, at the place of a
@@ -267,11 +236,12 @@ class _File:
         named = dict(zip(macro.parameters, given))
         return [part for each in body for part in named.get(each[1], [each])]
 
-    # ---- preprocessor lines ------- ------------------------------------------------------------------------
+    # ---- preprocessor lines ---------------------------------------------------------------------------------
 
     def _directive(self, line, active):
-        name, rest = re.match(_DIRECTIVE, line, re.DOTALL).groups()
-        rest = rest.strip()
+        line = line[1:].lstrip()
+        name = scanner.leading_name(line)
+        rest = line[len(name) :].strip()
         if name in ("if", "ifdef", "ifndef", "elif", "else", "endif"):
             self._condition(name, rest, active)
         elif active and name in ("include", "define", "undef", "pragma", "error"):
@@ -281,49 +251,53 @@ class _File:
 
     def _condition(self, name, rest, active):
         if name in ("if", "ifdef", "ifndef"):
-            holds = active and self._holds(name, rest)
-            self.conditions.append([holds, holds or not active, self.line, False])
+            is_taken = active and self._holds(name, rest)
+            self.conditions.append(conditions.Open(is_taken, is_taken or not active, self.line))
             if len(self.conditions) > DEEPEST:
                 raise self.fault("conditions within conditions too deep")
-        elif not self.conditions or self.conditions[-1][3] and name != "endif":
+            return
+        if not self.conditions or self.conditions[-1].has_else and name != "endif":
             raise self.fault(f"#{name} without #if")
-        elif name == "endif":
+        if name == "endif":
             self.conditions.pop()
-        else:
-            last = self.conditions[-1]
-            last[0] = not last[1] and (name == "else" or self._holds("if", rest))
-            last[1], last[3] = last[1] or last[0], name == "else"
+            return
+        last = self.conditions[-1]
+        last.is_taken = not last.is_decided and (name == "else" or self._holds("if", rest))
+        last.is_decided = last.is_decided or last.is_taken
+        last.has_else = name == "else"
 
     def _holds(self, name, rest):
         if name == "if":
-            return bool(_Condition(self, rest).value())
-        word = re.match(_NAME, rest)
-        if word is None:
+            try:
+                return bool(conditions.value(rest, self.source.macros))
+            except ValueError as e:
+                raise self.fault(str(e))
+        word = scanner.leading_name(rest)
+        if not word:
             raise self.fault(f"#{name} needs a name")
-        return (word.group() in self.source.macros) == (name == "ifdef")
+        return (word in self.source.macros) == (name == "ifdef")
 
     def _define(self, rest):
-        word = re.match(_NAME, rest)
-        if word is None:
+        name = scanner.leading_name(rest)
+        if not name:
             raise self.fault("#define needs a name")
-        body = rest[word.end() :]
+        body = rest[len(name) :]
         parameters = None
         if body[:1] == "(":
-            listed = re.match(_PARAMETERS, body, re.ASCII)
-            if listed is None:
-                raise self.fault(f"a macro that cannot be read: {word.group()}")
-            parameters = re.findall(_NAME, listed.group())
-            body = body[listed.end() :]
-        parts = []
-        at = 0
-        while at < len(body):
-            match = _TOKEN.match(body, at)
-            if match is None or match.lastgroup == "directive":
-                raise self.fault(f"a macro that cannot be read: {word.group()}")
-            if match.lastgroup not in ("space", "comment"):
-                parts.append((match.lastgroup, match.group()))
-            at = match.end()
-        self.source.macros[word.group()] = Macro(parameters, parts)
+            listed, bracket, body = body[1:].partition(")")
+            parameters = [word.strip() for word in listed.split(",") if listed.strip()]
+            if not bracket or not all(map(is_identifier, parameters)):
+                raise self.fault(f"a macro that cannot be read: {name}")
+        self.source.macros[name] = Macro(parameters, self._body_of(name, body))
+
+    def _body_of(self, name, body):
+        """The (kind, word) tokens of the body of a macro."""
+        found = []
+        for kind, word, _ in scanner.words(body, 0):
+            if kind in (None, "directive"):
+                raise self.fault(f"a macro that cannot be read: {name}")
+            found.append((kind, word))
+        return found
 
     def _undef(self, rest):
         self.source.macros.pop(rest, None)
@@ -335,12 +309,12 @@ class _File:
         self.source.found.append(Token("pragma", rest, self.path, self.line, self.at - self.line_start + 1))
 
     def _include(self, rest):
-        match = re.match(r'"([^"]+)"|<([^>]+)>', rest)
-        if match is None:
+        closing = CLOSING.get(rest[:1], "\n")
+        name, closed, _ = rest[1:].partition(closing)
+        if not closed or not name:
             raise self.fault("#include needs a file")
-        name = match.group(1) or match.group(2)
         own = os.path.basename(name)
-        path = self._included(name, match.group(1) is not None)
+        path = self._included(name, closing == '"')
         if path is None and own in idl.FILES:
             self.source.found.append(Token("own", own, self.path, self.line, 1))
             return
@@ -358,118 +332,3 @@ class _File:
         """The path of a file to include: beside this one, or in the directories given; or None."""
         places = [os.path.dirname(self.path)] * beside + self.source.include
         return next(filter(os.path.isfile, (os.path.join(place, name) for place in places)), None)
-
-
-class _Condition:
-    """The expression of an #if: numbers, defined(NAME), ! && || comparisons and brackets."""
-
-    def __init__(self, file, text):
-        self.file = file
-        self.words = []
-        at = 0
-        while text[at:].strip():
-            match = re.compile(_CONDITION, re.ASCII).match(text, at)
-            if match is None or len(self.words) > 200:
-                raise file.fault(f"a condition that cannot be read: #if {printable(text[:60])}")
-            self.words.append(self._meant(*match.groups()))
-            at = match.end()
-        self.words.reverse()
-
-    def _meant(self, _, bracketed, bare, name, number, mark):
-        """The meaning of a word of the condition: a mark, or a number."""
-        macros = self.file.source.macros
-        if mark:
-            return mark
-        if bracketed or bare:
-            return int((bracketed or bare) in macros)
-        try:
-            if number:
-                return whole(number)
-            return _of_macro(macros.get(name))
-        except ValueError as e:
-            raise self.file.fault(f"a condition that cannot be read: {e}")
-
-    def value(self):
-        value = self._either(0)
-        if self.words:
-            raise self.file.fault("a condition that cannot be read")
-        return value
-
-    def _next(self, *marks):
-        if self.words and self.words[-1] in marks and isinstance(self.words[-1], str):
-            return self.words.pop()
-        return None
-
-    def _either(self, depth):
-        value = self._both(depth)
-        while self._next("||"):
-            value = int(bool(self._both(depth)) or bool(value))
-        return value
-
-    def _both(self, depth):
-        value = self._comparison(depth)
-        while self._next("&&"):
-            value = int(bool(self._comparison(depth)) and bool(value))
-        return value
-
-    def _comparison(self, depth):
-        value = self._one(depth)
-        mark = self._next("==", "!=", "<=", ">=", "<", ">")
-        if mark is None:
-            return value
-        other = self._one(depth)
-        return int(
-            {
-                "==": value == other,
-                "!=": value != other,
-                "<=": value <= other,
-                ">=": value >= other,
-                "<": value < other,
-                ">": value > other,
-            }[mark]
-        )
-
-    def _one(self, depth):
-        if depth > DEEPEST or not self.words:
-            raise self.file.fault("a condition that cannot be read")
-        mark = self._next("!", "(", "-", "+")
-        if mark == "(":
-            found = self._either(depth + 1)
-            if not self._next(")"):
-                raise self.file.fault("a condition without its )")
-            return found
-        if mark:
-            found = self._one(depth + 1)
-            if mark == "!":
-                return int(not found)
-            if mark == "-":
-                return -found
-            return found
-        word = self.words.pop()
-        if isinstance(word, str):
-            raise self.file.fault("a condition that cannot be read")
-        return word
-
-
-def _of_macro(macro):
-    """The number that a macro means in a condition; 0, as in C, for anything else. Raises ValueError."""
-    word = "0"
-    if macro is not None and len(macro.body) == 1 and macro.body[0][0] == "number":
-        word = macro.body[0][1]
-    if is_whole(word):
-        return whole(word)
-    return 0
-
-
-def is_whole(word):
-    """Whether a word spells a whole number."""
-    return word[:2] in ("0x", "0X") or word.isdigit()
-
-
-def whole(word):
-    """The whole number that a word spells as in C: 10, 0x0a, 012. Raises ValueError."""
-    if len(word) > LONGEST_NUMBER:
-        raise ValueError("too long a number")
-    if word[:2] in ("0x", "0X"):
-        return int(word, 16)
-    return int(word, 8 if word[0] == "0" else 10)
