@@ -137,14 +137,6 @@ def text_in(known, key, default=""):
     return default
 
 
-def number_in(known, key, default):
-    """A number in a dict of JSON."""
-    value = known.get(key)
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
-        return value
-    return default
-
-
 def dicts_in(known, key):
     """The dicts of a list in a dict of JSON."""
     value = known.get(key)

@@ -5,7 +5,7 @@ import os
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import ports
 from rtshell_lite.text import printable, to_wire
 
 PROFILE = "RTC.ConnectorProfile"
@@ -97,16 +97,3 @@ async def _forget(port, where, connector_id):
         await orb.call(where, port.ref, "disconnect", to_wire(connector_id))
     except errors.Error:
         pass
-
-
-# ---- the component itself ----------------------------------------------------------------------------------
-
-
-async def is_inactive(node):
-    """Whether a component is in no context Active, and so serves none of its interfaces
-    (docs/protocol.md 7).
-    """
-    try:
-        return await component.state(node) != "Active"
-    except errors.Error:
-        return False

@@ -164,8 +164,8 @@ class Parser:
         else:
             found = None
         for part in parts[1:]:
-            if found and isinstance(found.what, Scope):
-                found = found.what.own(part)
+            if found and found.scope:
+                found = found.scope.own(part)
             else:
                 found = None
         return found
@@ -233,9 +233,9 @@ class Parser:
         self._same_case(found, written, start)
         while self.is_mark("::"):
             self.advance()
-            if not isinstance(found.what, Scope):
+            if found.scope is None:
                 raise self.fault(f"{written} holds no names", start)
-            found = found.what.own(self.plain())
+            found = found.scope.own(self.plain())
             written += "::" + self._last
             self._same_case(found, written, start)
         return found

@@ -21,7 +21,7 @@ class Entry:
     `what` is the Scope of a module or interface, the descriptor of a type or exception, the value of a
     constant, the item of an enum. `type_id` is its repository id or None; `token` is where it was declared.
     `hole`, a list of one element, is where descriptors look for a struct or union that has been announced: it
-    holds None until that is defined.
+    holds None until that is defined. `members` is the Scope of a struct, union or exception.
     """
 
     def __init__(self, name, sort, what=None, type_id=None, hole=None, token=None):
@@ -31,6 +31,14 @@ class Entry:
         self.type_id = type_id
         self.hole = hole
         self.token = token
+        self.members = None
+
+    @property
+    def scope(self):
+        """The Scope of the names in it; None where it holds none."""
+        if isinstance(self.what, Scope):
+            return self.what
+        return self.members
 
 
 class Scope:

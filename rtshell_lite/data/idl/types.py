@@ -189,6 +189,7 @@ def within(parser, entry, parse):
     """The result of parse() inside a scope of this name."""
     outer = parser.scope
     parser.scope = Scope(entry.name, outer, "/".join(filter(None, [outer.prefix, entry.name])))
+    entry.members = parser.scope
     try:
         return parse()
     finally:
