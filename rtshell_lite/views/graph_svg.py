@@ -115,17 +115,18 @@ def _name(picture, edge):
 
 def _path(start, end, way):
     """The path of a line from one port to another, by its way in a layout.Layout."""
-    x, y, side = start
-    to_x, to_y, to_side = end
-    if isinstance(way, layout.Detour):
-        return "M%d,%d H%d V%d H%d V%d H%d" % (x, y, way.x, way.lane, way.to_x, to_y, to_x)
+    x, y, _ = start
+    to_x, to_y, _ = end
     path = "M%d,%d" % (x, y)
+    if isinstance(way, layout.Detour):
+        for place, corner in enumerate(way.corners):
+            path += " %s%d" % ("HV"[place % 2], corner)
+        return path + " V%d H%d" % (to_y, to_x)
     for item in way:
-        path += _curve(x, y, side, item.x, item.middle, -1) + " H%d" % (item.x + item.width)
+        path += _curve(x, y, item.x, item.y) + " H%d" % (item.x + item.width)
         x = item.x + item.width
-        y = item.middle
-        side = 1
-    return path + _curve(x, y, side, to_x, to_y, to_side)
+        y = item.y
+    return path + _curve(x, y, to_x, to_y)
 
 
 def _line(path, service, name):
@@ -136,7 +137,7 @@ def _line(path, service, name):
     return f'<path d="{path}" fill="none" stroke="black" {looks}><title>{_escaped(name)}</title></path>'
 
 
-def _curve(x, y, side, to_x, to_y, to_side):
-    """A curve to a port that leaves and arrives horizontally."""
-    bend = max(layout.BESIDE // 2, abs(to_x - x) // 2)
-    return " C%d,%d %d,%d %d,%d" % (x + side * bend, y, to_x + to_side * bend, to_y, to_x, to_y)
+def _curve(x, y, to_x, to_y):
+    """A curve to the right that leaves and arrives horizontally."""
+    middle = (x + to_x) // 2
+    return " C%d,%d %d,%d %d,%d" % (middle, y, middle, to_y, to_x, to_y)

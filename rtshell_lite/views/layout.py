@@ -1,20 +1,23 @@
 """Where the boxes and lines of a picture are, for drawings in pixels.
 
 The layout is the usual one for such graphs (Sugiyama, Tagawa, Toda 1981): a column for each box by the
-longest way to it, places within a column by those of its neighbours so that few lines cross, and lanes below
-all boxes for lines that go back or far. Each step costs n log n.
+longest way to it, places within a column by those of its neighbours so that few lines cross. Columns follow
+one another in rows, as words do on a page. Lines that go back, far or to another row have lanes between the
+rows. Each step costs n log n.
 """
 
 import bisect
 import collections
-import heapq
+import itertools
+import math
 
 from rtshell_lite.views import graph
 
 # pixels
-BESIDE = 90  # between columns
+PAGE = (800, 600)  # width, height; a larger picture has the same proportions
+BESIDE = 70  # between columns
 BELOW = 24  # between boxes in a column
-PASSING = 10  # the same for lines that pass
+PASSING = 6  # the same for lines that pass
 MARGIN = 40
 LANE = 10  # between lines beside and below the boxes
 _FAR = 8  # columns; lines that cross more of them go below
@@ -23,20 +26,18 @@ _RELAX = 4  # times that columns are moved towards their neighbours
 
 
 class Item:
-    """A box, or a line that passes (`number` is None), in a column. x, y: its upper left corner."""
+    """A box, or a line that passes (`number` is None), in a column. x, y: its upper left corner; row: of the
+    column.
+    """
 
     def __init__(self, number=None, width=0, height=0):
         self.number = number
         self.width = width
         self.height = height
-        self.x = self.y = self.place = self.column = 0
+        self.x = self.y = self.place = self.column = self.row = 0
         # (Item in the column to the left or right, where on it, where on this one, from 0 to 1) of each line
         self.before = []
         self.after = []
-
-    @property
-    def middle(self):
-        return self.y + self.height / 2
 
     @property
     def space(self):
@@ -46,8 +47,23 @@ class Item:
         return BELOW
 
 
-# Where a line goes that passes below the boxes: x beside its source, y of its lane, x beside its target.
-Detour = collections.namedtuple("Detour", "x lane to_x")
+class Detour:
+    """Where a line goes that passes between the rows, or below the last one.
+
+    ends     (Item, y, 1 for the right side and -1 for the left) of its source and its target
+    lanes    the row below which it passes, or two of them: that near its source, that near its target
+    corners  x and y by turns: beside its source, of a lane (beside all rows, of the other lane), beside its
+             target
+    """
+
+    def __init__(self, ends):
+        self.ends = ends
+        (source, _, _), (target, _, _) = ends
+        self.lanes = [source.row - (target.row < source.row), target.row - (source.row < target.row)]
+        if self.lanes[0] == self.lanes[1]:
+            del self.lanes[1]
+        self.corners = [0] * (1 + 2 * len(self.lanes))
+
 
 # boxes: the Item of each box; ways: for each edge the Items that it passes, or its Detour; size of it all
 Layout = collections.namedtuple("Layout", "boxes ways width height")
@@ -60,82 +76,138 @@ def arrange(picture, sizes, port_of):
     port_of  a function of an Item and a port: (x, y, 1 for the right side and -1 for the left)
     """
     boxes = [Item(number, width, height) for number, (width, height) in enumerate(sizes)]
-    columns, ways = _columns(picture, boxes)
+    rank = {number: place for place, number in enumerate(graph.in_order(picture))}
+    scale = _scale(sizes)
+    columns = _columns(picture, boxes, rank, PAGE[1] * scale)
+    lines = sum(boxes[target].column != boxes[source].column + 1 for source, _, target, _, _ in picture.edges)
+    rows = _rows(columns, lines, PAGE[0] * scale)
+    ways = [_way(edge, picture, boxes, rank, columns) for edge in picture.edges]
     _sort(columns)
-    _put_below(columns)
-    detours = [place for place, way in enumerate(ways) if way is None]
-    edges = _put_beside(columns, _gaps(picture, boxes, detours, port_of, len(columns)))
-    bottom = max((item.y + item.height for item in boxes), default=0) + MARGIN // 2
-    turns = _turns(picture, boxes, detours, port_of, edges)
-    lanes = _lanes(turns)
-    for place in detours:
-        begin, end = turns[place]
-        ways[place] = Detour(begin, bottom + lanes[place] * LANE, end)
-    rights = [item.x + item.width for item in boxes]
-    for place in detours:
-        rights += [ways[place].x, ways[place].to_x]
-    height = bottom + len(set(lanes.values())) * LANE + MARGIN // 2
-    return Layout(boxes, ways, max(rights, default=0) + MARGIN, height)
+    for row in rows:
+        _put_below(row)
+    detours = _detours(picture, boxes, ways, port_of)
+    right = _put_outside(detours, _put_beside(rows, _turns(detours)))
+    return Layout(boxes, ways, right + MARGIN, _put_rows(rows, detours))
 
 
-# ---- columns -----------------------------------------------------------------------------------------------
+def _scale(sizes):
+    """How many times larger than PAGE all boxes and the space between them are, in width and in height."""
+    area = sum((width + BESIDE) * (height + BELOW) for width, height in sizes)
+    return max(1, (area / (PAGE[0] * PAGE[1])) ** 0.5)
 
 
-def _columns(picture, boxes):
-    """(columns, lists of Items; for each edge the Items that it passes, None for one that goes below)."""
-    order = graph.in_order(picture)
-    rank = {number: place for place, number in enumerate(order)}
+# ---- columns and rows --------------------------------------------------------------------------------------
+
+
+def _columns(picture, boxes, rank, tallest):
+    """Lists of Items: each after those from which data comes to it, where a column of this height has room.
+    What is not connected comes last.
+    """
     sources = collections.defaultdict(list)
     used = set()
     for source, _, target, _, _ in picture.edges:
         used.update((source, target))
         if rank[source] < rank[target]:
             sources[target].append(source)
-    for number in order:
-        boxes[number].column = max([boxes[source].column + 1 for source in sources[number]] or [0])
-    columns = [[] for _ in range(max([item.column for item in boxes] or [0]) + 1)]
-    for number in order:
+    columns = []
+    heights = []
+    free = {}  # the column that had room last, by the first one that an item may be in
+
+    def put(item, first):
+        place = free.get(first, first)
+        while place < len(columns) and heights[place] + item.height > tallest:
+            place += 1
+        free[first] = place
+        if place == len(columns):
+            columns.append([])
+            heights.append(0)
+        columns[place].append(item)
+        heights[place] += item.height + item.space
+        item.column = place
+
+    for number in rank:
         if number in used:
-            columns[boxes[number].column].append(boxes[number])
-    _distribute([boxes[number] for number in order if number not in used], columns)
-    return columns, [_way(edge, picture, boxes, rank, columns) for edge in picture.edges]
+            put(boxes[number], max([boxes[source].column + 1 for source in sources[number]] or [0]))
+    alone = [number for number in rank if number not in used]
+    while len(columns) < (len(alone) / 4) ** 0.5:
+        columns.append([])
+        heights.append(0)
+    for place, number in enumerate(alone):  # to all columns by turns
+        put(boxes[number], place % len(columns))
+    return columns
 
 
-def _distribute(items, columns):
-    """Put what is not connected where there is room: into the shortest column each."""
-    heights = [sum(item.height + item.space for item in column) for column in columns]
-    for item in items:
-        item.column = heights.index(min(heights))
-        columns[item.column].append(item)
-        heights[item.column] += item.height + item.space
+def _rows(columns, lines, width):
+    """Lists of columns that follow one another: as many as give this width, or the proportions of PAGE.
+
+    lines  how many will have a lane below a row, and a track on either side of a column, at most
+    """
+    if not columns:
+        return []
+    sizes = []
+    for items in columns:
+        wide = max(item.width for item in items) + BESIDE
+        sizes.append((wide, sum(item.height + item.space for item in items)))
+    total = sum(wide for wide, _ in sizes)
+    found = []
+    count = 0
+    while count < len(columns):
+        count += 1 + count // 10
+        # one row may be half a column wider than the others
+        starts, height = _breaks(sizes, total / count + total / len(columns) / 2)
+        wanted = max(width, (height + lines * LANE) * PAGE[0] / PAGE[1])
+        # that it is too wide is worse
+        wider = math.log((total + 2 * lines * LANE) / count / wanted)
+        found.append((max(2 * wider, -wider), count, starts))
+    _, _, starts = min(found)
+    rows = []
+    for row, (start, end) in enumerate(zip(starts, starts[1:] + [len(columns)])):
+        rows.append(columns[start:end])
+        for item in itertools.chain(*rows[row]):
+            item.row = row
+    return rows
+
+
+def _breaks(sizes, width):
+    """(the first column of each row, if rows are that wide; height of them all)."""
+    starts = []
+    height = x = tall = 0
+    for place, (wide, high) in enumerate(sizes):
+        if not starts or x + wide > width:
+            starts.append(place)
+            height += tall + MARGIN
+            x = tall = 0
+        x += wide
+        tall = max(tall, high)
+    return starts, height + tall
 
 
 def _way(edge, picture, boxes, rank, columns):
+    """The Items that a line passes; None if it goes between the rows."""
     source, out, target, into, _ = edge
     first, last = boxes[source].column, boxes[target].column
-    if rank[source] >= rank[target]:
+    if rank[source] >= rank[target] or last - first > _FAR:
         return None
-    if last - first > _FAR:
+    if boxes[source].row != boxes[target].row:
+        return None
+    rights, lefts = picture.boxes[source].right, picture.boxes[target].left
+    if out not in rights or into not in lefts:
         return None
     way = [Item() for _ in range(first + 1, last)]
     for column, passing in enumerate(way, first + 1):
         passing.column = column
         columns[column].append(passing)
     stops = [boxes[source]] + way + [boxes[target]]
-    at = (
-        [_row(picture.boxes[source].right, out)] + [0.5] * len(way) + [_row(picture.boxes[target].left, into)]
-    )
+    at = [_height(rights, out)] + [0.5] * len(way) + [_height(lefts, into)]
     for place in range(len(stops) - 1):
         stops[place].after.append((stops[place + 1], at[place + 1], at[place]))
         stops[place + 1].before.append((stops[place], at[place], at[place + 1]))
     return way
 
 
-def _row(ports, port):
+def _height(ports, port):
     """Where on a box, from 0 to 1, one of its ports is."""
-    if port in ports:
-        return (ports.index(port) + 1) / (len(ports) + 1)
-    return 0.5
+    return (ports.index(port) + 1) / (len(ports) + 1)
 
 
 # ---- the order within columns ------------------------------------------------------------------------------
@@ -209,7 +281,7 @@ def _mean(values, otherwise):
 
 
 def _put_below(columns):
-    """Set y of all Items: each beside its neighbours, as far as there is room."""
+    """Set y of all Items of a row, from 0 up: each beside its neighbours, as far as there is room."""
     for items in columns:
         _stack(items, [0] * len(items))
     for _ in range(_RELAX):
@@ -217,10 +289,10 @@ def _put_below(columns):
             _stack(items, [_wanted(item, item.before) for item in items])
         for items in reversed(columns[:-1]):
             _stack(items, [_wanted(item, item.after) for item in items])
-    top = min([item.y for items in columns for item in items] or [0])
+    top = min(item.y for items in columns for item in items)
     for items in columns:
         for item in items:
-            item.y += MARGIN - top
+            item.y -= top
 
 
 def _wanted(item, lines):
@@ -240,70 +312,87 @@ def _stack(items, wanted):
         item.y = int(item.y + shift)
 
 
-# ---- x -----------------------------------------------------------------------------------------------------
+# ---- lines between the rows --------------------------------------------------------------------------------
 
 
-def _gaps(picture, boxes, detours, port_of, columns):
-    """How many lines turn down in each gap: before the first column, between columns, after the last."""
-    turning = [0] * (columns + 1)
-    for place in detours:
-        source, out, target, into, _ = picture.edges[place]
-        for item, port in ((boxes[source], out), (boxes[target], into)):
-            turning[_gap(item, port_of(item, port)[2])] += 1
-    return turning
+def _detours(picture, boxes, ways, port_of):
+    """The Detours of the edges that pass no Items; they are put into `ways`."""
+    found = []
+    for place, (source, out, target, into, _) in enumerate(picture.edges):
+        if ways[place] is None:
+            ends = []
+            for item, port in ((boxes[source], out), (boxes[target], into)):
+                _, y, side = port_of(item, port)
+                ends.append((item, y, side))
+            ways[place] = Detour(ends)
+            found.append(ways[place])
+    return found
 
 
-def _gap(item, side):
-    """The gap on a side of a box: 1 is the right one, -1 the left one."""
-    if side > 0:
-        return item.column + 1
-    return item.column
-
-
-def _put_beside(columns, turning):
-    """Set x of all Items; gaps are wide enough for the lines that turn in them. Returns (x where it begins, x
-    where it ends) of each column.
+def _turns(detours):
+    """{(column, side): [(what sorts them, Detour, 0 at its source or 1 at its target)]} of lines that turn
+    there; the nearest comes first, so that few cross.
     """
-    x = MARGIN + turning[0] * LANE
-    edges = []
-    for items, turns in zip(columns, turning[1:]):
-        width = max([item.width for item in items] or [0])
-        for item in items:
-            item.x = x
-            if item.number is None:
+    turns = collections.defaultdict(list)
+    for number, detour in enumerate(detours):
+        for end, (item, y, side) in enumerate(detour.ends):
+            if detour.lanes[-end] < item.row:
+                order = (1, y, number, end)
+            else:
+                order = (0, -y, number, end)
+            turns[item.column, side].append((order, detour, end))
+    return {key: sorted(found, key=lambda turn: turn[0]) for key, found in turns.items()}
+
+
+def _put_beside(rows, turns):
+    """Set x of all Items, and where Detours turn, each on a track of its own; returns where all this ends."""
+    most = 0
+    for number, row in enumerate(rows):
+        x = MARGIN + LANE // 2 * (number % 2)  # rows that face each other have no track in common
+        for items in row:
+            before = turns.get((items[0].column, -1), ())
+            after = turns.get((items[0].column, 1), ())
+            x += len(before) * LANE
+            for track, (_, detour, end) in enumerate(before, 1):
+                detour.corners[-end] = x - track * LANE
+            width = math.ceil(max(item.width for item in items) / LANE) * LANE
+            for item in items:
+                item.x = x
                 item.width = width
-        edges.append((x, x + width))
-        x += width + BESIDE + turns * LANE
-    return edges
+            x += width
+            for track, (_, detour, end) in enumerate(after, 1):
+                detour.corners[-end] = x + track * LANE
+            x += len(after) * LANE
+            most = max(most, x)
+            x += BESIDE
+    return most
 
 
-def _turns(picture, boxes, detours, port_of, edges):
-    """{place of an edge that passes below: (x where it turns beside its source, and beside its target)}: each
-    on a track of its own.
-    """
-    turned = collections.Counter()
-    turns = {}
-    for place in detours:
-        source, out, target, into, _ = picture.edges[place]
-        both = []
-        for item, port in ((boxes[source], out), (boxes[target], into)):
-            side = port_of(item, port)[2]
-            turned[item.column, side] += 1
-            both.append(edges[item.column][side > 0] + side * turned[item.column, side] * LANE)
-        turns[place] = tuple(both)
-    return turns
+def _put_outside(detours, x):
+    """Set where Detours with two lanes change from one to the other, right of x; returns where this ends."""
+    for detour in sorted(detours, key=lambda detour: abs(detour.lanes[0] - detour.lanes[-1])):
+        if len(detour.lanes) > 1:
+            x += LANE
+            detour.corners[2] = x
+    return x
 
 
-def _lanes(turns):
-    """{place: number of its lane below the boxes}; lines that do not overlap may share one."""
-    lanes = {}
-    free = []  # (x from which it is free, number) of each lane
-    for place in sorted(turns, key=lambda place: (min(turns[place]), place)):
-        start, end = sorted(turns[place])
-        if free and free[0][0] < start:
-            lanes[place] = free[0][1]
-            heapq.heapreplace(free, (end + LANE, lanes[place]))
-        else:
-            lanes[place] = len(free)
-            heapq.heappush(free, (end + LANE, lanes[place]))
-    return lanes
+def _put_rows(rows, detours):
+    """Set y of all Items, rows below each other, and of lanes between them; returns the height of it all."""
+    lanes = [[] for _ in rows]
+    for number, detour in enumerate(detours):
+        for place, row in enumerate(detour.lanes):
+            length = abs(detour.corners[2 * place] - detour.corners[2 * place + 2])
+            lanes[row].append((length, number, 2 * place + 1))
+    y = MARGIN
+    for row, lanes_below in zip(rows, lanes):
+        bottom = y
+        for item in itertools.chain(*row):
+            item.y += y
+            bottom = max(bottom, item.y + item.height)
+        y = bottom + MARGIN // 2
+        for _, number, corner in sorted(lanes_below):  # the shortest first: fewer cross
+            detours[number].corners[corner] = y
+            y += LANE
+        y += MARGIN // 2
+    return y

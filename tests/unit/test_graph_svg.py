@@ -1,4 +1,5 @@
 """Systems as SVG: if this fails, boxes overlap, or lines do not connect their ports."""
+import collections
 import itertools
 import os
 import random
@@ -7,6 +8,7 @@ import time
 import unittest
 from xml.etree import ElementTree
 
+import large_robots
 import random_profiles
 import test_graph
 import test_xmlprofile
@@ -32,31 +34,49 @@ class Picture:
             (int(text.get("x")), int(text.get("y")), text.text or "") for text in root.findall(SVG + "text")
         }
         self.lines = []
-        self.turns = []
-        # (x, y); ("x" or "y", where, from, to) of straight lines beside and below the boxes
         self.points = []
+        # (x, y, x, y) of the parts of lines that turn at corners: between them; beside ports
         self.tracks = []
+        self.stubs = []
         for path in root.findall(SVG + "path"):
-            x, y = re.match(r"M(-?\d+),(-?\d+)", path.get("d")).groups()
-            around = re.search(r"V(-?\d+) H(-?\d+)\Z", path.get("d"))
-            if around:  # it turns beside the boxes
-                turns = re.match(
-                    r"M(-?\d+),-?\d+ H(-?\d+) V-?\d+ H(-?\d+) V-?\d+ H(-?\d+)\Z", path.get("d")
-                ).groups()
-                self.turns.append(tuple(map(int, turns)))
-                lane = int(re.search(r"V(-?\d+) ", path.get("d")).group(1))
-                self.points += [(int(turns[1]), lane), (int(turns[2]), lane)]
-                for turn, height in ((turns[1], y), (turns[2], around.group(1))):
-                    self.tracks.append(("x", int(turn), int(height), lane))
-                self.tracks.append(("y", lane) + tuple(sorted(map(int, turns[1:3]))))
-            else:
-                self.points += [(int(x), int(y)) for x, y in re.findall(r"(-?\d+),(-?\d+)", path.get("d"))]
-            end = (
-                (around.group(2), around.group(1))
-                if around
-                else re.search(r"(-?\d+),(-?\d+)\Z", path.get("d")).groups()
-            )
-            self.lines.append(((int(x), int(y)), tuple(map(int, end))))
+            corners = corners_of(path.get("d"))
+            self.points += corners
+            self.lines.append((corners[0], corners[-1]))
+            if "V" in path.get("d"):
+                parts = [one + other for one, other in zip(corners, corners[1:])]
+                self.tracks += parts[1:-1]
+                self.stubs += [parts[0], parts[-1]]
+
+
+def corners_of(path):
+    """[(x, y)] of the ends and the corners of a line, and of what bends it."""
+    x = y = None
+    found = []
+    for letter, words in re.findall(r"([MHVC])([-\d, ]+)", path):
+        numbers = [int(word) for word in re.findall(r"-?\d+", words)]
+        if letter == "H":
+            numbers = [numbers[0], y]
+        elif letter == "V":
+            numbers = [x, numbers[0]]
+        found += zip(numbers[::2], numbers[1::2])
+        x, y = found[-1]
+    return found
+
+
+def is_in(line, box):
+    """Whether a part of a straight line is inside a box."""
+    x, y, to_x, to_y = line
+    left, top, right, bottom = box
+    return min(x, to_x) < right and left < max(x, to_x) and min(y, to_y) < bottom and top < max(y, to_y)
+
+
+def chain(names):
+    """A profile of components that follow one another."""
+    pairs = zip(names, names[1:])
+    return model.RtsProfile(
+        components=[test_graph.component(name) for name in names],
+        data_port_connectors=[test_graph.data((one, "out"), (other, "in")) for one, other in pairs],
+    )
 
 
 class Svg(unittest.TestCase):
@@ -64,10 +84,8 @@ class Svg(unittest.TestCase):
         picture = Picture(found)
         self.assertEqual(len(picture.boxes), len(found.boxes))
         for one, other in itertools.combinations(picture.boxes, 2):
-            self.assertTrue(
-                one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1],
-                (one, other),
-            )
+            apart = one[2] <= other[0] or other[2] <= one[0] or one[3] <= other[1] or other[3] <= one[1]
+            self.assertTrue(apart, (one, other))
         for left, top, right, bottom in picture.boxes:
             self.assertTrue(0 <= left < right <= picture.size[0] and 0 <= top < bottom <= picture.size[1])
         self.assertEqual(len(picture.lines), len(found.edges))
@@ -76,16 +94,29 @@ class Svg(unittest.TestCase):
                 right = port in found.boxes[number].right
                 self.assertEqual(x, picture.boxes[number][2 if right else 0])
                 self.assertIn((x - 6 if right else x + 6, y + 5, graph_svg.printable(port)), picture.texts)
-        for left, turn, other_turn, right in picture.turns:
-            for end, beside in ((left, turn), (right, other_turn)):
-                self.assertTrue(layout.LANE <= abs(end - beside), (end, beside))
         for x, y in picture.points:
             self.assertTrue(0 <= x <= picture.size[0] and 0 <= y <= picture.size[1], (x, y))
-        for one, other in itertools.combinations(picture.tracks, 2):
-            if one[:2] == other[:2]:
-                self.assertTrue(one[3] < other[2] or other[3] < one[2], (one, other))
+        self.check_tracks(picture)
+        for x, _, to_x, _ in picture.stubs:
+            self.assertLessEqual(layout.LANE, abs(x - to_x))
         self.assertEqual(list(graph_svg.lines(found)), list(graph_svg.lines(found)))
         return picture
+
+    def check_tracks(self, picture):
+        """No two lines are on one track, and none is behind a box."""
+        tracks = collections.defaultdict(list)
+        for x, y, to_x, to_y in picture.tracks:
+            if x == to_x:
+                tracks["x", x].append(sorted((y, to_y)))
+            else:
+                tracks["y", y].append(sorted((x, to_x)))
+        for where, spans in tracks.items():
+            spans.sort()
+            for one, other in zip(spans, spans[1:]):
+                self.assertLess(one[1], other[0], (where, one, other))
+        for line in picture.tracks + picture.stubs:
+            crossed = [box for box in picture.boxes if is_in(line, box)]
+            self.assertEqual(crossed, [], line)
 
     def test_nothing(self):
         self.assertEqual(self.check(graph.of(model.RtsProfile())).boxes, [])
@@ -114,14 +145,52 @@ class Svg(unittest.TestCase):
         )
         self.assertEqual(graph.COLOURS["Unknown"], "lightgrey")
 
+    def test_columns_follow_one_another_in_rows(self):
+        """As words on a page do: from left to right, then below."""
+        found = self.check(graph.of(chain("abcdefghijklmnopqrst")))
+        places = [(top, left) for left, top, _, _ in found.boxes]
+        self.assertEqual(places, sorted(places))
+        rows = {top for top, _ in places}
+        self.assertEqual((len(rows), len(places)), (4, 20))
+
+    def test_proportions_of_a_page(self):
+        """From a chain to components that are not connected, large and small."""
+        for count in (20, 60, 200):
+            names = ["Component%d" % number for number in range(count)]
+            one_hub = model.RtsProfile(
+                components=[test_graph.component(name) for name in names],
+                data_port_connectors=[
+                    test_graph.data((name, "out"), (names[-1], "in")) for name in names[:-1]
+                ],
+            )
+            alone = model.RtsProfile(components=one_hub.components)
+            for profile in (chain(names), one_hub, alone, large_robots.profile(count)):
+                width, height = self.check(graph.of(profile)).size
+                self.assertTrue(0.5 <= width / height <= 2.5, (count, width, height))
+
+    def test_a_short_row_is_not_folded(self):
+        found = self.check(graph.of(chain("abc")))
+        self.assertEqual(len({top for _, top, _, _ in found.boxes}), 1)
+
+    def test_lines_to_other_rows(self):
+        """Each has one lane between rows that follow one another, else two, and passes beside all rows."""
+        names = "abcdefghijklmnopqrst"
+        profile = chain(names)
+        profile.data_port_connectors.append(test_graph.data(("a", "out"), ("t", "in")))
+        profile.data_port_connectors.append(test_graph.data(("t", "out"), ("b", "in")))
+        found = self.check(graph.of(profile))
+        right = max(box[2] for box in found.boxes)
+        outside = [track for track in found.tracks if track[0] == track[2] and track[0] > right + layout.LANE]
+        self.assertEqual(len(outside), 2)
+
     def test_random_ones(self):
         for seed in range(100):
             chance = random.Random(seed)
-            names = [str(number) for number in range(chance.randint(1, 9))]
+            names = [str(number) for number in range(chance.choice((1, 3, 9, 30)))]
             profile = model.RtsProfile(
                 components=[test_graph.component(name, chance.sample(names, 1)) for name in names]
             )
-            for _ in range(chance.randint(0, 12)):
+            for _ in range(chance.randint(0, 3 * len(names))):
                 ends = [
                     (chance.choice(names), "in%d" % chance.randint(1, 2)) for _ in range(chance.randint(1, 3))
                 ]

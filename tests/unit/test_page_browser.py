@@ -124,11 +124,39 @@ class Map(Pages):
                     (each) => each.x < 0 || each.y < 0 || each.x + each.width > width || each.y + each.height > height);
                 const over = boxes.filter((one, place) => boxes.some((other, at) => at > place && one.x < other.x + other.width &&
                     other.x < one.x + one.width && one.y < other.y + other.height && other.y < one.y + one.height));
-                return outside.length + over.length;
+                const lines = [...document.querySelectorAll('.line')].map((each) => each.getAttribute('d')).filter((each) => each.includes('V'));
+                const lanes = lines.map((each) => each.split(' ').slice(1, -2).filter((part) => part[0] === 'V')).reduce((a, b) => a.concat(b), []);
+                return outside.length + over.length + lanes.length - new Set(lanes).size;
                 })()"""),  # noqa: E501
                 0,
                 (name, kind),
             )
+
+    def test_first_view(self):
+        """All of a small system, or what is broken; in the proportions of the window."""
+        for name, phone in (("small", False), ("small", True), ("middle", False), ("large", False)):
+            width, height = (390, 760) if phone else (1200, 800)
+            shown = self.open(name, width=width, height=height)
+            wide, high, seen, broken = shown.run("""(() => {
+                const [map, svg] = [element("map").getBoundingClientRect(), picture.svg.getBoundingClientRect()];
+                const isIn = (each) => each.left >= map.left && each.top >= map.top && each.right <= map.right && each.bottom <= map.bottom;
+                const boxes = [...document.querySelectorAll(".box rect")].map((each) => isIn(each.getBoundingClientRect()));
+                const broken = isIn(document.querySelector(".box.broken rect").getBoundingClientRect());
+                return [svg.width / map.width, svg.height / map.height, boxes.every(Boolean), broken];
+                })()""")  # noqa: E501
+            self.assertTrue(broken, (name, width))
+            self.assertTrue(seen or name == "middle" and 0.4 < wide / high < 2.5, (name, width, wide, high))
+
+    def test_a_sheet_has_its_own_layout(self):
+        """It is as wide as the sheet, and the screen's is there again afterwards."""
+        shown = self.open("middle")
+        before = shown.run("[picture.width, picture.height]")
+        shown.run("window.sheets = []; addEventListener('beforeprint', "
+                  "() => sheets.push(picture.width / picture.height))")
+        shown.printed()
+        (proportion,) = shown.run("sheets")
+        self.assertTrue(1.2 < proportion < 2.4, proportion)
+        self.assertEqual(shown.run("[picture.width, picture.height]"), before)
 
     def test_open_and_fold(self):
         shown = self.open("middle")

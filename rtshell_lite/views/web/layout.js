@@ -4,39 +4,39 @@
 // A box has width, height, and the names of its ports, left and right; an edge source, target (numbers of boxes),
 // out, into (ports) and service. Data flows from left to right.
 
-const [BESIDE, BELOW, PASSING, MARGIN, LANE] = [90, 24, 10, 40, 10];
+const [BESIDE, BELOW, PASSING, MARGIN, LANE] = [70, 24, 6, 40, 10];
 const [FAR, SWEEPS, RELAX] = [8, 5, 4];
 
-// {items: where each box is, ways: for each edge the items that it passes, or its detour, width, height}
-function arrange(boxes, edges, portOf) {
+// {items: where each box is, ways: for each edge the items that it passes, or the corners of its detour, width, height}.
+// `page` is [width, height]; a larger picture has the same proportions.
+function arrange(boxes, edges, portOf, page) {
   const items = boxes.map((box, number) => newItem(number, box.width, box.height));
-  const columns = [];
-  const ways = makeColumns(boxes, edges, items, columns);
+  const area = sum(items.map((item) => (item.width + BESIDE) * (item.height + BELOW)));
+  const [wide, tall] = page.map((side) => side * Math.max(1, Math.sqrt(area / page[0] / page[1])));
+  const order = inOrder(boxes.length, edges).map((number, rank) => Object.assign(items[number], {rank}));
+  const columns = makeColumns(items, order, edges, tall);
+  const lines = edges.filter((edge) => items[edge.target].column !== items[edge.source].column + 1).length;
+  const rows = makeRows(columns, lines * LANE, wide, tall / wide);
+  const ways = edges.map((edge) => wayOf(edge, boxes, items, columns));
   sortColumns(columns);
-  putBelow(columns);
-  const detours = edges.filter((edge, place) => !ways[place]);
-  const sides = putBeside(columns, detours, items, portOf);
-  const bottom = Math.max(0, ...items.map((item) => item.y + item.height)) + MARGIN / 2;
-  const turns = makeTurns(detours, items, portOf, sides);
-  let width = Math.max(0, ...items.map((item) => item.x + item.width));
-  detours.forEach((edge, number) => {
-    const [x, toX] = turns.get(edge);
-    ways[edges.indexOf(edge)] = {x, lane: bottom + number * LANE, toX};
-    width = Math.max(width, x, toX);
-  });
-  return {items, ways, width: width + MARGIN, height: bottom + detours.length * LANE + MARGIN / 2};
+  rows.forEach(putBelow);
+  const turns = columns.map(() => ({"-1": [], "1": []}));
+  const detours = edges.map((edge, place) => ways[place] || newDetour(edge, items, portOf, turns)).filter((way) => way.corners);
+  const right = putOutside(detours, putBeside(rows, turns));
+  const height = putRows(rows, detours);
+  return {items, ways: ways.map((way) => way || detours.shift().corners), width: right + MARGIN, height};
 }
-
 function newItem(number, width, height) {
-  const space = number === null ? PASSING : BELOW;
-  return {number, width, height, space, x: 0, y: 0, place: 0, column: 0, before: [], after: []};
+  return {number, width, height, space: number === null ? PASSING : BELOW, x: 0, y: 0, rank: 0, place: 0, column: 0, row: 0, before: [], after: []};
 }
+const sum = (values) => values.reduce((total, value) => total + value, 0);
+const mean = (values, otherwise) => (values.length ? sum(values) / values.length : otherwise);
 
 // Numbers of the boxes, so that data flows downwards where it can.
 function inOrder(count, edges) {
   const below = Array.from({length: count}, () => new Set());
-  const left = new Array(count).fill(0);
   edges.filter((edge) => edge.source !== edge.target && !edge.service).forEach((edge) => below[edge.source].add(edge.target));
+  const left = below.map(() => 0);
   below.forEach((targets) => targets.forEach((target) => { left[target] += 1; }));
   const waiting = new Set(left.keys());
   const ready = Array.from(left.keys()).filter((number) => !left[number]).reverse();
@@ -53,45 +53,70 @@ function inOrder(count, edges) {
   return order;
 }
 
-function makeColumns(boxes, edges, items, columns) {
-  const order = inOrder(boxes.length, edges);
-  const rank = [];
-  order.forEach((number, place) => { rank[number] = place; });
-  const sources = boxes.map(() => []);
+function makeColumns(items, order, edges, tallest) {
+  const sources = items.map(() => []);
   const used = new Set();
-  for (const edge of edges) {
-    used.add(edge.source).add(edge.target);
-    if (rank[edge.source] < rank[edge.target]) sources[edge.target].push(edge.source);
+  for (const {source, target} of edges) {
+    used.add(items[source]).add(items[target]);
+    if (items[source].rank < items[target].rank) sources[target].push(items[source]);
   }
-  for (const number of order) {
-    for (const source of sources[number]) {
-      items[number].column = Math.max(items[number].column, items[source].column + 1);
-    }
-    while (columns.length <= items[number].column) columns.push([]);
-  }
-  for (const number of order.filter((each) => used.has(each))) columns[items[number].column].push(items[number]);
-  const alone = order.filter((each) => !used.has(each)); // one after the other into all columns
-  while (columns.length < Math.ceil(Math.sqrt(alone.length / 3))) columns.push([]);
-  alone.forEach((each, place) => {
-    items[each].column = place % columns.length;
-    columns[place % columns.length].push(items[each]);
-  });
-  return edges.map((edge) => wayOf(edge, boxes, items, rank, columns));
+  const [columns, heights] = [[], []];
+  const put = (item, first) => {
+    let place = first;
+    while (heights[place] + item.height > tallest) place += 1;
+    if (place === columns.length) columns[place] = [];
+    columns[place].push(item);
+    heights[place] = (heights[place] || 0) + item.height + item.space;
+    item.column = place;
+  };
+  order.filter((item) => used.has(item)).forEach((item) => put(item, Math.max(0, ...sources[item.number].map(({column}) => column + 1))));
+  const alone = order.filter((item) => !used.has(item));
+  while (columns.length < Math.sqrt(alone.length / 4)) heights[columns.push([]) - 1] = 0;
+  alone.forEach((item, place) => put(item, place % columns.length));
+  return columns;
 }
 
-function wayOf(edge, boxes, items, rank, columns) {
-  const first = items[edge.source].column;
-  const last = items[edge.target].column;
-  if (rank[edge.source] >= rank[edge.target] || last - first > FAR) return null;
-  const way = [];
-  for (let column = first + 1; column < last; column += 1) {
-    const passing = newItem(null, 0, 0);
-    passing.column = column;
-    columns[column].push(passing);
-    way.push(passing);
+// Lists of columns that follow one another: as many as give this width, or the proportions of the page.
+function makeRows(columns, lanes, width, proportion) {
+  const sizes = columns.map((items) => [Math.max(...items.map((item) => item.width)) + BESIDE, sum(items.map((item) => item.height + item.space))]);
+  const total = sum(sizes.map((size) => size[0]));
+  let [best, starts] = [Infinity, []];
+  for (let count = 1; count <= columns.length; count += 1 + Math.floor(count / 10)) {
+    const found = breaks(sizes, total / count + total / columns.length / 2); // one row may be half a column wider than the others
+    const wider = Math.log((total + 2 * lanes) / count / Math.max(width, (found.height + lanes) / proportion));
+    if (Math.max(2 * wider, -wider) < best) [best, starts] = [Math.max(2 * wider, -wider), found.starts];
   }
-  const stops = [items[edge.source], ...way, items[edge.target]];
-  const at = [rowOf(boxes[edge.source].right, edge.out), ...way.map(() => 0.5), rowOf(boxes[edge.target].left, edge.into)];
+  const rows = starts.map((start, place) => columns.slice(start, starts[place + 1]));
+  rows.forEach((row, place) => [].concat(...row).forEach((item) => { item.row = place; }));
+  return rows;
+}
+// The first column of each row, if rows are that wide, and the height of them all.
+function breaks(sizes, width) {
+  let [starts, height, x, tall] = [[], 0, Infinity, 0];
+  sizes.forEach(([wide, high], place) => {
+    if (x + wide > width) {
+      starts.push(place);
+      height += tall + MARGIN;
+      [x, tall] = [0, 0];
+    }
+    [x, tall] = [x + wide, Math.max(tall, high)];
+  });
+  return {starts, height: height + tall};
+}
+
+function wayOf(edge, boxes, items, columns) {
+  const [source, target] = [items[edge.source], items[edge.target]];
+  if (source.rank >= target.rank || source.row !== target.row || target.column - source.column > FAR) return null;
+  const [rights, lefts] = [boxes[edge.source].right, boxes[edge.target].left];
+  if (!rights.includes(edge.out) || !lefts.includes(edge.into)) return null;
+  const way = [];
+  for (let column = source.column + 1; column < target.column; column += 1) {
+    way.push(newItem(null, 0, 0));
+    columns[column].push(way[way.length - 1]);
+  }
+  const stops = [source, ...way, target];
+  const height = (ports, port) => (ports.indexOf(port) + 1) / (ports.length + 1); // where on a box, from 0 to 1
+  const at = [height(rights, edge.out), ...way.map(() => 0.5), height(lefts, edge.into)];
   for (let place = 0; place + 1 < stops.length; place += 1) {
     stops[place].after.push([stops[place + 1], at[place + 1], at[place]]);
     stops[place + 1].before.push([stops[place], at[place], at[place + 1]]);
@@ -99,26 +124,19 @@ function wayOf(edge, boxes, items, rank, columns) {
   return way;
 }
 
-// Where on a box, from 0 to 1, one of its ports is.
-const rowOf = (ports, port) => (ports.includes(port) ? (ports.indexOf(port) + 1) / (ports.length + 1) : 0.5);
-
 // Each box near its neighbours in the columns beside it: lines that would cross then mostly do not.
 function sortColumns(columns) {
-  columns.forEach(numberItems);
+  const number = (items) => items.forEach((item, place) => { item.place = place; });
+  const sort = (items, side) => {
+    for (const item of items) item.key = mean(item[side].map(([other, at]) => other.place + at), item.place);
+    number(items.sort((a, b) => a.key - b.key || a.place - b.place));
+  };
+  columns.forEach(number);
   for (let sweep = 0; sweep < SWEEPS; sweep += 1) {
-    columns.slice(1).forEach((items) => sortItems(items, "before"));
-    columns.slice(0, -1).reverse().forEach((items) => sortItems(items, "after"));
+    columns.slice(1).forEach((items) => sort(items, "before"));
+    columns.slice(0, -1).reverse().forEach((items) => sort(items, "after"));
   }
 }
-
-const numberItems = (items) => items.forEach((item, place) => { item.place = place; });
-
-function sortItems(items, side) {
-  for (const item of items) item.key = mean(item[side].map(([other, at]) => other.place + at), item.place);
-  numberItems(items.sort((a, b) => a.key - b.key || a.place - b.place));
-}
-
-const mean = (values, otherwise) => (values.length ? values.reduce((sum, value) => sum + value, 0) / values.length : otherwise);
 
 function putBelow(columns) {
   for (const items of columns) stack(items, items.map(() => 0));
@@ -126,13 +144,12 @@ function putBelow(columns) {
     columns.slice(1).forEach((items) => stack(items, items.map((item) => wantedY(item, item.before))));
     columns.slice(0, -1).reverse().forEach((items) => stack(items, items.map((item) => wantedY(item, item.after))));
   }
-  const top = Math.min(...columns.map((items) => items.reduce((least, item) => Math.min(least, item.y), Infinity)));
-  for (const items of columns) items.forEach((item) => { item.y += MARGIN - top; });
+  const items = [].concat(...columns);
+  const top = Math.min(...items.map((item) => item.y));
+  items.forEach((item) => { item.y -= top; });
 }
-
 // The y at which the lines of an item are straight, on the average.
 const wantedY = (item, lines) => mean(lines.map(([other, at, here]) => other.y + at * other.height - here * item.height), item.y);
-
 function stack(items, wanted) {
   let free = -Infinity;
   items.forEach((item, place) => {
@@ -143,37 +160,55 @@ function stack(items, wanted) {
   for (const item of items) item.y = Math.round(item.y + shift);
 }
 
-const bothEnds = (edge, items, portOf) => [[edge.source, edge.out], [edge.target, edge.into]].map(
-  ([number, port]) => ({item: items[number], side: portOf(items[number], port).side}));
-
-function putBeside(columns, detours, items, portOf) {
-  const turning = new Array(columns.length + 1).fill(0); // lines that turn before the first column, between columns, and after the last
-  for (const edge of detours) {
-    for (const {item, side} of bothEnds(edge, items, portOf)) turning[side > 0 ? item.column + 1 : item.column] += 1;
-  }
-  let x = MARGIN + turning[0] * LANE;
-  return columns.map((items, place) => {
-    const width = items.reduce((most, item) => Math.max(most, item.width), 0);
-    for (const item of items) {
-      item.x = x;
-      if (item.number === null) item.width = width;
-    }
-    const sides = [x, x + width];
-    x += width + BESIDE + turning[place + 1] * LANE;
-    return sides;
+// A line that passes between rows, or below the last one: see the class of that name in layout.py. It turns up or down
+// beside columns: `turns` has for each column, and each side of it, the lines that do so.
+function newDetour(edge, items, portOf, turns) {
+  const [from, to] = [items[edge.source].row, items[edge.target].row];
+  const lanes = [to < from ? from - 1 : from, from < to ? to - 1 : to];
+  if (lanes[0] === lanes[1]) lanes.pop();
+  const corners = new Array(1 + 2 * lanes.length).fill(0);
+  [[items[edge.source], edge.out, 0], [items[edge.target], edge.into, corners.length - 1]].forEach(([item, port, corner]) => {
+    const {y, side} = portOf(item, port);
+    const isUp = lanes[corner && lanes.length - 1] < item.row;
+    turns[item.column][side].push({order: isUp ? 1e9 + y : -y, put: (x) => { corners[corner] = x; }});
   });
+  return {lanes, corners};
 }
 
-// Where a line that passes below turns beside its source and its target: each on a track of its own.
-function makeTurns(detours, items, portOf, sides) {
-  const turned = new Map();
-  const turns = new Map();
-  for (const edge of detours) {
-    turns.set(edge, bothEnds(edge, items, portOf).map(({item, side}) => {
-      const key = item.column * side + side / 2;
-      turned.set(key, (turned.get(key) || 0) + 1);
-      return sides[item.column][side > 0 ? 1 : 0] + side * turned.get(key) * LANE;
-    }));
+// Set x of all items, and where lines turn beside them, those nearest that cross fewest; returns where the widest row ends.
+function putBeside(rows, turns) {
+  let column = 0;
+  return Math.max(0, ...rows.map((row, number) => row.reduce((left, items) => {
+    const [before, after] = [-1, 1].map((side) => turns[column][side].sort((a, b) => a.order - b.order));
+    const width = Math.ceil(Math.max(...items.map((item) => item.width)) / LANE) * LANE;
+    const x = left + before.length * LANE;
+    before.forEach(({put}, track) => put(x - (track + 1) * LANE));
+    after.forEach(({put}, track) => put(x + width + (track + 1) * LANE));
+    items.forEach((item) => Object.assign(item, {x, width}));
+    column += 1;
+    return x + width + after.length * LANE + BESIDE;
+  }, MARGIN + number % 2 * LANE / 2) - BESIDE)); // rows that face each other have no track in common
+}
+
+// Set where lines with two lanes change from one to the other, right of x; returns where that ends.
+function putOutside(detours, x) {
+  const far = detours.filter(({lanes}) => lanes.length > 1).sort((a, b) => Math.abs(a.lanes[0] - a.lanes[1]) - Math.abs(b.lanes[0] - b.lanes[1]));
+  far.forEach(({corners}, place) => { corners[2] = x + (place + 1) * LANE; });
+  return x + far.length * LANE;
+}
+
+// Set y of all items, rows below each other, and of lanes between them, the shortest first; returns the height of it all.
+function putRows(rows, detours) {
+  const found = rows.map(() => []);
+  for (const {lanes, corners} of detours) {
+    lanes.forEach((row, place) => found[row].push({length: Math.abs(corners[2 * place] - corners[2 * place + 2]),
+                                                   put: (y) => { corners[2 * place + 1] = y; }}));
   }
-  return turns;
+  return rows.reduce((top, row, place) => {
+    const items = [].concat(...row);
+    items.forEach((item) => { item.y += top; });
+    const bottom = Math.max(...items.map((item) => item.y + item.height)) + MARGIN / 2;
+    found[place].sort((a, b) => a.length - b.length).forEach(({put}, lane) => put(bottom + lane * LANE));
+    return bottom + found[place].length * LANE + MARGIN / 2;
+  }, MARGIN);
 }

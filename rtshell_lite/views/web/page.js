@@ -2,7 +2,7 @@
 const DEFAULTS = {path: null, state: null, missing: false, composite: null, parts: [], ports: [], why: ""};
 let [data, ALL, troubles, connectionsOf, texts] = []; // see load()
 const SVG = "http://www.w3.org/2000/svg";
-const SHAPES = new Set(["svg", "g", "rect", "text", "path", "defs", "marker", "circle", "title"]);
+const SHAPES = new Set(["svg", "g", "rect", "text", "path", "title"]);
 const SYMBOLS = {Active: "\u25cf", Inactive: "\u25cb", Error: "\u2716", Created: "\u25cc", Unknown: "?"};
 const [CELL, ROW] = [8.5, 20]; // pixels: a character, a line of text
 // characters of a name on the map, components in the list, sources that a group names (of more, the number)
@@ -37,19 +37,13 @@ function make(tag, attributes, ...children) {
     if (typeof value === "function") made.addEventListener(name, value);
     else if (value !== null) made.setAttribute(name, value);
   }
-  for (const child of children) made.appendChild(child instanceof Node ? child : document.createTextNode(child));
+  made.append(...children);
   return made;
 }
-
-function fill(parent, ...children) {
-  while (parent.firstChild) parent.removeChild(parent.firstChild);
-  for (const child of children) parent.appendChild(child);
-}
-
+const fill = (parent, ...children) => { parent.textContent = ""; parent.append(...children); };
 const button = (words, click, more) => make("button", Object.assign({type: "button", click}, more), words);
 
 // ---- which components, in which groups
-
 // These components and those that connections lead to, over as many as `hops` of them.
 function neighbours(numbers, hops, way) {
   const reached = new Set(numbers);
@@ -63,7 +57,6 @@ function neighbours(numbers, hops, way) {
   }
   return ALL.filter((number) => reached.has(number));
 }
-
 function shownNumbers() {
   if (view.around !== null) return neighbours([view.around], view.hops, view.way);
   return view.broken ? neighbours(ALL.filter(isBroken), 1, "both") : ALL;
@@ -89,7 +82,6 @@ function fold(numbers, kind, opened) {
   put(numbers, kind, "");
   return found;
 }
-
 function groupsOf(numbers, level) {
   const groups = new Map();
   for (const number of numbers) {
@@ -100,7 +92,6 @@ function groupsOf(numbers, level) {
   }
   return groups;
 }
-
 function finerKind(members, level) {
   const isUseful = (kind) => kind < level && groupsOf(members, kind).size > 1 && groupsOf(members, kind).size < members.length;
   return (members.length > data.most && [3, 2, 1].find(isUseful)) || 0;
@@ -149,7 +140,6 @@ function namePorts(edge, source, target, arriving) {
 }
 
 // ---- words on the map
-
 const boxName = (box) => (box.group ? box.group.name : data.boxes[box.members[0]].name);
 const short = (words) => (words.length > LONGEST ? `${words.slice(0, LONGEST - 1)}\u2026` : words);
 const portWords = (box, port) => short(port) + (box.labels.has(port) ? ` \u00d7${box.labels.get(port)}` : "");
@@ -174,7 +164,6 @@ function heads(box) {
                  composite === null ? "" : `in ${short(data.boxes[composite].name)}`].filter(Boolean).join("  ");
   return [short(boxName(box)), words].filter(Boolean);
 }
-
 function classOf(box) {
   const states = new Set(box.members.map((number) => data.boxes[number].state));
   const state = states.size === 1 ? Array.from(states)[0] : null;
@@ -182,8 +171,8 @@ function classOf(box) {
 }
 
 // ---- the map
-
-function draw() {
+// Draw it for a page of this width and height, in pixels.
+function draw(page = pageOfScreen()) {
   const numbers = shownNumbers();
   const {boxes} = picture = fold(numbers, view.kind === "auto" ? chooseKind(numbers) : data.kinds.indexOf(view.kind), view.opened);
   const edges = connect(picture);
@@ -199,9 +188,9 @@ function draw() {
     const row = box.heads.length + (side > 0 ? box.right : box.left).indexOf(port);
     return {x: item.x + (side > 0 ? item.width : 0), y: item.y + row * ROW + 15, side};
   };
-  const {items, ways, width, height} = arrange(boxes, edges, portOf);
+  const {items, ways, width, height} = arrange(boxes, edges, portOf, page);
   const svg = make("svg", {width: width * view.scale, height: height * view.scale, viewBox: `0 0 ${width} ${height}`,
-                           role: "group", "aria-label": "map of the system"}, arrows());
+                           role: "group", "aria-label": "map of the system"});
   Object.assign(picture, {edges, items, svg, width, height});
   edges.forEach((edge, place) => {
     const [from, to] = [edge.source, edge.target].map((number) => boxName(boxes[number]));
@@ -218,18 +207,10 @@ function draw() {
   showControls();
 }
 
-function arrows() {
-  const marker = (id, shape) => make("marker", {id, markerUnits: "userSpaceOnUse", markerWidth: 12, markerHeight: 12, refX: 10,
-                                                refY: 6, orient: "auto"}, shape);
-  return make("defs", {}, marker("arrow", make("path", {d: "M0,1 L11,6 L0,11 z", class: "tip"})),
-              marker("dot", make("circle", {cx: 6, cy: 6, r: 4, class: "tip"})));
-}
-
 function drawBox(box, item, portOf) {
   const connected = box.group ? "group" : plural(connectionsOf[box.members[0]].length, "connection");
-  const middle = {x: item.x + item.width / 2, "text-anchor": "middle"};
-  const lines = box.heads.map((words, row) => make("text", Object.assign({y: item.y + row * ROW + 19, class: row ? "" : "name"},
-                                                                         middle), words));
+  const lines = box.heads.map((words, row) => make("text", {x: item.x + item.width / 2, y: item.y + row * ROW + 19, "text-anchor": "middle",
+                                                            class: row ? "" : "name"}, words));
   for (const port of box.left.concat(box.right)) {
     const {x, y, side} = portOf(item, port);
     lines.push(make("text", {x: x - 7 * side, y: y + 5, "text-anchor": side > 0 ? "end" : "start"}, portWords(box, port)));
@@ -242,19 +223,15 @@ function drawBox(box, item, portOf) {
 }
 
 function pathOf(start, end, way) {
-  if (!Array.isArray(way)) return `M${start.x},${start.y} H${way.x} V${way.lane} H${way.toX} V${end.y} H${end.x}`;
-  let [path, from] = [`M${start.x},${start.y}`, start];
-  for (const item of way) {
-    const y = item.y + item.height / 2;
-    path += `${curve(from, {x: item.x, y, side: -1})} H${item.x + item.width}`;
-    from = {x: item.x + item.width, y, side: 1};
-  }
-  return path + curve(from, end);
-}
-
-function curve(from, to) {
-  const bend = Math.max(BESIDE / 2, Math.abs(to.x - from.x) / 2);
-  return ` C${from.x + from.side * bend},${from.y} ${to.x + to.side * bend},${to.y} ${to.x},${to.y}`;
+  let [begin, from] = [`M${start.x},${start.y}`, start];
+  if (typeof way[0] === "number") return [...way, end.y, end.x].reduce((path, corner, place) => `${path} ${"HV"[place % 2]}${corner}`, begin);
+  const curve = (to) => ` C${(from.x + to.x) / 2},${from.y} ${(from.x + to.x) / 2},${to.y} ${to.x},${to.y}`;
+  const path = way.map(({x, y, width}) => {
+    const line = `${curve({x, y})} H${x + width}`;
+    from = {x: x + width, y};
+    return line;
+  });
+  return begin + path.join("") + curve(end);
 }
 
 // Show which box is selected, which lines are its own, and what is searched for.
@@ -282,12 +259,13 @@ function zoom(scale) {
   ["width", "height"].forEach((side) => picture.svg.setAttribute(side, picture[side] * view.scale));
   lookAt(x, y);
 }
-
 function lookAt(x, y) {
   const map = element("map");
   map.scrollTo(x * view.scale - map.clientWidth / 2, y * view.scale - map.clientHeight / 2);
 }
 
+// What a map may be large, so that its text is read easily when all of it is seen.
+const pageOfScreen = () => [element("map").clientWidth, element("map").clientHeight].map((side) => Math.max(side, 300) / 0.8);
 // Zoom so that everything is seen, but not smaller than `least`.
 function fit(least) {
   const map = element("map");
@@ -295,27 +273,24 @@ function fit(least) {
 }
 
 // ---- what a person does
-
 // Draw with these changes of the view.
 function change(more) {
   Object.assign(view, more);
   draw();
   fit(0.65);
-  scrollToSelected();
+  lookAtSelected();
 }
-
-function scrollToSelected() {
-  const item = picture.items[picture.at.get(view.selected)];
+// Where the map is larger than the screen: at what is selected, or is broken.
+function lookAtSelected() {
+  const isWanted = (box) => (view.selected === null ? box.members.some(isBroken) : box.members.includes(view.selected));
+  const item = picture.items[picture.boxes.findIndex(isWanted)];
   if (item) lookAt(item.x + item.width / 2, item.y + item.height / 2);
 }
-
 const open = (key) => change({opened: new Set(view.opened).add(key)});
-
 function shut(key) {
   change({opened: new Set(Array.from(view.opened).filter((other) => other !== key))});
   choose(picture.boxes[picture.at.get(view.selected)]);
 }
-
 function choose(box) {
   if (!box.group) return select(box.members[0]);
   view.selected = box.members[0];
@@ -332,7 +307,7 @@ function select(number) {
     draw();
   }
   showComponent(number);
-  scrollToSelected();
+  lookAtSelected();
 }
 
 // Keys on a box: Enter shows or opens it, arrows go to the next one.
@@ -347,7 +322,6 @@ function pressed(event, box) {
 }
 
 // ---- the list
-
 function matches(number, wanted) {
   if (texts[number] === undefined) {
     const {name, path, state, groups, parts, ports} = data.boxes[number];
@@ -356,7 +330,6 @@ function matches(number, wanted) {
   }
   return wanted.toLowerCase().split(/\s+/).every((word) => texts[number].includes(JSON.stringify(word).slice(1, -1)));
 }
-
 function showList() {
   const wanted = element("search").value;
   const found = inListOrder(ALL.filter((number) => matches(number, wanted)));
@@ -365,7 +338,6 @@ function showList() {
   element("found").textContent = `${found.length} of ${plural(ALL.length, "component")}${more}`;
   return found;
 }
-
 // A button that selects a component.
 function componentButton(number, words) {
   const {name, state, path} = data.boxes[number];
@@ -374,7 +346,6 @@ function componentButton(number, words) {
 }
 
 // ---- details
-
 function showDetails(title, ...children) {
   fill(element("details"), button("\u00d7", clear, {class: "close", "aria-label": "close"}), make("h2", {}, title), ...children);
   element("details").scrollTop = 0;
@@ -382,7 +353,6 @@ function showDetails(title, ...children) {
   element("status").textContent = title;
   mark();
 }
-
 function clear() {
   view.selected = null;
   const size = `${plural(ALL.length, "component")}, ${plural(data.connections.length, "connection")}`;
@@ -392,15 +362,12 @@ function clear() {
   element("page").classList.remove("chosen");
   mark();
 }
-
 function showGroup(box) {
   const members = inListOrder(box.members).slice(0, LISTED).map((number) => make("li", {}, componentButton(number)));
   showDetails(box.group.name, make("p", {}, [plural(box.members.length, "component"), ...counts(box.members)].join(", ")),
               button("Open", () => open(box.group.key)), make("ul", {}, ...members));
 }
-
 const nowWords = ({state, why}) => [state, why].filter(Boolean).join(": ");
-
 function showComponent(number) {
   const {name, path, missing, parts, ports} = data.boxes[number];
   const groups = Array.from(picture.shown).filter(([, group]) => group.members.includes(number));
@@ -419,7 +386,6 @@ function showFindings(found) { // a remedy is a command line, or words
     "div", {class: `finding ${level}`}, make("p", {}, `${level}: `, box === null ? path : componentButton(box, path), ` ${message}`),
     /^(rt|unset )/.test(remedy) ? copied(remedy) : make("p", {}, remedy && `try: ${remedy}`)));
 }
-
 const folded = (heading, content, isOpen) => make("details", {open: isOpen ? "" : null}, make("summary", {}, heading), content);
 const table = (rows) => make("table", {}, ...rows.map(([name, value]) => make("tr", {}, make("th", {scope: "row"}, name),
                                                                             make("td", {}, value))));
@@ -435,15 +401,12 @@ function showConnection(connection, number) {
 }
 
 // ---- command lines
-
 const word = (words) => (/^[\w@%+=:,./-]+$/.test(words) ? words : `'${words.replace(/'/g, `'"'"'`)}'`); // for a shell
-
 function connectionCommands({ends}) {
   if (ends.length < 2 || ends.some(([number]) => !data.boxes[number].path)) return [];
   const ports = ends.map(([number, port]) => word(`${data.boxes[number].path}:${port}`)).join(" ");
   return [`rtdis ${ports}`, `rtcon ${ports}`];
 }
-
 function showCommands({path, state, ports}) {
   if (!path) return [];
   const changes = {Active: ["rtdeact"], Inactive: ["rtact"], Error: ["rtreset"]}[state] || ["rtact", "rtdeact", "rtreset"];
@@ -465,7 +428,6 @@ function copied(line) {
 }
 
 // ---- controls
-
 function showControls() {
   element("broken").checked = view.broken;
   ["kind", "hops", "way"].forEach((id) => { element(id).value = view[id]; });
@@ -491,6 +453,8 @@ function listen() {
     event.preventDefault();
     zoom(view.scale * Math.exp(-event.deltaY / 200));
   });
+  window.addEventListener("beforeprint", () => draw([1050, 620])); // a sheet of paper
+  window.addEventListener("afterprint", () => draw());
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") clear();
     if (event.key !== "/" || event.target.tagName === "INPUT") return;
@@ -517,5 +481,4 @@ function start() {
   showList();
   clear();
 }
-
 start();
