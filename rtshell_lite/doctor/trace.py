@@ -11,7 +11,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.data import clocks, reading, statistics
-from rtshell_lite.doctor import buffers
+from rtshell_lite.doctor import buffers, limits
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, places, ports, snapshot, tree
 
@@ -24,13 +24,17 @@ MANY = 20  # values from which on it is known whether a stage thins them
 LATE = 0.15  # seconds, beside CYCLES of its context, that a stage may take with a value
 CYCLES = 3
 LEAST = 0.5  # seconds that a component is waited for, and for which a port's silence means something
-SHORTEST = (
-    1 / 3
-)  # of the seconds asked for, in which all ports are measured, however long it took to find them
-LONGEST = 2  # times those seconds, in which they have to be found
+FOLLOWED = (
+    0.8  # of the seconds asked for, in which all ports are found; in the rest the last ones are measured
+)
+LONGEST = 2  # times those seconds, for which a wait for a processor is added to them
 UNANSWERED = "it has not answered in this time"
 BUSY = 4  # times what other stages take, before it is the one that is late
-MOST_SLOWER = 3  # times: what a busy host is allowed
+SILENT = 0.4  # of the time to find ports in, after which a component that does not answer is silent
+ANSWERS = 10  # times what others take for an answer, after which silence means something
+MOST_SLOWER = 3  # times what their contexts claim, which stages may take with a value
+SLOWED = 2  # times what this process would take on an idle machine, from which on the machine is busy
+MOST_THINNED = 5  # times as few values as usual are no fault on a busy machine, at most
 
 # (policy, what a buffer that is full does by it), the one that matters most first
 BUFFERS = (("block", "blocks"), ("do_nothing", "refuses"), ("", "replaces"))
@@ -38,9 +42,10 @@ FULL = "full"
 
 CERTAIN = "certain"
 PROBABLE = "probable"
+DOUBTFUL = "doubtful"  # a stage that does well would look the same, as this machine or others are slow
 
-# What is wrong at a Stage: in words; CERTAIN or PROBABLE; whether it is only that values are fewer or later,
-# which a busy host does to every stage.
+# What is wrong at a Stage: in words; CERTAIN, PROBABLE or DOUBTFUL; whether it is only that values are fewer
+# or later.
 Fault = collections.namedtuple("Fault", "words sure is_slight")
 
 # A connection from a Watch to the in port `port` of a Stage. `joined`: the in port knows of it, too.
@@ -48,8 +53,8 @@ Link = collections.namedtuple("Link", "watch stage port joined")
 
 
 # A component that does not answer, or is bound nowhere: its path, or that of the port `near` it; how many
-# connections it is away; why.
-Far = collections.namedtuple("Far", "where depth near why")
+# connections it is away; the errors.Error.
+Far = collections.namedtuple("Far", "where depth near error")
 
 
 class Watch:
@@ -64,7 +69,7 @@ class Watch:
         self.arrivals = collections.OrderedDict()  # by timestamp in ns: when its value came, ns since 1970
         self.failure = None  # the errors.Error why it could not be measured
         self.seconds = 0.0  # for which it was
-        self.until = 0  # when that ended, ns since 1970
+        self.begun = self.until = 0  # when that began and ended, ns since 1970
         self._is_stamped = clocks.is_stamped(port)
         self._last = None
 
@@ -101,6 +106,11 @@ class Watch:
             return self.count / self.seconds
         return 0.0
 
+    def came(self, begin, end):
+        """How many values came between two moments, in ns since 1970."""
+        width = self.counts.width
+        return sum(count for span, count in self.counts.spans.items() if begin <= span * width < end)
+
     @property
     def newest(self):
         """Seconds from the arrival of the newest value to the end, None if none came."""
@@ -128,7 +138,8 @@ class Stage:
         self.depth = depth  # connections from where the trace began
         self.error = errors.Silent(self.where, UNANSWERED)  # why it could not be asked
         self.state = None
-        self.contexts = []  # component.Contexts; None if unknown, as in a recording
+        self.contexts = None  # component.Contexts; None if unknown, as in a recording
+        self.answer = 0.0  # seconds that it took for an answer, in the mean
         self.watches = []
         self.services = []  # (port, far end), both as text
         self.delay = None  # seconds that values take from its in ports to its out ports
@@ -150,29 +161,40 @@ class Trace:
         self.silent = []  # Far ends that do not answer
         self.gap = None  # the path of the component to which no way leads
         self.is_cut = False  # whether there was no time to follow all connections
+        self.slower = 1.0  # times that all takes longer than on an idle machine; 1 where it is not busy
+        self._patience = 0.0  # seconds that an answer is waited for
         self._following = self._measuring = None  # loop.Groups
 
-    async def follow(self, start, seconds):
-        """Follow the connections from a ports.Port and measure, for `seconds` in all; for longer, where a
-        busy machine needs most of them to follow.
+    async def follow(self, start, to, seconds):
+        """Follow the connections from a ports.Port and measure, for `seconds` in all; with a Port `to`, keep
+        what leads there. A wait for a processor is added to the seconds.
         """
         now = session.current()
         patience = now.timeout
-        now.timeout = min(patience, max(LEAST, seconds / 3))  # to follow, and to find out who is silent
-        end = time.monotonic() + seconds
+        clock = _Clock(seconds)
+        following = max(FOLLOWED * seconds, 2 * LEAST)
+        # who is silent, and what that one waits for, is to be found out in the seconds
+        self._patience = now.timeout = min(patience, SILENT * following)
         try:
             async with loop.Group() as self._measuring:
-                async with loop.background(self._give_up(LONGEST * seconds)):
-                    async with loop.Group() as self._following:
-                        self._enter(tree.Node(start.node.path, "component", start.node.ref), 0, start)
-                await loop.sleep(max(seconds * SHORTEST, end - time.monotonic()))
+                await self._find(start, clock, following)
+                if to is not None:
+                    await self._limit(to, clock, following)
+                await clock.reach(max(seconds, clock.passed() + (1 - FOLLOWED) * seconds))
                 self._measuring.cancel()
         finally:
             now.timeout = patience
+            self.slower = _slowdown()
 
-    async def _give_up(self, seconds):
+    async def _find(self, start, clock, seconds):
+        """Follow all connections from a ports.Port, to the end or until `seconds` are over."""
+        async with loop.background(self._give_up(clock, seconds)):
+            async with loop.Group() as self._following:
+                self._enter(tree.Node(start.node.path, "component", start.node.ref), 0, start)
+
+    async def _give_up(self, clock, seconds):
         """Follow no further after some seconds."""
-        await loop.sleep(seconds)
+        await clock.reach(seconds)
         self.is_cut = True
         self._following.cancel()
 
@@ -187,23 +209,14 @@ class Trace:
         return self.stages.get(identity)
 
     async def _look(self, stage, only):
+        begun = time.monotonic()
         try:
-            found = await snapshot.of(
-                stage.node,
-                ports=snapshot.FULL,
-                owned=snapshot.RUNNING,
-                participating=snapshot.RUNNING,
-                states=snapshot.FULL,
-            )
+            listed = await _ports_of(stage.node)
         except errors.Error as e:
-            stage.error = e
-            if isinstance(e, errors.Silent):
-                await self.find_cause(stage)
+            self._fail(stage, e)
             return
         stage.error = None
-        stage.state = component.merged(found.states)
-        stage.contexts = found.contexts
-        listed = ports.in_system(found.ports)
+        stage.answer = (time.monotonic() - begun) / (1 + len(listed))
         outs = [port for port in listed if port.type == "DataOutPort"]
         ins = [port for port in listed if port.type == "DataInPort"]
         if only is not None and only.type == "DataOutPort":
@@ -214,18 +227,37 @@ class Trace:
             ins = [port for port in ins if port.name == only.name]
         for port in outs:
             self._watch(stage, port)
-        await self._show_services(stage, [port for port in listed if port.type == "CorbaPort"])
+        if self._measuring is not None:
+            services = [port for port in listed if port.type == "CorbaPort"]
+            self._following.start(self._look_closer(stage, services), stage.node.endpoint)
         if self.against:
             await self._go_on(stage, ins)
         else:
             await self._go_on(stage, outs)
+
+    async def _look_closer(self, stage, services):
+        """Learn what is not needed to go on."""
+        running = snapshot.RUNNING
+        try:
+            found = await snapshot.of(stage.node, owned=running, participating=running, states=snapshot.FULL)
+            stage.state = component.merged(found.states)
+            stage.contexts = found.contexts
+            await self._show_services(stage, services)
+        except errors.Error as e:
+            self._fail(stage, e)
+
+    def _fail(self, stage, error):
+        stage.error = error
+        if isinstance(error, errors.Silent) and self._measuring is not None:
+            self._measuring.start(self.find_cause(stage))
 
     def _watch(self, stage, port):
         if any(watch.port.name == port.name for watch in stage.watches):
             return
         watch = Watch(port)
         stage.watches.append(watch)
-        self._measuring.start(self._measure(watch), orb.endpoint(port.ref))
+        if self._measuring is not None:
+            self._measuring.start(self._measure(watch), orb.endpoint(port.ref))
 
     async def _measure(self, watch):
         """Take the values of a Watch until this task is cancelled."""
@@ -233,6 +265,7 @@ class Trace:
         try:
             async with reading.Reader(watch.port, watch.take, name="rtshell_lite") as reader:
                 begun = time.monotonic()
+                watch.begun = int(time.time() * 1e9)
                 watch.failure = None
                 try:
                     await loop.Wait()
@@ -264,14 +297,12 @@ class Trace:
     async def _join(self, stage, port, connector, end):
         if end.port is None:
             where = await self._bound_there(end.ref, port.node)
-            self.silent.append(
-                Far(where or ports.label(port), stage.depth + 1, ports.label(port), end.error.why)
-            )
+            self.silent.append(Far(where or ports.label(port), stage.depth + 1, ports.label(port), end.error))
             return
         if end.port.node is None:
-            why = f"{places.name(end)} is bound nowhere"
             where = ports.label(port)
-            self.silent.append(Far(where, stage.depth + 1, where, why))
+            error = errors.Failed(where, f"{places.name(end)} is bound nowhere")
+            self.silent.append(Far(where, stage.depth + 1, where, error))
             return
         far = self._enter(end.port.node, stage.depth + 1)
         if far is None:
@@ -293,14 +324,12 @@ class Trace:
         for node in await _bound(stage.node):
             if node.endpoint != stage.node.endpoint:
                 others.append(node)
-        silent = []
-        for node in await tree.check_alive(others):
-            if node.kind == "silent":
-                silent.append(node)
-        (itself,) = await tree.check_alive([stage.node])
+        *others, itself = await tree.check_alive(others + [stage.node])
+        silent = [node for node in others if node.kind == "silent"]
         if len(silent) == 1 and itself.kind != "silent":
             stage.error = errors.Silent(stage.where, f"it waits for {silent[0].path}, which does not answer")
-            self.silent.append(Far(str(silent[0].path), stage.depth, stage.where, "it does not answer"))
+            error = errors.Silent(str(silent[0].path), "it does not answer")
+            self.silent.append(Far(str(silent[0].path), stage.depth, stage.where, error))
 
     async def _bound_there(self, ref, near):
         """The path, as text, of the only component bound with the address of a reference, or the only one of
@@ -317,17 +346,22 @@ class Trace:
             return str(bound[0].path)
         return None
 
-    def limit(self, to, back):
-        """Keep what leads to a Port; `back` is the Trace from there against the data. Where no way leads
-        there, what has been found from both ends is kept, and the gap is a fault.
-        """
-        self.limit_to(str(to.node.path), back)
+    async def _limit(self, to, clock, seconds):
+        """`limit` to a Port; where no way leads there, the one from there is followed against the data."""
+        where = str(to.node.path)
+        back = Trace(against=True)
+        if not self.is_cut and not any(stage.where == where for stage in self.stages.values()):
+            await back._find(to, clock, seconds)
+        self.limit(where, back)
 
-    def limit_to(self, where, back):
-        """`limit`, by the path of the component."""
+    def limit(self, where, back):
+        """Keep what leads to the component with a path. Where no way leads there, all that has been found is
+        kept, and the gap to what `back` has found, the Trace from there against the data, is a fault.
+        """
         ends = [stage for stage in self.stages.values() if stage.where == where]
         if not ends:
-            self.gap = min(back.in_order(), key=lambda stage: -stage.depth).where
+            if back.stages:
+                self.gap = max(back.stages.values(), key=lambda stage: stage.depth).where
             return
         kept = set(ends)
         for _ in self.stages:
@@ -355,46 +389,64 @@ class Trace:
 
     def culprit(self):
         """(path of a component, Fault) of the first that does not pass values on, or of the first that does
-        so slowly; None if all do.
+        so slowly; None if all do; (None, Fault) where that is DOUBTFUL.
 
         What hangs or is dead explains why those around it seem to stop values.
         """
-        found = []
-        for stage, fault in self._faults():
-            if fault is not None:
-                found.append((stage, fault))
-        first = min(found, key=lambda each: each[1].is_slight, default=None)
-        if first is None and self.gap is not None:
-            sure = CERTAIN
-            if self.is_cut:
-                sure = PROBABLE
-            first = self.in_order()[-1], _fault(f"no connection leads on from it to {self.gap}", sure)
-        silent = self._silent()
-        if silent is None:
-            return first and (first[0].where, first[1])
-        if first is None or first[1].sure == PROBABLE or self._is_before(silent.depth, first[0].depth):
-            return silent.where, _fault(silent.why, _sure_of(silent))
-        return first and (first[0].where, first[1])
+        found = [(stage.where, fault, stage.depth) for stage, fault in self._faults() if fault is not None]
+        if not found and self.gap is not None:
+            last = self.in_order()[-1]
+            fault = _fault(f"no connection leads on from it to {self.gap}", CERTAIN)
+            found.append((last.where, fault, last.depth))
+        silences = list(self._silences())
+        first = min(_sure(found), key=lambda each: each[1].is_slight, default=None)
+        silent = min(_sure(silences), key=self._place, default=None)
+        if silent is not None:
+            if first is None or first[1].sure == PROBABLE or self._place(silent) < self._place(first):
+                first = silent
+        if first is not None:
+            return first[:2]
+        if found or silences or self.is_cut:
+            return None, _fault(self._why_doubtful(), DOUBTFUL)
+        return None
+
+    def _why_doubtful(self):
+        if self.slower > 1:
+            return f"this machine is too busy to tell: all takes {self.slower:.0f} times as long"
+        return "not all components answered in this time"
+
+    def _place(self, found):
+        """Where data comes first, as a number."""
+        if self.against:
+            return -found[2]
+        return found[2]
 
     def _faults(self):
         for stage in self.in_order():
             if stage.error is None:
                 yield stage, self._fault_at(stage)
 
-    def _silent(self):
-        """The Far that data reaches first, None if all answer."""
-        found = list(self.silent)
+    def _silences(self):
+        """(path, Fault, depth) of each component that does not answer."""
+        for far in self.silent:
+            if isinstance(far.error, errors.Unreachable):  # one that is bound nowhere may do well
+                yield far.where, _fault(far.error.why, self._how_sure(far.error)), far.depth
         for stage in self.stages.values():
             if stage.error is not None:
-                found.append(Far(stage.where, stage.depth, stage.where, stage.error.why))
-        if self.against:
-            return max(found, key=lambda far: far.depth, default=None)
-        return min(found, key=lambda far: far.depth, default=None)
+                yield stage.where, _fault(stage.error.why, self._how_sure(stage.error)), stage.depth
 
-    def _is_before(self, depth, other):
-        if self.against:
-            return depth > other
-        return depth < other
+    def _how_sure(self, error):
+        """How sure an errors.Error shows that something does not answer."""
+        if not isinstance(error, errors.Silent):
+            return CERTAIN
+        others = max((stage.answer for stage in self.stages.values()), default=0)
+        if others:
+            needed = ANSWERS * others
+        else:
+            needed = LEAST * self.slower
+        if error.why == UNANSWERED or self._patience < needed:
+            return DOUBTFUL
+        return CERTAIN
 
     def note_delays(self):
         """Set the `delay` of Stages."""
@@ -409,6 +461,8 @@ class Trace:
         if stage.contexts is None:
             return self._fault_of_values(stage, feeding)
         if not any(context.running for context in stage.contexts):
+            if any(context.running is None for context in stage.contexts):
+                return _fault("its execution context does not answer", PROBABLE)
             return _fault("its execution context is stopped", CERTAIN)
         if stage.state != "Active":
             return _fault(f"it is {stage.state}", CERTAIN)
@@ -421,24 +475,88 @@ class Trace:
 
     def _fault_of_values(self, stage, feeding):
         for watch in stage.watches:
-            fault = _fault_of(watch, [link.watch for link in feeding], self._slower())
+            fault = self._fault_of(watch, [link.watch for link in feeding], stage)
             if fault is not None:
                 return fault
-        if stage.delay is not None and stage.delay > self._latest(stage):
-            return _fault(f"values come out {stage.delay:.3g} s after they came in", PROBABLE, is_slight=True)
+        if stage.delay is None:
+            return None
+        late = _fault(f"values come out {stage.delay:.3g} s after they came in", PROBABLE, is_slight=True)
+        if stage.delay > self._latest(stage):
+            return late
+        if stage.delay > self._usual(stage):
+            return self._doubt(late)
         return None
 
-    def _latest(self, stage):
-        """Seconds that a Stage may take with a value: on a busy host all of them take longer."""
-        others = sorted(each.delay for each in self.stages.values() if each.delay is not None)
-        usual = others[len(others) // 2]
-        rate = stage.rate or max((watch.rate for watch in stage.watches), default=0) or 1
-        longest = self._slower() * (LATE + CYCLES / rate)
-        if others[1:]:
-            return max(longest, BUSY * usual)
-        return longest
+    def _fault_of(self, watch, feeding, stage):
+        """The Fault that the values of a Watch show beside those of the Watches `feeding` its Stage, or
+        None.
+        """
+        if watch.failure is not None:
+            fault = f"{watch.name} could not be measured: {watch.failure.why}"
+            return _fault(fault, self._how_sure(watch.failure))
+        fed = [each for each in feeding if each.count]
+        if not watch.count:
+            return self._silence_of(watch, feeding, stage)
+        disordered = watch.flow.total.disordered
+        if disordered and not any(each.flow.total.disordered for each in fed):
+            return _fault(f"{disordered} values of {watch.name} are older than the one before", CERTAIN)
+        if watch.count >= FEW and not watch.changes and any(each.changes for each in fed):
+            return _fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
+        return self._thinned(watch, fed)
 
-    def _slower(self):
+    def _silence_of(self, watch, feeding, stage):
+        """A Fault if values should have come from a Watch."""
+        if not feeding:
+            nothing = _fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", CERTAIN)
+            if watch.seconds >= LEAST * self.slower:
+                return nothing
+            return self._doubt(nothing) or nothing._replace(sure=PROBABLE)
+        for each in feeding:
+            fault = _fault(f"values come in ({each.rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
+            if each.came(watch.begun, watch.until - int(self._latest(stage) * 1e9)):
+                return fault
+            if each.came(watch.begun, watch.until - int(self._usual(stage) * 1e9)):
+                return self._doubt(fault)
+        return None
+
+    def _thinned(self, watch, fed):
+        """A Fault if fewer values come from a Watch than from each of those that feed its Stage."""
+        shares = []
+        for each in fed:
+            begin = max(watch.begun, each.begun)
+            came = each.came(begin, each.until)
+            if came >= MANY:
+                shares.append((watch.came(begin, watch.until) / came, each.rate))
+        share, rate = max(shares, default=(1, 0))
+        if share >= THINNED:
+            return None
+        fault = _fault(
+            f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE, is_slight=True
+        )
+        if share < THINNED / min(self.slower, MOST_THINNED):
+            return fault
+        return self._doubt(fault)
+
+    def _doubt(self, fault):
+        """A Fault that a busy machine may explain; None where it is not busy."""
+        if self.slower > 1:
+            return fault._replace(sure=DOUBTFUL)
+        return None
+
+    def _usual(self, stage):
+        """Seconds that a Stage may take with a value."""
+        rate = stage.rate or max((watch.rate for watch in stage.watches), default=0) or 1
+        return self._claimed() * (LATE + CYCLES / rate)
+
+    def _latest(self, stage):
+        """`_usual`, but on this machine now: where it is busy all of them take longer."""
+        usual = self._usual(stage)
+        others = [each.delay for each in self.stages.values() if each is not stage and each.delay is not None]
+        if others[1:]:
+            return max(usual, BUSY * sorted(others)[len(others) // 2])
+        return usual * self.slower
+
+    def _claimed(self):
         """How many times slower all stages are than their contexts claim, as far as the first values tell: 1
         to MOST_SLOWER.
         """
@@ -482,6 +600,19 @@ class Trace:
         return 0
 
 
+async def _ports_of(node):
+    """The Ports of a component, without connectors of tools. Raises the first errors.Error."""
+
+    async def ask(ref):
+        return await ports.port(node, ref)
+
+    listed = await loop.each(await ports.refs(node), ask)
+    for port in listed:
+        if isinstance(port, errors.Error):
+            raise port
+    return ports.in_system(listed)
+
+
 async def _bound(near):
     """Nodes of the components that are bound in the name server of a Node."""
     try:
@@ -496,41 +627,38 @@ def _fault(words, sure, is_slight=False):
     return Fault(words, sure, is_slight)
 
 
-def _sure_of(failure):
-    """How sure it is, by an errors.Error or a Far, that something does not answer."""
-    if failure.why == UNANSWERED:
-        return PROBABLE
-    return CERTAIN
+def _sure(found):
+    """Those of some (path, Fault, depth) that are not DOUBTFUL."""
+    return [each for each in found if each[1].sure != DOUBTFUL]
 
 
-def _fault_of(watch, feeding, slower):
-    """The Fault that the values of a Watch show beside those of the Watches `feeding` its component, or None;
-    `slower`: how busy the host is, see Trace._slower.
+def _slowdown():
+    """How many times longer all takes than on an idle machine, 1 where this one is not busy."""
+    slower = limits.slowdown()
+    if slower < SLOWED:
+        return 1.0
+    return slower
+
+
+class _Clock:
+    """Seconds from now on, without those for which this process waits for a processor: at most LONGEST times
+    the `seconds` of a trace.
     """
-    if watch.failure is not None:
-        return _fault(f"{watch.name} could not be measured: {watch.failure.why}", _sure_of(watch.failure))
-    fed = [each for each in feeding if each.count]
-    if not watch.count:
-        if not feeding:
-            if watch.seconds >= LEAST:
-                sure = CERTAIN
-            else:
-                sure = PROBABLE
-            return _fault(f"nothing was written to {watch.name} in {watch.seconds:.2g} s", sure)
-        if fed and (watch.seconds >= LEAST or watch.seconds * fed[0].rate >= FEW):
-            return _fault(f"values come in ({fed[0].rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
-        return None
-    disordered = watch.flow.total.disordered
-    if disordered and not any(each.flow.total.disordered for each in fed):
-        return _fault(f"{disordered} values of {watch.name} are older than the one before", CERTAIN)
-    if watch.count >= FEW and not watch.changes and any(each.changes for each in fed):
-        return _fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
-    rate = min([each.rate for each in fed if each.count >= MANY] or [0])
-    if watch.count > 1 and watch.rate < THINNED / min(slower, 2) * rate:
-        return _fault(
-            f"{rate:.3g} Hz come in, {watch.rate:.3g} Hz go out of {watch.name}", PROBABLE, is_slight=True
-        )
-    return None
+
+    def __init__(self, seconds):
+        self._begun = time.monotonic()
+        self._starved = limits.starved()
+        self._longest = LONGEST * seconds
+
+    def passed(self):
+        """How many have passed."""
+        waited = min(limits.starved() - self._starved, self._longest)
+        return time.monotonic() - self._begun - waited
+
+    async def reach(self, seconds):
+        """Wait until so many have passed."""
+        while self.passed() < seconds:
+            await loop.sleep(seconds - self.passed())
 
 
 async def of_silent(where, error):
@@ -548,11 +676,6 @@ async def between(start, to, against, seconds):
     `to`, only the ways that lead there.
     """
     trace = Trace(against)
-    if to is None:
-        await trace.follow(start, seconds)
-    else:
-        back = Trace(against=True)
-        await loop.each([(trace, start), (back, to)], lambda pair: pair[0].follow(pair[1], seconds))
-        trace.limit(to, back)
+    await trace.follow(start, to, seconds)
     trace.note_delays()
     return trace

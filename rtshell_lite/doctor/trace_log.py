@@ -21,11 +21,10 @@ def recorded(log, start, to=None, against=False, seconds=None):
     _follow(made, start, links, channels)
     for stage in made.stages.values():
         stage.error = None
-        stage.contexts = None
     if to is not None:
         back = trace.Trace(against=True)
         _follow(back, to, links, {})
-        made.limit_to(str(to.object()), back)
+        made.limit(str(to.object()), back)
     _measure(made, log, channels, seconds)
     made.note_delays()
     return made
@@ -147,3 +146,4 @@ def _measure(made, log, channels, seconds):
     for watch in watches.values():
         watch.seconds = min(spent, seconds or spent)
         watch.until = log.last or 0
+        watch.begun = watch.until - int(watch.seconds * 1e9)

@@ -99,7 +99,7 @@ What stops it; rtdoctor has the last word:
   Active Link0.rtc:out
   Active Link1.rtc:out
   ?         /localhost:$PORT/test.host_cxt/Link2.rtc: it waits for /localhost:$PORT/test.host_cxt/Apart0.rtc, which does not answer
-  ?         beside /localhost:$PORT/test.host_cxt/Link2.rtc: it does not answer
+  ?         /localhost:$PORT/test.host_cxt/Apart0.rtc: it does not answer
   /localhost:$PORT/test.host_cxt/Apart0.rtc: it does not answer (certain)
   $ rtdis Link1.rtc:out Link2.rtc:in; trace Link0.rtc:out --to Link3.rtc:in
   Active Link0.rtc:out
