@@ -7,7 +7,7 @@ from rtshell_lite.corba import stubs
 
 from .context import TRANSITION_TIMEOUT
 from .idl import RTC, OpenRTM, SDOPackage
-from .port import alive
+from .port import is_alive
 from .process import later
 from .rtc import Component
 
@@ -26,7 +26,7 @@ class Member:
             self.ports.append((name if name.startswith(self.name + ".") else self.name + "." + name, port))
 
     def is_dead(self):
-        return not alive(self.reference)
+        return not is_alive(self.reference)
 
 
 class Organization(stubs.skeleton("SDOPackage.Organization")):
@@ -197,7 +197,7 @@ class Composite(Component):
         return super().get_ports() + self.exported
 
     def get_component_profile(self):
-        if self.flavour.dead_peer == "die" and not all(map(alive, self.exported)):
+        if self.flavour.dead_peer == "die" and not all(map(is_alive, self.exported)):
             self.process.die()
         profile = super().get_component_profile()
         profile.port_profiles += [port.get_port_profile() for port in self.exported]

@@ -153,7 +153,7 @@ def bottomless(peer, connection, request):
     name_server(peer, connection, request, [(b"deeper", b"host_cxt")], key=b"%d" % (depth + 1))
 
 
-def elsewhere(peer, connection, request):
+def other_port(peer, connection, request):
     """A context whose references lead to another port, which is silent or closed."""
     name_server(peer, connection, request, [(b"lost", b"rtc"), (b"lost", b"host_cxt")], port=peer.other.port)
 
@@ -191,7 +191,7 @@ def mode_name(function):
 # Name of a mode -> (what it does with a request, whether harmless questions are answered first).
 MODES = {mode_name(function): (function, function in POLITE) for function in RUDE + POLITE}
 MODES.update({"late-" + mode_name(function): (function, True) for function in RUDE})
-MODES.update({name: (elsewhere, True) for name in ELSEWHERE})
+MODES.update({name: (other_port, True) for name in ELSEWHERE})
 MODES.update({name: (malice.respond, True) for name in malice.CHANGES})
 
 
@@ -313,7 +313,7 @@ def usage():
     modes = list(UNREACHABLE.items()) + [
         (mode_name(function), function.__doc__) for function in RUDE + POLITE
     ]
-    modes += [(name, elsewhere.__doc__) for name in ELSEWHERE]
+    modes += [(name, other_port.__doc__) for name in ELSEWHERE]
     modes += [(name, malice.respond.__doc__) for name in malice.CHANGES]
     lines = [f"  {name:<20}{text}" for name, text in modes]
     return """{}

@@ -76,7 +76,7 @@ class Port(stubs.skeleton("RTC.PortService")):
 
     def _dead_connections(self):
         return [p.connector_id for p in list(self.profiles.values())
-                if not all(port._is_equivalent(self.reference) or alive(port) for port in p.ports)]
+                if not all(port._is_equivalent(self.reference) or is_alive(port) for port in p.ports)]
 
     def _prune(self):
         """Drop connections with a dead peer; some implementations tell the caller about it, once.
@@ -230,7 +230,7 @@ def forward_disconnect(port, connector_id):
         return RTC.RTC_ERROR
 
 
-def alive(port):
+def is_alive(port):
     """Whether the object answers: its process lives, and it has not been removed."""
     try:
         return not port._non_existent()

@@ -21,7 +21,7 @@ def of_words(operation, words, find):
     """The values of an Operation's in and inout parameters, in their order, from words that are positional or
     NAME=VALUE. `find(name)` gives the descriptor of a type. Raises BadValue, Usage, NoSuch.
     """
-    given = operation.given()
+    inputs = operation.inputs()
     written = {}
     position = 0
     for word in words:
@@ -29,8 +29,8 @@ def of_words(operation, words, find):
         if equals and text.is_identifier(name):
             parameter = _parameter(operation, name)
             word = rest
-        elif position < len(given):
-            parameter = given[position]
+        elif position < len(inputs):
+            parameter = inputs[position]
             position += 1
         else:
             raise errors.Usage(_too_many(operation, words))
@@ -62,11 +62,11 @@ def of_line(operation, line, find):
     """
     import re  # takes long, as most modules that are imported in functions here
 
-    given = operation.given()
+    inputs = operation.inputs()
     if not line.strip():
         return _built(operation, {}, find)
-    if len(given) == 1 and not re.match(r'\s*\{\s*"%s"\s*:' % given[0].name, line):
-        return _built(operation, {given[0].name: _parsed(given[0].type, line.strip())}, find)
+    if len(inputs) == 1 and not re.match(r'\s*\{\s*"%s"\s*:' % inputs[0].name, line):
+        return _built(operation, {inputs[0].name: _parsed(inputs[0].type, line.strip())}, find)
     if line.lstrip()[:1] == "[":
         from rtshell_lite.data import literals
 
@@ -76,10 +76,10 @@ def of_line(operation, line, find):
 
 def of_values(operation, values, named, find):
     """The same from values of a program, positional and by name."""
-    given = operation.given()
-    if len(values) > len(given):
+    inputs = operation.inputs()
+    if len(values) > len(inputs):
         raise errors.Usage(_too_many(operation, values))
-    written = {parameter.name: (value, False) for parameter, value in zip(given, values)}
+    written = {parameter.name: (value, False) for parameter, value in zip(inputs, values)}
     for name, value in named.items():
         parameter = _parameter(operation, name)
         if parameter.name in written:
@@ -90,11 +90,11 @@ def of_values(operation, values, named, find):
 
 def _parameter(operation, name):
     """The parameter of this name that is sent."""
-    given = operation.given()
-    for parameter in given:
+    inputs = operation.inputs()
+    for parameter in inputs:
         if parameter.name == name:
             return parameter
-    known = [parameter.name for parameter in given]
+    known = [parameter.name for parameter in inputs]
     if name in [parameter.name for parameter in operation.parameters]:
         why = f"{name} is an out parameter: it is not given"
     elif known:
@@ -107,10 +107,10 @@ def _parameter(operation, name):
 def _too_many(operation, words):
     if operation.name.startswith("_get_"):
         return f"{operation.shown} is an attribute: {operation.shown}=VALUE sets it"
-    names = ", ".join(parameter.name for parameter in operation.given())
+    names = ", ".join(parameter.name for parameter in operation.inputs())
     if not names:
         return f"{operation.shown} takes no arguments"
-    takes = f"{operation.shown} takes {text.counted(len(operation.given()), 'argument')}"
+    takes = f"{operation.shown} takes {text.counted(len(operation.inputs()), 'argument')}"
     return f"{takes} ({names}), not {len(words)}"
 
 
@@ -136,7 +136,7 @@ def _parsed(descriptor, word):
 
 def _built(operation, written, find):
     """The values in the order of the parameters."""
-    missing = [parameter.name for parameter in operation.given() if parameter.name not in written]
+    missing = [parameter.name for parameter in operation.inputs() if parameter.name not in written]
     if missing:
         raise errors.BadValue(operation.shown, f"{missing[0]} is missing: {operation.idl()}")
     if not written:
@@ -145,7 +145,7 @@ def _built(operation, written, find):
 
     now = divmod(int(time.time() * 1e9), 10**9)
     values = []
-    for parameter in operation.given():
+    for parameter in operation.inputs():
         value, is_json = written[parameter.name]
         where = f"{operation.name}: {parameter.name}"
         if operation.shown == parameter.name:  # of an attribute
@@ -188,7 +188,7 @@ def as_text(operation, value, dump=text.json_line):
 
 def _parts(operation, value):
     """[(name, value)] of what a call has returned."""
-    names = [parameter.name for parameter in operation.returned()]
+    names = [parameter.name for parameter in operation.outputs()]
     if operation.result is not None and RESULT in names:
         names.insert(0, "_" + RESULT)
     elif operation.result is not None:
@@ -228,8 +228,8 @@ def command(where, operation, values, options):
     from rtshell_lite.data import values as data_values
 
     words = ["rtcall"] + list(options) + [where, operation.name]
-    given = operation.given()
-    if given:
-        written = {parameter.name: data_values.json(value) for parameter, value in zip(given, values)}
+    inputs = operation.inputs()
+    if inputs:
+        written = {parameter.name: data_values.json(value) for parameter, value in zip(inputs, values)}
         words += ["-d", text.json_line(written)]
     return " ".join(map(text.shell_word, words))

@@ -81,7 +81,7 @@ class Maker(cdr.Maker):
         self._lock = RLock()
 
     def reader(self, descriptor):
-        with self._lock:  # lanes share a Maker, and what it has half made is not for others
+        with self._lock:  # threads share a Maker, and what one has half made is not for others
             return super().reader(descriptor)
 
     def writer(self, descriptor):

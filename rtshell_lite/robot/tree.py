@@ -101,7 +101,7 @@ def _reference(server):
     return orb.corbaloc(str(Path(server, (), None, False)), server, "NameService", DEFAULT_PORT)
 
 
-def lane(path):
+def server_endpoint(path):
     """The endpoint of the name server that `path` begins with; None at the root."""
     if path.server is not None:
         return _server(path).endpoint
@@ -307,7 +307,7 @@ async def at_each(paths, function):
     """Call function(path) for each path, in parallel by name server:
     the values in order, an errors.Error for what failed.
     """
-    return await session.each(paths, function, lambda path: (lane(path), str(path)))
+    return await session.each(paths, function, lambda path: (server_endpoint(path), str(path)))
 
 
 # ---- listing -----------------------------------------------------------------------------------------------

@@ -39,13 +39,13 @@ def _named(member):
 
 def _arguments(operation, word, before):
     """The values of the next parameter, and the names of those that are not given yet."""
-    given = operation.given()
+    inputs = operation.inputs()
     named = []
     for each in before:
         if "=" in each:
             named.append(each.partition("=")[0])
     left = []
-    for parameter in given[len(before) - len(named) :]:
+    for parameter in inputs[len(before) - len(named) :]:
         if parameter.name not in named:
             left.append(parameter)
     name, equals, _ = word.partition("=")

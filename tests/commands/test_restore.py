@@ -79,7 +79,7 @@ def statuses(outcomes):
     return {each.status for each in outcomes}
 
 
-def told(outcomes):
+def described(outcomes):
     return "\n".join("%s: %s %s" % (each.step.title, each.status, each.error or "") for each in outcomes)
 
 
@@ -168,7 +168,7 @@ class Everything(Worlds):
             for form in (rtsprofile.XML, rtsprofile.YAML):  # through a file, as users do
                 saved = rtsprofile.load(rtsprofile.dump(saved, form), "", form)
             outcomes = restored(saved)
-            self.assertLessEqual(statuses(outcomes), {"already so", "done"}, told(outcomes))
+            self.assertLessEqual(statuses(outcomes), {"already so", "done"}, described(outcomes))
             self.assertEqual(without_dates(captured()), without_dates(saved))
             self.assertEqual(statuses(restored(saved)), {"already so"})
         finally:
@@ -253,7 +253,7 @@ class Faults(Worlds):
             so = self.is_so(step, now, then)
             if so is not None:
                 was = step.kind != "connect" and self.is_so(step, self.wrecked, then)
-                self.assertEqual(so, was or each.status in ("done", "already so"), told([each]))
+                self.assertEqual(so, was or each.status in ("done", "already so"), described([each]))
 
     def is_so(self, step, now, then):
         if step.kind == "connect":
@@ -296,7 +296,7 @@ class Faults(Worlds):
         outcomes = restored(self.saved, all_or_nothing)
         self.truth(outcomes)
         again = restored(self.saved)
-        self.assertLessEqual(statuses(again), {"done", "already so"}, told(again))
+        self.assertLessEqual(statuses(again), {"done", "already so"}, described(again))
         self.assertEqual(without_dates(captured()), without_dates(self.saved))
         return outcomes
 
@@ -329,10 +329,12 @@ class Faults(Worlds):
                     outcomes = restored(self.saved, all_or_nothing=True)
                     world.ctl("reset")
                     if statuses(outcomes) <= {"done", "already so"}:
-                        self.assertEqual(without_dates(captured()), without_dates(self.saved), told(outcomes))
+                        self.assertEqual(
+                            without_dates(captured()), without_dates(self.saved), described(outcomes)
+                        )
                     elif not statuses(outcomes) & {"not undone", "uncertain"}:
                         self.assertNotIn("done", statuses(outcomes))
-                        self.assertEqual(without_dates(captured()), before, told(outcomes))
+                        self.assertEqual(without_dates(captured()), before, described(outcomes))
 
     def test_calls_that_never_come_back(self):
         for world, operation, count in self.faults():
@@ -353,13 +355,13 @@ class Faults(Worlds):
                 self.worlds[place].ctl("fail", operation, str(count), "DIE")
                 outcomes = restored(self.saved)
                 self.assertLessEqual(
-                    statuses(outcomes), {"done", "already so", "failed", "not tried"}, told(outcomes)
+                    statuses(outcomes), {"done", "already so", "failed", "not tried"}, described(outcomes)
                 )
                 self.assertIn("failed", statuses(outcomes))
                 self.worlds[place].close()
                 self.worlds[place] = self.start(*(HERE, THERE)[place])
                 again = restored(self.saved)
-                self.assertLessEqual(statuses(again), {"done", "already so"}, told(again))
+                self.assertLessEqual(statuses(again), {"done", "already so"}, described(again))
                 self.assertEqual(without_dates(captured()), without_dates(self.saved))
 
 

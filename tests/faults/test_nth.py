@@ -379,12 +379,12 @@ class Case:
         ):
             yield "a bug"
         for what, true in self.truth.items():
-            told = self.told(what)
+            claimed = self.claimed(what)
             if true == "half":
-                if told is not None:
+                if claimed is not None:
                     yield "half connected"
-            elif true is not None and told not in (true, None):
-                yield "%s: told %s, is %s" % (what, told, true)
+            elif true is not None and claimed not in (true, None):
+                yield "%s: claimed %s, is %s" % (what, claimed, true)
         if (
             ran.status == 0
             and not ran.err
@@ -393,7 +393,7 @@ class Case:
         ):
             yield "done, it says"
 
-    def told(self, what):
+    def claimed(self, what):
         """What the command says became of it: True, False, or None where it is not sure."""
         ran = self.ran
         if b'"result"' in ran.out:

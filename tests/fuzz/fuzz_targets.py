@@ -366,7 +366,7 @@ class Idl(Target):
         if operation.why_not_callable():
             return
         try:
-            template = json.dumps(defaults.template(operation.given()))
+            template = json.dumps(defaults.template(operation.inputs()))
         except errors.BadType:
             return
         arguments = call_values.of_json(operation, template, lambda name: self.fail(name))
@@ -376,7 +376,7 @@ class Idl(Target):
             write(data, value)
         maker = marshal.ValueMaker("<")
         at = 0
-        for parameter in operation.given():
+        for parameter in operation.inputs():
             _, at = maker.reader(parameter.type)(bytes(data), at)
         same(at, len(data), operation.idl())
 

@@ -100,7 +100,7 @@ class Echoes(unittest.TestCase):
 
     def samples(self, operation):
         """Pairs of values as JSON: those of the template, and random ones."""
-        template = defaults.template(operation.given())
+        template = defaults.template(operation.inputs())
         yield template["a"], template["b"]
         for _ in range(SAMPLES):
             yield tuple(values.json(random_values.value(self.rng, operation.result, 3)) for _ in range(2))

@@ -169,7 +169,7 @@ class Interfaces(unittest.TestCase):
 class Templates(unittest.TestCase):
     def template(self, parameters, types=""):
         contents = read("module M { %s interface I { void op(%s); }; };" % (types, parameters))
-        return defaults.template(contents.interfaces["IDL:M/I:1.0"].operations[0].given())
+        return defaults.template(contents.interfaces["IDL:M/I:1.0"].operations[0].inputs())
 
     def test_of_arguments(self):
         types = """enum C { RED, GREEN }; struct S { C c; string name; sequence<S> more; octet raw[3]; double m[2][2]; char code[2]; };

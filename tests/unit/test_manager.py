@@ -18,7 +18,7 @@ from rtshell_lite.robot import manager
 @unittest.skipUnless(omniORB, "needs omniORBpy")
 class Address(unittest.TestCase):
 
-    def told(self, word):
+    def address(self, word):
         ref = manager.reference(word)
         return orb.address(ref)[1:]
 
@@ -29,11 +29,11 @@ class Address(unittest.TestCase):
             "corbaloc:iiop:1.2@robot",
             "corbaloc::robot:2810/manager",
         ):
-            self.assertEqual(self.told(word), ("robot", 2810, b"manager"))
+            self.assertEqual(self.address(word), ("robot", 2810, b"manager"))
 
     def test_port_and_key_are_taken(self):
-        self.assertEqual(self.told("corbaloc:iiop:1.0@robot:2820/other"), ("robot", 2820, b"other"))
-        self.assertEqual(self.told("corbaloc::[::1]:2820"), ("::1", 2820, b"manager"))
+        self.assertEqual(self.address("corbaloc:iiop:1.0@robot:2820/other"), ("robot", 2820, b"other"))
+        self.assertEqual(self.address("corbaloc::[::1]:2820"), ("::1", 2820, b"manager"))
 
     def test_bad_addresses_are_reported_before_use(self):
         for word in (

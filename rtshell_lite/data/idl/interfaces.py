@@ -90,11 +90,11 @@ class Operation:
             return self.name[len("_get_") :]
         return self.name
 
-    def given(self):
+    def inputs(self):
         """The Parameters that a caller sends: in and inout."""
         return [parameter for parameter in self.parameters if parameter.direction != "out"]
 
-    def returned(self):
+    def outputs(self):
         """The Parameters that come back after the result: out and inout."""
         return [parameter for parameter in self.parameters if parameter.direction != "in"]
 
@@ -133,14 +133,14 @@ class Operation:
         why = self.why_not_callable()
         if why:
             raise errors.BadType(self.name, why)
-        given = [parameter.type for parameter in self.given()]
-        returned = [parameter.type for parameter in self.returned()]
+        sent = [parameter.type for parameter in self.inputs()]
+        returned = [parameter.type for parameter in self.outputs()]
         if self.result is not None:
             returned.insert(0, self.result)
         if self.oneway:
             returned = None
         raised = {descriptors.type_id(each): each for each in self.raises}
-        return operations.Schema(self.name, given, returned, raised)
+        return operations.Schema(self.name, sent, returned, raised)
 
 
 class Attribute:

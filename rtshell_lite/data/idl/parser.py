@@ -9,6 +9,17 @@ from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scop
 from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
+WITHIN_INTERFACES = (
+    "typedef",
+    "const",
+    "exception",
+    "struct",
+    "union",
+    "enum",
+    "native",
+    "typeid",
+    "typeprefix",
+)  # beside operations and attributes
 
 
 def parse_file(path, include=()):
@@ -160,7 +171,7 @@ class Parser:
     def _of_pragma(self, name):
         parts = [part for part in name.split("::") if part]
         if parts:
-            found = self.scope.seen(parts[0])
+            found = self.scope.find(parts[0])
         else:
             found = None
         for part in parts[1:]:
@@ -228,7 +239,7 @@ class Parser:
             self.advance()
             found = self.file_scope.own(self.plain())
         else:
-            found = self.scope.seen(self.plain())
+            found = self.scope.find(self.plain())
         written = self._last
         self._same_case(found, written, start)
         while self.is_mark("::"):
@@ -245,7 +256,7 @@ class Parser:
         token = self.token
         if token.kind == "mark" and token.word == "::":
             token = self.tokens[self.at + 1]
-        return token.kind == "name" and token.word == "CORBA" and self.scope.seen("CORBA") is None
+        return token.kind == "name" and token.word == "CORBA" and self.scope.find("CORBA") is None
 
     def plain(self):
         """The name that comes next, without scopes. Raises BadIdl for anything else, keywords included."""
@@ -283,8 +294,10 @@ class Parser:
             word = self.token.word
         else:
             word = ""
-        if word in ("module", "interface", "local", "abstract"):
-            self._opening(word, depth)
+        if word == "module":
+            self._module(depth)
+        elif word in ("interface", "local", "abstract"):
+            self._interface(depth)
         elif word in ("typedef", "const", "native", "exception"):
             {
                 "typedef": self._typedef,
@@ -304,65 +317,67 @@ class Parser:
             raise self.fault(f"expected a definition, not {printable(self.token.word)}")
         self.take(";")
 
-    def _opening(self, word, depth):
+    def _module(self, depth):
+        first = self.advance()
+        token = self.token
+        name = self.name("a module")
+        entry = self._known("module", name) or self._new_scope("module", name, first, token)
+        self._body(entry, token, lambda: self.definition(depth + 1))
+
+    def _interface(self, depth):
         first = self.advance()
         kind = ""
-        if word in ("local", "abstract"):
-            kind = word
+        if first.word != "interface":  # local or abstract
+            kind = first.word
             if self.is_word("valuetype", "eventtype"):
                 return self._unread()
             self.take("interface")
-            word = "interface"
         token = self.token
-        name = self.name("a " + word if word == "module" else "an interface")
-        entry = self.scope.names.get(name.lower())
-        announced = word == "interface" and self.is_mark(";")  # before its definition, or again after it
-        reopened = (
-            entry is not None
-            and entry.sort == word
-            and entry.name == name
-            and (word == "module" or announced or id(entry) not in self.interfaces)
-        )
-        if not reopened:
-            entry = self.declare(
-                Entry(name, word, Scope(name, self.scope), self.new_id(name), token=first), token
-            )
-        entry.what.prefix = "/".join(filter(None, [self.scope.prefix, name]))
-        if word == "interface" and entry.what.interface is None:
+        name = self.name("an interface")
+        is_announced = self.is_mark(";")  # before its definition, or again after it
+        entry = self._known("interface", name)
+        if entry is None or id(entry) in self.interfaces and not is_announced:
+            entry = self._new_scope("interface", name, first, token)
+        if entry.what.interface is None:
             entry.what.interface = Interface(entry.what.path(), entry.type_id, kind, first.file)
-        if announced:
+        if is_announced:
             return
-        if word == "interface":
-            self.interfaces[id(entry)] = entry
-        if word == "interface" and self.is_mark(":"):
+        self.interfaces[id(entry)] = entry
+        if self.is_mark(":"):
             self._bases(entry)
+        self._body(entry, token, lambda: self._member(entry.what.interface, depth + 1))
+
+    def _known(self, sort, name):
+        """The Entry of this sort and name in this scope, or None."""
+        entry = self.scope.names.get(name.lower())
+        if entry is None or entry.sort != sort or entry.name != name:
+            return None
+        return entry
+
+    def _new_scope(self, sort, name, first, token):
+        """A declared Entry with a Scope; `first` is the token that it begins with, `token` is its name."""
+        entry = Entry(name, sort, Scope(name, self.scope), self.new_id(name), token=first)
+        return self.declare(entry, token)
+
+    def _body(self, entry, token, read):
+        """What is between the brackets of a module or an interface; read() reads a part of it."""
+        entry.what.prefix = "/".join(filter(None, [self.scope.prefix, entry.name]))
         self.take("{")
         outer = self.scope
         self.scope = entry.what
         while not self.is_mark("}"):
             if self.token.kind == "end":
-                raise self.fault(f"{word} {name} has no end", token)
-            if (
-                word == "module"
-                or self.is_word(
-                    "typedef",
-                    "const",
-                    "exception",
-                    "struct",
-                    "union",
-                    "enum",
-                    "native",
-                    "typeid",
-                    "typeprefix",
-                )
-                or self.is_mark(";")
-            ):
-                self.definition(depth + 1)
-            else:
-                exports.export(self, entry.what.interface, depth + 1)
-                self.take(";")
+                raise self.fault(f"{entry.sort} {entry.name} has no end", token)
+            read()
         self.scope = outer
         self.take("}")
+
+    def _member(self, interface, depth):
+        if self.is_word(*WITHIN_INTERFACES) or self.is_mark(";"):
+            self.definition(depth)
+            return
+        exports.export(self, interface, depth)
+        self.take(";")
 
     def _bases(self, entry):
         while self.is_mark(":", ","):

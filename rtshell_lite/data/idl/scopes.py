@@ -76,6 +76,6 @@ class Scope:
             return Entry(name, "type", TYPECODE)  # no file declares it
         return None
 
-    def seen(self, name):
+    def find(self, name):
         """The Entry of a name in this scope or the nearest one around it, or None."""
-        return self.own(name) or self.parent and self.parent.seen(name)
+        return self.own(name) or self.parent and self.parent.find(name)

@@ -285,7 +285,7 @@ def _label(parser, switch):
         items = descriptors.items(inner)
     else:
         items = ()
-    if parser.token.kind == "name" and parser.scope.seen(parser.token.word) is None:
+    if parser.token.kind == "name" and parser.scope.find(parser.token.word) is None:
         for item in items:
             if item._n == parser.token.word:
                 parser.advance()
