@@ -302,6 +302,9 @@ def _why_no_server(address):
     if host and port and ":" not in port and not address.startswith("["):
         return f"{port} is not a TCP port (1 to 65535)"
     if address.count(":") > 1 and not address.strip("0123456789abcdefABCDEF:."):
+        before, _, last = address.rpartition(":")
+        if len(last) > 4 and last.isdigit():  # no part of an address
+            return f"an IPv6 address is written in brackets: /[{before}]:{last}"
         return f"an IPv6 address is written in brackets: /[{address}]"
     return f"{address} is not a name server (host or host:tcpport)"
 
