@@ -8,9 +8,7 @@ import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
-from rtshell_lite.data import connection, reading
-from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import lateness, recorder
+from rtshell_lite.data import reading
 from rtshell_lite.giop import descriptors
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, composites, ports, search, tree
@@ -101,18 +99,16 @@ def _at_most(hertz, deliver):
 class Flight:
     """Follows the components below `tops` (Paths), and reads their ports.
 
-    take(port, about): an awaitable for the function that takes a Port's Messages; `about`: what else is known
-    of it; raises errors.Error. `readers` is the list of reading.Readers, which grows and shrinks;
-    `components` are the Paths of all that were seen.
+    make(port, about, is_fast): an awaitable for the reading.Reader of a Port; `about`: what else is known of
+    it; `is_fast`: its component must not call us in its own cycle; raises errors.Error. `readers` is the list
+    of Readers, which grows and shrinks; `components` are the Paths of all that were seen.
     """
 
-    def __init__(self, tops, choice, take, readers, properties, pull):
+    def __init__(self, tops, choice, make, readers):
         self._tops = tops
         self._choice = choice
-        self._take = take
+        self._make = make
         self.readers = readers
-        self._properties = properties
-        self._dataflow = "pull" if pull else None
         self.components = {}  # Paths by their text
         self.failures = {}  # by path: why it could not be listed
         self._due = {}  # by identity of a component: when it is asked again; None: not
@@ -162,16 +158,12 @@ class Flight:
         identity = orb.identity(port.ref)
         if identity in self._read or not self._choice.takes(port):
             return None
-        properties = self._properties
-        if is_fast and not ports.offer_without(port, reading.SUBSCRIPTION, "new"):
-            properties = dict({reading.SUBSCRIPTION: "new"}, **properties)
+        is_fast = is_fast and not ports.offer_without(port, reading.SUBSCRIPTION, "new")
         try:
-            reader = reading.Reader(port, None, self._dataflow, properties, "rtlog")
-            reader.deliver = self._choice.thinned(port, await self._take(port, about))
+            reader = await self._make(port, about, is_fast)
         except errors.Error as e:
             notes.fail(e)
             return None
-        reader.compare_clocks()
         self._read[identity] = reader
         return reader
 
@@ -191,102 +183,6 @@ class Flight:
             self.readers.remove(reader)
             opened.drop(reader)
         self._gone = gone
-
-
-# ---- a recording from beginning to end ---------------------------------------------------------------------
-
-
-class Plan:
-    """What a flight records: `tops` (Paths), `wanted` ports (port_arguments.Targets), the Choice of ports
-    below the tops; a `journal` of events (see system/journal.py), and triggers.Triggers with the
-    ring.Incidents that they make, or None.
-    """
-
-    def __init__(self, tops, wanted, choice, journal=None, triggers=None, incidents=None):
-        self.tops = tops
-        self.wanted = wanted
-        self.choice = choice
-        self.journal = journal
-        self.triggers = triggers
-        self.incidents = incidents
-
-
-async def record(plan, types, properties, pull, limits, file):
-    """Record until a limit is reached; returns the exit status. The parameters are those of
-    recorder.record.
-    """
-    tally = notes.Tally()
-    channels = recorder.Channels(types)
-    work = recorder.Recorder(limits.entries, channels.types, channels.found)
-    work.incidents = plan.incidents
-    readers = await recorder.find_readers(
-        plan.wanted, properties, pull, channels, work.box, tally, plan.triggers
-    )
-
-    async def take(port, about):
-        number = await channel_of(channels, port, about)
-        return recorder.taker(work.box, channels, number, plan.triggers)
-
-    flight = Flight(plan.tops, plan.choice, take, readers, properties, pull)
-    await flight.look()
-    for failure in flight.failures.values():
-        tally.add(failure)
-    if tally.statuses and not readers and len(flight.failures) == len(plan.tops):
-        return tally.status()
-    watch = Watcher(readers)
-    try:
-        await _fly(plan, flight, work, channels, watch, limits, file)
-    finally:
-        await loop.finish(recorder.finish(work, watch, tally))
-    if work.failure:
-        return 1
-    tally.done += 1  # it has recorded what there was
-    return tally.status()
-
-
-async def _fly(plan, flight, work, channels, watch, limits, file):
-    begun = int(time.time() * 1e9)
-    async with connection.Connections(flight.readers) as opened:
-        opened.step_aside_when_stopped()
-        await loop.finish(work.begin(file, channels, begun))
-        notes.note("Recording %d ports." % len(flight.readers))
-        async with loop.background(watch.watch()), loop.background(work.run()):
-            async with loop.background(flight.follow(opened)), loop.background(
-                _triggers(plan, work, channels)
-            ):
-                async with loop.background(_journal(plan, flight, work, channels)), loop.background(
-                    lateness.watch(opened, _let_go(plan))
-                ):
-                    await recorder.wait(limits, work)
-
-
-def _let_go(plan):
-    """What is called with a Reader that is let go: the journal has it as an event."""
-    if plan.journal is None:
-        return None
-    return lambda reader: plan.journal.put(str(reader.port.node.path), "RECORDER", reader.port.name, "LET_GO")
-
-
-async def _journal(plan, flight, work, channels):
-    if plan.journal is not None:
-        await plan.journal.run(flight, work, channels)
-
-
-async def _triggers(plan, work, channels):
-    if plan.triggers is not None:
-        await plan.triggers.watch(work, channels)
-
-
-async def channel_of(channels, port, about):
-    """The number of the channel of a Port, which is called by its path; by its type, too, where that has
-    changed.
-    """
-    label = ports.label(port)
-    try:
-        return await channels.add(port, label, about)
-    except errors.Failed:
-        type_id = port.properties.get("dataport.data_type", "")
-        return await channels.add(port, f"{label} ({type_id})", about)
 
 
 def _is_fast(listed, about):

@@ -15,9 +15,9 @@ LOOK = 0.05  # seconds between two looks at the clock
 MOST = 0.25  # of a span, for which a component that always calls may have waited
 
 
-async def watch(opened, tell=None):
+async def watch(opened, report):
     """Measure again and again how late this process is, and let the Readers of connection.Connections go
-    where that is too much. tell(reader): called for each of them. Until it is cancelled.
+    where that is too much. report(reader): called for each of them. Until it is cancelled.
     """
     while True:
         share = await _measure(opened)
@@ -31,9 +31,8 @@ async def watch(opened, tell=None):
             f"for rtlog; {len(waiting)} ports do not call it in their own cycle any more"
         )
         await loop.finish(opened.let_go(waiting))
-        if tell is not None:
-            for reader in waiting:
-                tell(reader)
+        for reader in waiting:
+            report(reader)
 
 
 async def _measure(opened):

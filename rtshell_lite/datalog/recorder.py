@@ -3,13 +3,14 @@
 What arrives in an inbox.Inbox is written on a thread, so that no sender waits for a disk.
 """
 
+import json
 import math
 import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, datatypes, inbox, port_arguments, reading
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import decode, lateness, mcap
+from rtshell_lite.datalog import decode, flight, lateness, mcap
 from rtshell_lite.datalog.records import Channel
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
@@ -27,7 +28,7 @@ SYNC = 1.0  # seconds between two fsyncs: what a power failure costs
 class Channels:
     """The channels of a new log; ports with the same NAME share one.
 
-    `found` are the records.Channels, `types` their datatypes.Type or None; `notes` say why None.
+    `found` are the records.Channels, `types` their datatypes.Type; None for what is recorded as bytes.
     """
 
     def __init__(self, known):
@@ -35,7 +36,6 @@ class Channels:
         self._known = known
         self.found = []
         self.types = []
-        self.notes = []
 
     async def add(self, port, name, about=()):
         """The number of a Port's channel; `about`: what else is to be said of it, (name, text) pairs.
@@ -45,40 +45,51 @@ class Channels:
         type_id = port.properties.get("dataport.data_type", "")
         for number, channel in enumerate(self.found):
             if channel.name == name:
-                if not ports.same_type(channel.type_id, type_id):
-                    raise errors.Failed(
-                        where,
-                        "%s has another data type (%s, %s)"
-                        % (printable(name), printable(channel.type_id), printable(type_id)),
-                    )
-                if where not in channel.sources:
-                    channel.sources.append(where)
+                _add_source(channel, where, type_id)
                 return number
+        type = await self._type(port, where, type_id)
+        if type is None:
+            return self._append(Channel(name, type_id, b"", [where], "cdr", None, about), None)
+        return self._append(Channel(name, type.id, type.to_bytes(), [where], "cdr", None, about), type)
+
+    async def add_by_path(self, port, about):
+        """The number of the channel of a Port that is called by its path; by its type, too, where that has
+        changed.
+        """
+        label = ports.label(port)
         try:
-            type = await self._known.of_port(port)
-        except errors.NoSuch:
-            type = None
-            self.notes.append(
-                f"{where}: recorded as bytes: {printable(type_id)} is not known; {datatypes.SOURCES}"
-            )
-        except errors.BadType as e:
-            type = None
-            self.notes.append(f"{where}: recorded as bytes: {e}")
-        self._append(name, type, type_id, where, about)
-        return len(self.found) - 1
+            return await self.add(port, label, about)
+        except errors.Failed:
+            type_id = port.properties.get("dataport.data_type", "")
+            return await self.add(port, f"{label} ({type_id})", about)
 
     def add_json(self, name, schema):
         """The number of a channel of JSON; `schema` is its (name, encoding, data)."""
-        self.types.append(None)
-        self.found.append(Channel(name, schema[0], b"", [], "json", schema, ()))
+        return self._append(Channel(name, schema[0], b"", [], "json", schema, ()), None)
+
+    async def _type(self, port, where, type_id):
+        try:
+            return await self._known.of_port(port)
+        except errors.NoSuch:
+            why = f"{printable(type_id)} is not known; {datatypes.SOURCES}"
+        except errors.BadType as e:
+            why = str(e)
+        notes.note(f"{where}: recorded as bytes: {why}")
+        return None
+
+    def _append(self, channel, type):
+        self.found.append(channel)
+        self.types.append(type)
         return len(self.found) - 1
 
-    def _append(self, name, type, type_id, where, about):
-        self.types.append(type)
-        if type:
-            self.found.append(Channel(name, type.id, type.to_bytes(), [where], "cdr", None, about))
-        else:
-            self.found.append(Channel(name, type_id, b"", [where], "cdr", None, about))
+
+def _add_source(channel, where, type_id):
+    """Let another port share a channel. Raises errors.Failed when its type differs."""
+    if not ports.same_type(channel.type_id, type_id):
+        words = tuple(map(printable, (channel.name, channel.type_id, type_id)))
+        raise errors.Failed(where, "%s has another data type (%s, %s)" % words)
+    if where not in channel.sources:
+        channel.sources.append(where)
 
 
 class Recorder:
@@ -90,16 +101,15 @@ class Recorder:
     2.1 repeats a `put` whose answer was lost; `failure` (OSError or None) why writing failed.
     """
 
-    def __init__(self, most=None, types=(), channels=()):
-        """`types`: the datatypes.Type of each channel or None; `channels`: the records.Channels. Both lists
-        may grow until a message of theirs comes.
+    def __init__(self, channels, most=None, incidents=None):
+        """`channels`: Channels, which may grow until a message of theirs comes; `incidents`: ring.Incidents,
+        to be made of what is written, or None.
         """
         self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
-        self._most = most
-        self._types = types
-        self._channels = channels
-        self.incidents = None  # ring.Incidents, to be made of what is written
+        self.channels = channels
         self._added = 0  # how many of them the writer has
+        self._most = most
+        self._incidents = incidents
         self._attachments = []  # that wait to be written: (moment, name, media type, data)
         self.count = self.octets = self.repeated = 0
         self._last = {}  # by channel: the data of the last value
@@ -107,25 +117,25 @@ class Recorder:
         self.done = loop.Bell()
         self._sync_at = time.monotonic() + SYNC
 
-    async def begin(self, file, channels, begun):
-        """Make the writer: that of a File for Channels, recorded since `begun` (ns since the epoch).
-        Raises as File.writer does.
+    async def begin(self, file, begun):
+        """Make the writer of a File, recorded since `begun` (ns since the epoch). Raises as File.writer
+        does.
         """
-        self._added = len(self._channels)
-        self.writer = await loop.on_thread(file.writer, channels, begun)
+        self._added = len(self.channels.found)
+        self.writer = await loop.on_thread(file.writer, self.channels, begun)
 
     async def run(self):
         """Write what comes."""
         while self.count != self._most and self.failure is None:
             batch = await self.box.get(self._patience())
             taken = time.time() * 1e9  # the box has nothing that came before
-            if batch or self.incidents or time.monotonic() >= self._sync_at:
+            if batch or self._incidents or time.monotonic() >= self._sync_at:
                 await loop.finish(self._write(batch, taken))
         self.done.ring()
 
     def _patience(self):
         """Seconds to wait for messages: few while something else is to be written."""
-        if self.incidents is not None and self.incidents.is_busy():
+        if self._incidents is not None and self._incidents.is_busy():
             return BUSY
         return TICK
 
@@ -135,8 +145,8 @@ class Recorder:
             return
         if self.failure is None:
             await self._write(await self.box.get(0), time.time() * 1e9)
-            if self.incidents is not None:
-                await self._try(self.incidents.finish, self.writer, self._channels)
+            if self._incidents is not None:
+                await self._try(self._incidents.finish, self.writer)
         await self._try(self.writer.close)
         if self.failure is not None:
             raise self.failure
@@ -158,23 +168,25 @@ class Recorder:
         """Put a file into the log, with the next messages."""
         self._attachments.append((moment, name, media_type, data))
 
+    def put_json(self, channel, fields):
+        """Put a message of JSON, which comes now, into a channel."""
+        data = json.dumps(fields, sort_keys=True).encode("ascii")
+        self.box.put(channel, reading.Message(int(time.time() * 1e9), data, True))
+
     def _append(self, batch, taken):
-        for channel in self._channels[self._added :]:
+        for channel in self.channels.found[self._added :]:
             self.writer.add(channel)
             self._added += 1
         while self._attachments:
-            attachment = self._attachments.pop(0)
-            self.writer.attach(*attachment)
-            if self.incidents is not None:
-                self.incidents.attached[attachment[2]] = attachment
-        if self.incidents is not None:
-            self.incidents.protect(self.writer)
+            self.writer.attach(*self._attachments.pop(0))
+        if self._incidents is not None:
+            self._incidents.protect(self.writer)
         self.writer.write(
             [(channel, message.received, message.little, message.data) for channel, message in batch]
         )
         self._count(batch)
-        if self.incidents is not None:
-            self.incidents.step(self.writer, self._channels, taken)
+        if self._incidents is not None:
+            self._incidents.step(self.writer, taken)
         if time.monotonic() >= self._sync_at:
             self.writer.sync()
             self._sync_at = time.monotonic() + SYNC
@@ -193,9 +205,7 @@ class Recorder:
             last[channel] = data
 
     def _is_stamped(self, channel):
-        type = None
-        if channel < len(self._types):
-            type = self._types[channel]
+        type = self.channels.types[channel]
         return type is not None and decode.place_of_timestamp(type.descriptor) == decode.FIRST
 
 
@@ -235,8 +245,8 @@ class Limits:
 
 
 class File:
-    """The file to record to: `name`, None for one made from the time; `form`: mcap, simpkl or text;
-    whether to append. `limits`: ring.Limits of several files, or None; `is_in_memory`: they are not written.
+    """The file to record to: its `name`; `form`: mcap, simpkl or text; whether to append. `limits`:
+    ring.Limits of several files, or None; `is_in_memory`: they are not written.
     """
 
     def __init__(self, name, form, append, limits=None, is_in_memory=False):
@@ -250,27 +260,21 @@ class File:
         """The Writer for these Channels, recorded since `begun` (ns since the epoch).
         Raises OSError, errors.Failed.
         """
-        name = self.name
-        if name is None:
-            name = default_name()
-            notes.note(f"recording to {name}")
         if self.form == "text":
             from rtshell_lite.datalog import textlog
 
-            return textlog.Writer(name, channels.found, channels.types, self.append)
+            return textlog.Writer(self.name, channels.found, channels.types, self.append)
         if self.form == "simpkl":
             notes.note("simpkl files are only read; recording as MCAP")
+        if self.limits is None:
+            from rtshell_lite.datalog import writer
+
+            return writer.Writer(self.name, channels.found, begun, self.append)
+        from rtshell_lite.datalog import ring
+
         if self.is_in_memory:
-            from rtshell_lite.datalog import ring
-
             return ring.Memory(channels.found, self.limits.span, self.limits.size)
-        if self.limits is not None:
-            from rtshell_lite.datalog import ring
-
-            return ring.Parts(name, channels.found, begun, self.limits, self.append)
-        from rtshell_lite.datalog import writer
-
-        return writer.Writer(name, channels.found, begun, self.append)
+        return ring.Parts(self.name, channels.found, begun, self.limits, self.append)
 
 
 def default_name():
@@ -278,100 +282,178 @@ def default_name():
     return "rtlog_%d.mcap" % time.time()
 
 
-async def record(wanted, types, properties, pull, limits, file):
-    """Record until a limit is reached or no port is left; returns the exit status.
-
-    `wanted` are port_arguments.Targets, `types` datatypes.Types, `properties` those of the connections;
-    `pull`: values are fetched.
+class Plan:
+    """What is recorded: `wanted` ports (port_arguments.Targets), and those below `tops` (Paths) that a
+    flight.Choice takes. `properties` are those of the connections; `pull`: values are fetched. A `journal` of
+    events (see system/journal.py), and triggers.Triggers with the ring.Incidents that they make, or None.
     """
-    tally = notes.Tally()
-    channels = Channels(types)
-    work = Recorder(limits.entries, channels.types)
-    readers = await find_readers(wanted, properties, pull, channels, work.box, tally)
-    for note in channels.notes:
-        notes.note(note)
-    watch = Watcher(readers)
-    begun = int(time.time() * 1e9)
-    try:
-        async with connection.Connections(readers) as opened:
-            opened.step_aside_when_stopped()
-            if opened.live():
-                await loop.finish(work.begin(file, channels, begun))
-                if limits.words():
-                    notes.note(limits.words())
-                async with loop.background(watch.watch()), loop.background(work.run()):
-                    async with loop.background(lateness.watch(opened)):
-                        await wait(limits, work, opened)
-    finally:
-        await loop.finish(finish(work, watch, tally))
-    if work.failure:
-        return 1
-    return tally.status()
+
+    def __init__(self, wanted, tops, choice, properties, pull):
+        self.wanted = wanted
+        self.tops = tops
+        self.choice = choice
+        self.properties = properties
+        self.pull = pull
+        self.journal = None
+        self.triggers = None
+        self.incidents = None
+
+    def is_endless(self):
+        """Whether recording goes on where no port is left."""
+        return bool(self.tops or self.incidents)
 
 
-def taker(box, channels, number, triggers):
-    """The function that takes the Messages of a channel; triggers.Triggers judge them, too, if
-    there are any.
-    """
-    deliver = box.taker(number)
-    if triggers is None:
-        return deliver
-    channel = channels.found[number]
-    return triggers.wrapped((channel.name, *channel.sources), channels.types[number], deliver)
+async def record(plan, types, limits, file):
+    """Carry out a Plan, within Limits, to a File; returns the exit status. `types`: datatypes.Types."""
+    return await _Recording(plan, types, limits, file).run()
 
 
-async def find_readers(wanted, properties, pull, channels, box, tally, triggers=None):
-    """Readers of the ports that Targets name, each for its channel; what fails is counted in a Tally."""
-    readers = []
-    for number, target in enumerate(await port_arguments.find(wanted, "DataOutPort")):
+class _Recording:
+    """A Plan that is carried out."""
+
+    def __init__(self, plan, types, limits, file):
+        self._plan = plan
+        self._limits = limits
+        self._file = file
+        self._channels = Channels(types)
+        self._work = Recorder(self._channels, limits.entries, plan.incidents)
+        self._tally = notes.Tally()
+
+    async def run(self):
+        """Record until a limit is reached, or nothing more can come; returns the exit status."""
+        readers = await self._wanted_readers()
+        followed = flight.Flight(self._plan.tops, self._plan.choice, self._reader_below, readers)
+        await followed.look()
+        for failure in followed.failures.values():
+            self._tally.add(failure)
+        if self._tally.statuses and not readers and len(followed.failures) == len(self._plan.tops):
+            return self._tally.status()
+        watch = Watcher(readers)
         try:
-            if isinstance(target, errors.Error):
-                raise target
-            reader = reading.Reader(target.port, None, "pull" if pull else None, properties, "rtlog")
-            channel = await channels.add(target.port, target.name or f"input{number}")
-            reader.deliver = taker(box, channels, channel, triggers)
-            reader.compare_clocks()
-            readers.append(reader)
-        except errors.Error as e:
-            tally.add(e)
-    return readers
+            await self._record(followed, watch)
+        finally:
+            await loop.finish(self._finish(watch))
+        if self._work.failure:
+            return 1
+        if self._plan.is_endless():
+            self._tally.done += 1  # it has recorded what there was
+        return self._tally.status()
 
+    async def _record(self, followed, watch):
+        begun = int(time.time() * 1e9)
+        async with connection.Connections(followed.readers) as opened:
+            opened.step_aside_when_stopped()
+            if not self._goes_on(opened):
+                return
+            await loop.finish(self._work.begin(self._file, begun))
+            if self._plan.is_endless():
+                notes.note("Recording %d ports." % len(followed.readers))
+            elif self._limits.words():
+                notes.note(self._limits.words())
+            async with loop.background(watch.watch()), loop.background(self._work.run()):
+                async with loop.Group() as others:
+                    self._start(others, followed, opened)
+                    await self._wait(opened)
+                    others.cancel()
 
-async def wait(limits, work, opened=None):
-    """Wait for the end of recording, and report what is dropped. It ends when none of the Connections
-    `opened` lives, too.
-    """
-    end = time.monotonic() + limits.left()
-    reported = 0
-    due = 0.0
-    while (
-        (opened is None or opened.live())
-        and time.monotonic() < end
-        and not await work.done.wait(min(TICK, end - time.monotonic()))
-    ):
+    def _start(self, others, followed, opened):
+        """Start, in a loop.Group, what goes on beside writing."""
+        plan = self._plan
+        others.start(lateness.watch(opened, self._note_let_go))
+        if plan.tops:
+            others.start(followed.follow(opened))
+        if plan.triggers is not None:
+            others.start(plan.triggers.watch(self._work))
+        if plan.journal is not None:
+            others.start(plan.journal.run(followed, self._work))
+
+    def _note_let_go(self, reader):
+        """Record that a Reader was let go."""
+        if self._plan.journal is not None:
+            self._plan.journal.put(str(reader.port.node.path), "RECORDER", reader.port.name, "LET_GO")
+
+    def _goes_on(self, opened):
+        return self._plan.is_endless() or opened.live()
+
+    async def _wait(self, opened):
+        """Wait for the end of recording, and report what is dropped."""
+        end = time.monotonic() + self._limits.left()
+        reported = 0
+        due = 0.0
+        box = self._work.box
+        while self._goes_on(opened) and time.monotonic() < end:
+            if await self._work.done.wait(min(TICK, end - time.monotonic())):
+                return
+            dropped = sum(box.dropped.values())
+            if dropped > reported and time.monotonic() >= due:
+                reported = dropped
+                due = time.monotonic() + 1
+                words = f"{dropped} messages dropped so far: they come faster than they can be written"
+                await loop.on_thread(notes.fail, words)
+
+    async def _finish(self, watch):
+        """End the recording: write what is left, and report."""
+        work = self._work
+        try:
+            await work.close()
+        except OSError as e:
+            notes.fail(e)
+        watch.count(self._tally)
         dropped = sum(work.box.dropped.values())
-        if dropped > reported and time.monotonic() >= due:
-            reported = dropped
-            due = time.monotonic() + 1
-            await loop.on_thread(
-                notes.fail, f"{dropped} messages dropped so far: they come faster than they can be written"
+        if dropped:
+            notes.fail(f"{dropped} of {dropped + work.count} messages dropped")
+            self._tally.fail(errors.Partial())
+        if work.repeated:
+            notes.note(
+                f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose "
+                "answer it has not got"
             )
+        notes.detail(f"{work.count} messages, {work.octets} octets recorded")
+
+    # ---- ports ---------------------------------------------------------------------------------------------
+
+    async def _wanted_readers(self):
+        """Readers of the ports that were named, each for its channel; what fails is counted."""
+        readers = []
+        for number, target in enumerate(await port_arguments.find(self._plan.wanted, "DataOutPort")):
+            try:
+                if isinstance(target, errors.Error):
+                    raise target
+                reader = self._reader(target.port, self._plan.properties)
+                channel = await self._channels.add(target.port, target.name or f"input{number}")
+            except errors.Error as e:
+                self._tally.add(e)
+            else:
+                _feed(reader, self._taker(channel))
+                readers.append(reader)
+        return readers
+
+    async def _reader_below(self, port, about, is_fast):
+        """The Reader of a Port that a Flight has found. Raises errors.Error."""
+        properties = self._plan.properties
+        if is_fast:
+            properties = dict({reading.SUBSCRIPTION: "new"}, **properties)
+        reader = self._reader(port, properties)
+        channel = await self._channels.add_by_path(port, about)
+        _feed(reader, self._plan.choice.thinned(port, self._taker(channel)))
+        return reader
+
+    def _reader(self, port, properties):
+        dataflow = None
+        if self._plan.pull:
+            dataflow = "pull"
+        return reading.Reader(port, None, dataflow, properties, "rtlog")
+
+    def _taker(self, number):
+        """The function that takes the Messages of a channel, which triggers judge, too."""
+        deliver = self._work.box.taker(number)
+        if self._plan.triggers is None:
+            return deliver
+        channel = self._channels.found[number]
+        names = (channel.name, *channel.sources)
+        return self._plan.triggers.wrapped(names, self._channels.types[number], deliver)
 
 
-async def finish(work, watch, tally):
-    """End a recording: write what is left, and report."""
-    try:
-        await work.close()
-    except OSError as e:
-        notes.fail(e)
-    watch.count(tally)
-    dropped = sum(work.box.dropped.values())
-    if dropped:
-        notes.fail(f"{dropped} of {dropped + work.count} messages dropped")
-        tally.fail(errors.Partial())
-    if work.repeated:
-        notes.note(
-            f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose "
-            "answer it has not got"
-        )
-    notes.detail(f"{work.count} messages, {work.octets} octets recorded")
+def _feed(reader, deliver):
+    reader.deliver = deliver
+    reader.compare_clocks()

@@ -42,12 +42,12 @@ class Parts:
         self.name = name
         self.limits = limits
         self.protected = None  # the moment (ns) from which on nothing may be removed, or None
-        self._channels = list(channels)
+        self.channels = list(channels)
+        self.attached = {}  # the last attachment of each media type: each file has them
         self._parts = collections.deque()
         self._is_single = limits.seconds is None and limits.octets is None
         self._looked = 0.0
         self._is_said = False
-        self._attached = {}  # the last attachment of each media type
         self._number = 0
         if not self._is_single:
             self._take_over()
@@ -77,16 +77,15 @@ class Parts:
         if not self._is_single:
             name = self._part_name(self._number)
         self._due = time.monotonic() + (self.limits.seconds or 0)
-        self._writer = writer.Writer(name, self._channels, begun, append)
+        self._writer = writer.Writer(name, self.channels, begun, append)
 
     def add(self, channel):
-        self._channels.append(channel)
-        return self._writer.add(channel)
+        self.channels.append(channel)
+        self._writer.add(channel)
 
-    def attach(self, *args):
-        _, _, media_type, _ = args
-        self._attached[media_type] = args
-        self._writer.attach(*args)
+    def attach(self, moment, name, media_type, data):
+        self.attached[media_type] = (moment, name, media_type, data)
+        self._writer.attach(moment, name, media_type, data)
 
     def sync(self):
         self._writer.sync()
@@ -113,7 +112,7 @@ class Parts:
         name = self._writer.name
         self._parts.append(Part(name, os.path.getsize(name), now))
         self._begin(now)
-        for attachment in self._attached.values():  # what describes the system is in each part
+        for attachment in self.attached.values():
             self._writer.attach(*attachment)
 
     def _remove_old(self):
@@ -172,7 +171,7 @@ class Parts:
             yield from self._of(name, first, last)
 
     def _of(self, name, first, last):
-        known = {(channel.name, channel.type_id): number for number, channel in enumerate(self._channels)}
+        known = {(channel.name, channel.type_id): number for number, channel in enumerate(self.channels)}
         with logfile.load(name) as log:
             numbers = [known.get(channel[:2]) for channel in log.channels]
             start = log.since(first)
@@ -191,17 +190,18 @@ class Memory:
     protected = None
 
     def __init__(self, channels, span, size):
-        self._channels = list(channels)
+        self.channels = list(channels)
+        self.attached = {}  # the last attachment of each media type
         self._span = span
         self._size = size
         self._messages = collections.deque()
         self._octets = 0
 
     def add(self, channel):
-        self._channels.append(channel)
+        self.channels.append(channel)
 
-    def attach(self, *args):
-        """Nothing: attachments are of files."""
+    def attach(self, moment, name, media_type, data):
+        self.attached[media_type] = (moment, name, media_type, data)
 
     sync = close = lambda self: None
 
@@ -251,7 +251,6 @@ class Incidents:
         self._after = int(after * 1e9)
         self._done = done
         self._pending = []
-        self.attached = {}  # by media type: what is attached to each file, as of Writer.attach
 
     def trigger(self, words, moment=None):
         """Something has happened, now or at a moment; within the future of another incident it is one more
@@ -269,29 +268,30 @@ class Incidents:
         """Have the ring keep what is pending."""
         ring.protected = min((incident.first for incident in self._pending), default=None)
 
-    def step(self, ring, channels, written):
+    def step(self, ring, written):
         """Copy a slice of what is due: all that came before `written` (ns) is in the ring. Raises OSError,
         errors.Failed.
         """
         for incident in self._pending[:1]:
             if incident.last < written:
-                self._copy(incident, ring, channels, SLICE)
+                self._copy(incident, ring)
 
     def is_busy(self):
         """Whether something is due."""
         return bool(self._pending) and self._pending[0].last < time.time() * 1e9
 
-    def finish(self, ring, channels):
+    def finish(self, ring):
         """Write all that is pending, as far as it has come."""
         while self._pending:
-            self._copy(self._pending[0], ring, channels, SLICE)
+            self._copy(self._pending[0], ring)
 
-    def _copy(self, incident, ring, channels, most):
+    def _copy(self, incident, ring):
+        """Copy a slice of what is kept, or the rest."""
         if incident.writer is None:
             incident.name = self._free_name(incident)
-            incident.writer = writer.Writer(incident.name, list(channels), incident.first)
-            incident.writer.describe("trigger", _told(incident))
-            for attachment in self.attached.values():
+            incident.writer = writer.Writer(incident.name, ring.channels, incident.first)
+            incident.writer.describe("trigger", _described(incident))
+            for attachment in ring.attached.values():
                 incident.writer.attach(*attachment)
             incident.messages = ring.past(incident.first, incident.last)
         taken = []
@@ -299,7 +299,7 @@ class Incidents:
         for message in incident.messages:
             taken.append(message)
             size += len(message[3]) + EACH
-            if size >= most:
+            if size >= SLICE:
                 incident.writer.write(taken)
                 return
         incident.writer.write(taken)
@@ -320,13 +320,13 @@ class Incidents:
         raise errors.Failed(text.printable(self._name), "too many files of one second")
 
 
-def _told(incident):
+def _described(incident):
     """What has happened, for a Metadata record."""
-    told = {"cause": incident.causes[0][1], "time": str(incident.causes[0][0])}
+    texts = {"cause": incident.causes[0][1], "time": str(incident.causes[0][0])}
     for number, (moment, words) in enumerate(incident.causes[1:100], 2):
-        told["cause %d" % number] = words
-        told["time %d" % number] = str(moment)
-    return told
+        texts["cause %d" % number] = words
+        texts["time %d" % number] = str(moment)
+    return texts
 
 
 class Hook:

@@ -6,14 +6,12 @@ PATH:PORT.FIELD OP VALUE      a value is <, <=, >, >=, ==, != a number or a word
 """
 
 import _signal  # see start.py
-import json
 import operator
 import re
 import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import values
-from rtshell_lite.data.reading import Message
 from rtshell_lite.datalog import schemas
 from rtshell_lite.datalog.records import is_called
 from rtshell_lite.net import loop
@@ -186,9 +184,9 @@ class Triggers:
     def needs_events(self):
         return any(isinstance(condition, Report) for condition in self._conditions)
 
-    async def watch(self, work, channels):
+    async def watch(self, work):
         """Look whether something has happened, until it is cancelled. `work`: a recorder.Recorder."""
-        number = channels.add_json("/triggers", schemas.of_events())
+        channel = work.channels.add_json("/triggers", schemas.of_events())
         number_of_signal = getattr(_signal, "SIGUSR1", None)  # not every system has it
         if number_of_signal is not None:
             loop.current().hear(number_of_signal, self._signalled)
@@ -197,15 +195,8 @@ class Triggers:
                 for words in self._happened():
                     self._incidents.trigger(words)
                     notes.note(f"trigger: {printable(words)}")
-                    fields = {
-                        "path": "",
-                        "kind": "TRIGGER",
-                        "subject": "",
-                        "event": words,
-                        "mark": "trigger: " + words,
-                    }
-                    data = json.dumps(fields, sort_keys=True).encode("ascii")
-                    work.box.put(number, Message(int(time.time() * 1e9), data, True))
+                    fields = dict(path="", kind="TRIGGER", subject="", event=words, mark="trigger: " + words)
+                    work.put_json(channel, fields)
                 await loop.sleep(LOOK)
         finally:
             if number_of_signal is not None:

@@ -5,11 +5,9 @@ Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as r
 one for what details.py keeps: at the start, and after changes.
 """
 
-import json
 import time
 
 from rtshell_lite import errors
-from rtshell_lite.data.reading import Message
 from rtshell_lite.datalog import schemas
 from rtshell_lite.events import observer, watch
 from rtshell_lite.net import loop
@@ -43,14 +41,13 @@ class Journal:
         self._looked = 0.0
         self._number = 0
         self._work = None
-        self._numbers = None
+        self._events = self._logs = None  # numbers of their channels
 
-    async def run(self, flight, work, channels):
+    async def run(self, flight, work):
         """Watch all components that come, until it is cancelled. `work`: a recorder.Recorder."""
         self._work = work
-        self._numbers = channels.add_json("/events", schemas.of_events()), channels.add_json(
-            "/logs", _RECORDS
-        )
+        self._events = work.channels.add_json("/events", schemas.of_events())
+        self._logs = work.channels.add_json("/logs", _RECORDS)
         known = set()
         kinds = set(watch.KINDS) - {"HEARTBEAT"}
         # components of C++ would report each value that is sent
@@ -87,7 +84,7 @@ class Journal:
             fields = dict(record._asdict(), path=watched.where)
             if record.level in ("ERROR", "FATAL"):
                 fields["mark"] = f"{watched.name}: {record.message[:80]}"
-            self._put(1, fields)
+            self._work.put_json(self._logs, fields)
 
     def put(self, where, kind, subject, event):
         """Record an event of a component."""
@@ -96,14 +93,9 @@ class Journal:
             fields["mark"] = "%s: %s" % (where.rpartition("/")[2], SERIOUS[event])
         if event in CHANGES or kind == "CONFIG_EVENT":
             self._changed = time.monotonic()
-        self._put(0, fields)
+        self._work.put_json(self._events, fields)
         if self._listener is not None:
             self._listener(fields)
-
-    def _put(self, which, fields):
-        data = json.dumps(fields, sort_keys=True).encode("ascii")
-        message = Message(int(time.time() * 1e9), data, True)
-        self._work.box.put(self._numbers[which], message)
 
     async def _describe(self):
         """Attach the profile of the system: at the start, and when it has changed and is quiet."""

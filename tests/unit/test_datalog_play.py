@@ -415,7 +415,7 @@ class Recording(Case):
                     sent.wait()
                 writer.Writer.write(self, messages)
 
-        work = recorder.Recorder()
+        work = recorder_of([None, None])
 
         async def feed():
             take = work.box.taker(0)
@@ -430,7 +430,7 @@ class Recording(Case):
 
     def test_the_end(self):
         """After `most` messages it is done, and the file has no more."""
-        work = recorder.Recorder(3)
+        work = recorder_of([None, None], 3)
         for _ in range(5):
             work.box.put(1, message_of(b"abc"))
         self.record(work, writer.Writer(self.name, CHANNELS, START))
@@ -440,7 +440,7 @@ class Recording(Case):
         """OpenRTM-aist 2.1 repeats a value whose answer was lost; values without a timestamp may be alike."""
         stamped = datatypes.Types().named("IDL:RTC/TimedLong:1.0")
         plain = datatypes.Types().named("IDL:RTC/Time:1.0")
-        work = recorder.Recorder(None, [stamped, plain])
+        work = recorder_of([stamped, plain])
         for channel in range(2):
             for second in (0, 0, 1, 1, 1, 2):
                 work.box.put(channel, message_of(struct.pack("<III", second, 0, 7)))
@@ -453,7 +453,7 @@ class Recording(Case):
             def write(self, messages):
                 raise OSError(errno.ENOSPC, "No space left on device")
 
-        work = recorder.Recorder()
+        work = recorder_of([None, None])
         work.box.put(0, message_of(b"abc"))
         with self.assertRaisesRegex(OSError, "No space left"):
             self.record(work, Full(self.name, CHANNELS, START))
@@ -465,10 +465,17 @@ class Recording(Case):
             def write(self, messages):
                 raise LookupError("broken")
 
-        work = recorder.Recorder()
+        work = recorder_of([None, None])
         work.box.put(0, message_of(b"abc"))
         with self.assertRaises(LookupError):
             self.record(work, Broken(self.name, CHANNELS, START))
+
+
+def recorder_of(types, most=None):
+    """A Recorder of channels of these types, which somebody else has told its writer of."""
+    channels = recorder.Channels(None)
+    channels.types += types
+    return recorder.Recorder(channels, most)
 
 
 def message_of(data):

@@ -57,7 +57,7 @@ class Ring(Case):
             made.write([(0, int(self.clock.now * 1e9), True, b"%08d" % self.number)])
             self.number += 1
             if incidents:
-                incidents.step(made, CHANNELS, self.clock.now * 1e9)
+                incidents.step(made, self.clock.now * 1e9)
 
     @staticmethod
     def numbers(name):
@@ -144,11 +144,11 @@ class Ring(Case):
                 self.clock.now += 0.1
                 waiting.append((0, int(self.clock.now * 1e9), True, b"%08d" % self.number))
                 self.number += 1
-            incidents.step(made, CHANNELS, (self.clock.now - 3) * 1e9)
+            incidents.step(made, (self.clock.now - 3) * 1e9)
             self.assertEqual(self.kept, [])
             incidents.protect(made)
             made.write(waiting)
-            incidents.step(made, CHANNELS, self.clock.now * 1e9)
+            incidents.step(made, self.clock.now * 1e9)
             numbers = self.numbers(self.kept[0])
             self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
             self.assertLessEqual(max(abs(numbers[0] - at + 40), abs(numbers[-1] - at - 20)), 1)
@@ -181,7 +181,7 @@ class Ring(Case):
         self.run_for(3, made, incidents)
         incidents.trigger("x")
         self.run_for(1, made, incidents)
-        incidents.finish(made, CHANNELS)
+        incidents.finish(made)
         self.assertEqual(self.numbers(self.kept[0]), list(range(40)))
 
     def test_a_disk_that_is_nearly_full(self):
@@ -201,7 +201,7 @@ class Ring(Case):
 class Taking(unittest.TestCase):
     def test_all_that_came_before_it_was_taken_is_written(self):
         """Or a trigger's file could lack its end."""
-        work = recorder.Recorder()
+        work = recorder.Recorder(recorder.Channels(None))
         sent = []
         written = []
         work._append = lambda batch, taken: written.append(
