@@ -1010,9 +1010,9 @@ def log(name, idl=()):
 
     types = datatypes.Types(idl=idl).load()
     with logfile.load(name, types.scopes()) as opened:
-        channels = decode.Channels(opened, types)
+        decoder = decode.Decoder(opened, types)
         for entry in opened.entries():
-            yield decode.record(channels, entry)
+            yield decoder.record(entry)
 
 
 def _profile(given):

@@ -14,15 +14,19 @@ def _zstd():
 
 
 def refusal(name):
-    """Why chunks compressed by `name` are not read, in one line."""
-    return f"compressed ({printable(name)}), which is not read; mcap decompress FILE -o OUT makes one that is"
+    """Why chunks compressed by `name` are not read, and what to do, in one line."""
+    if name == "zstd":
+        why = "zstd, which is read by Python 3.14 and later"
+    else:
+        why = f"{printable(name)}, which is not read"
+    return f"compressed with {why}; `mcap decompress FILE -o OUT` makes a copy that can be read"
 
 
 def is_read(name):
     return name == "zstd" and _zstd() is not None
 
 
-def expanded(octets, most):
+def expand(octets, most):
     """At most `most` octets that zstd has compressed; None where they are damaged."""
     module = _zstd()
     try:

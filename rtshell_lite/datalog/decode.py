@@ -14,8 +14,8 @@ FIRST = "first"
 INSIDE = "inside"
 
 
-class Channels:
-    """The channels of a log with their types: those in the file, else those of `types`, a datatypes.Types.
+class Decoder:
+    """Decodes the entries of a log, with the types in the file, else those of `types`, a datatypes.Types.
 
     `unreadable` counts the entries that were shown as bytes because they do not fit their type, or are nested
     too deep.
@@ -90,7 +90,7 @@ class Channels:
             if not stamped:
                 return entry.data
             if stamped == FIRST:
-                return _shifted(entry.data, little, shift)
+                return _shift_stamp(entry.data, little, shift)
         value = self.value(entry)
         if value is None:
             channel = self.log.channels[entry.channel]
@@ -101,8 +101,55 @@ class Channels:
             )
         stamp = values.timestamp(value)
         if stamped and any(stamp):
-            value = values.with_timestamp(value, *_moved(stamp, shift))
+            value = values.with_timestamp(value, *_move_stamp(stamp, shift))
         return type.encode(value, little)
+
+    # ---- for people and programs ---------------------------------------------------------------------------
+
+    def form_value(self, entry, form):
+        """form(value of an entry); None when its type is not known, or the entry does not fit it or is nested
+        too deep.
+        """
+        try:
+            value = self.value(entry)
+            if value is None:
+                return None
+            return form(value)
+        except (errors.Failed, errors.BadValue):
+            self.unreadable += 1
+            return None
+
+    def line(self, entry, limit=None):
+        """An entry as a line for people, `[SEC.NSEC] DATA`, after its channel's name where there are several;
+        at most `limit` elements of a sequence.
+        """
+        name = ""
+        if len(self.log.channels) > 1:
+            name = printable(self.log.channels[entry.channel].name) + ": "
+        words = self.form_value(entry, lambda value: values.text(value, limit))
+        if words is not None:
+            return name + words
+        if entry.data is None:
+            return name + safe(repr(entry.value))
+        return name + f"{len(entry.data)} bytes: {entry.data.hex()}"
+
+    def record(self, entry):
+        """An entry as fields for JSON."""
+        channel = self.log.channels[entry.channel]
+        fields = {
+            "number": entry.number,
+            "received": entry.received / 1e9,
+            "port": channel.name,
+            "type": channel.type_id,
+        }
+        value = self.form_value(entry, values.json)
+        if value is not None:
+            fields["value"] = value
+        elif entry.data is None:
+            fields["value"] = _tame(entry.value)
+        else:
+            fields.update(size=len(entry.data), little_endian=entry.little, hex=entry.data.hex())
+        return fields
 
 
 def place_of_timestamp(descriptor):
@@ -117,7 +164,7 @@ def place_of_timestamp(descriptor):
     return None
 
 
-def _shifted(data, little, shift):
+def _shift_stamp(data, little, shift):
     """CDR that begins with a timestamp, moved; the rest, which may be an image, is not decoded."""
     if little:
         order = "<II"
@@ -127,11 +174,11 @@ def _shifted(data, little, shift):
         return data
     stamp = struct.unpack_from(order, data)
     if any(stamp):
-        return struct.pack(order, *_moved(stamp, shift)) + data[8:]
+        return struct.pack(order, *_move_stamp(stamp, shift)) + data[8:]
     return data
 
 
-def _moved(stamp, shift):
+def _move_stamp(stamp, shift):
     """(seconds, nanoseconds) moved by `shift` ns, with the carry that rtshell forgot,
     within what RTC::Time can hold.
     """
@@ -139,7 +186,7 @@ def _moved(stamp, shift):
     return divmod(min(max(moment, 0), (1 << 32) * 10**9 - 1), 10**9)
 
 
-# ---- for people and programs -------------------------------------------------------------------------------
+# ---- what is in a log --------------------------------------------------------------------------------------
 
 
 def summary(log):
@@ -219,50 +266,7 @@ def _size(size):
     return "%.2f%s (%dB)" % (size / factor, unit, size)
 
 
-def line(channels, entry, limit=None):
-    """An entry as a line for people, `[SEC.NSEC] DATA`, after its channel's name where there are several."""
-    name = ""
-    words = shown(channels, entry, lambda value: values.text(value, limit))
-    if len(channels.log.channels) > 1:
-        name = printable(channels.log.channels[entry.channel].name) + ": "
-    if words is not None:
-        return name + words
-    if entry.data is None:
-        return name + safe(repr(entry.value))
-    return name + f"{len(entry.data)} bytes: {entry.data.hex()}"
-
-
-def shown(channels, entry, form):
-    """form(value of an entry); None when its type is not known,
-    or the entry does not fit it or is nested too deep.
-    """
-    try:
-        value = channels.value(entry)
-        if value is None:
-            return None
-        return form(value)
-    except (errors.Failed, errors.BadValue):
-        channels.unreadable += 1
-        return None
-
-
-def record(channels, entry):
-    """An entry as fields for JSON."""
-    channel = channels.log.channels[entry.channel]
-    value = shown(channels, entry, values.json)
-    fields = {
-        "number": entry.number,
-        "received": entry.received / 1e9,
-        "port": channel.name,
-        "type": channel.type_id,
-    }
-    if value is not None:
-        fields["value"] = value
-    elif entry.data is None:
-        fields["value"] = _tame(entry.value)
-    else:
-        fields.update(size=len(entry.data), little_endian=entry.little, hex=entry.data.hex())
-    return fields
+# ---- values of unknown types -------------------------------------------------------------------------------
 
 
 def _tame(value):

@@ -43,7 +43,7 @@ class Choice:
             return False
         return not _fits(self._without, names)
 
-    def thinned(self, port, deliver):
+    def thin(self, port, deliver):
         """A function that delivers some of the Messages of a Port."""
         names = _names(port)
         for pattern, number in self._every:

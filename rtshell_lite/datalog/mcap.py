@@ -363,7 +363,6 @@ class Closing:
     """The records that end a file, from `offset` on, in portions: `begin`, the ChunkIndex records, `end`."""
 
     def __init__(self, contents, offset):
-        self._offset = offset
         self._groups = []
         data_end = record(DATA_END, _LENGTH.pack(0))
         self._summary = offset + len(data_end)

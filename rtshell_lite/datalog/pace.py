@@ -100,13 +100,13 @@ class Pace:
                 self._begun = max(self._due, self._begun + ROUND)
                 self._origin = self._begun, entry.received
             is_begin = False
-            if not await self._is_due(entry, end):
+            if not await self._wait_until_due(entry, end):
                 return
             self.position = entry.received
             self.count += 1
             yield entry
 
-    async def _is_due(self, entry, end):
+    async def _wait_until_due(self, entry, end):
         """Wait until an entry is due; False where somebody wants another one, or the end comes before."""
         while self._target is None:
             now = time.monotonic()

@@ -82,7 +82,7 @@ class Range:
         return number
 
 
-def channel(log, port, name, place):
+def _channel_for(log, port, name, place):
     """The number of the channel that is played to a Port: the one called `name`, or the one at that `place`
     without a name.
 
@@ -122,12 +122,12 @@ async def portions(entries, count, cycle, seconds=math.inf):
     """The entries, `count` of them every `cycle` seconds, for `seconds`."""
     begun = time.monotonic()
     for number, entry in enumerate(entries):
-        if number % count == 0 and not await _waited(begun, number // count * cycle, seconds):
+        if number % count == 0 and not await _wait_until(begun, number // count * cycle, seconds):
             return
         yield entry
 
 
-async def _waited(begun, moment, seconds):
+async def _wait_until(begun, moment, seconds):
     """Wait until `moment` seconds after `begun`; False when the limit of `seconds` comes first."""
     left = begun + min(moment, seconds) - time.monotonic()
     if left > 0:
@@ -138,11 +138,9 @@ async def _waited(begun, moment, seconds):
 class Playing:
     """A log that is played to ports. Ports that fail are reported and counted in `tally`."""
 
-    def __init__(self, channels, anyway):
-        """`channels` are the log's decode.Channels;
-        `anyway`: even to components that will not read the values.
-        """
-        self.channels = channels
+    def __init__(self, decoder, anyway):
+        """`decoder`: the log's decode.Decoder; `anyway`: even to components that will not read the values."""
+        self.decoder = decoder
         self.anyway = anyway
         self.tally = notes.Tally()
         self.sinks = []  # (number of a channel, the writing.Writer of a port that it is played to)
@@ -154,7 +152,7 @@ class Playing:
                 if isinstance(target, errors.Error):
                     raise target
                 self._add(
-                    channel(self.channels.log, target.port, target.name, place), target.port, properties
+                    _channel_for(self.decoder.log, target.port, target.name, place), target.port, properties
                 )
             except errors.Error as e:
                 self.tally.add(e)
@@ -169,13 +167,13 @@ class Playing:
                 port = known if isinstance(known, errors.Error) else ports.named(path, known)
                 if isinstance(port, errors.Error):
                     raise port
-                _check_types(self.channels.log, number, port)
+                _check_types(self.decoder.log, number, port)
                 self._add(number, port, properties)
             except errors.Error as e:
                 self.tally.add(e)
 
     def _add(self, number, port, properties):
-        log = self.channels.log
+        log = self.decoder.log
         coming = log.counts.get(log.channels[number].name, 0)
         self.sinks.append(
             (number, writing.Writer(port, properties, "rtlog", self.anyway, several=coming != 1))
@@ -226,7 +224,7 @@ class Playing:
         values = []
         for writer in writers:
             try:
-                values.append((writer, self.channels.data(entry, writer.little, moment)))
+                values.append((writer, self.decoder.data(entry, writer.little, moment)))
             except errors.Failed as e:
                 self.tally.add(e)
         failed = dict(await writing.offer(values, until))

@@ -47,9 +47,9 @@ class Log:
         head = self._head(len(mcap.MAGIC))
         if head is None or head[0] != mcap.HEADER:
             raise errors.Failed(where, "its header is damaged, nothing can be read")
-        summary = self._summary()
-        if summary is None or not self._found(*summary):
-            self._found({}, None, [])
+        summary = self._read_summary()
+        if summary is None or not self._find_records(*summary):
+            self._find_records({}, None, [])
         if self._compressed:
             raise errors.Failed(self.where, compression.refusal(self._compressed))
         if self.started is None:
@@ -175,7 +175,7 @@ class Log:
             return None
         return kind, end
 
-    def _summary(self):
+    def _read_summary(self):
         """({offset of a chunk: (its length, messages, length of their indexes)}, {channel's id: messages},
         bodies of schemas and channels with their opcodes) as the end of the file says; None where it says
         nothing sound.
@@ -184,7 +184,7 @@ class Log:
         counted = None
         defined = []
         try:
-            at = self._checked_summary()
+            at = self._check_summary()
             while at < self.size - mcap.FOOT.size:
                 kind, end = self._head(at) or (None, self.size)
                 if kind == mcap.CHUNK_INDEX:
@@ -200,7 +200,7 @@ class Log:
         self.closed = True
         return known, counted, defined
 
-    def _checked_summary(self):
+    def _check_summary(self):
         """Where the summary begins, whose checksum is right. Raises Damaged."""
         start, expected = mcap.footer(self._octets(max(0, self.size - mcap.FOOT.size), mcap.FOOT.size))
         if start == 0:
@@ -218,9 +218,9 @@ class Log:
             raise mcap.Damaged("a long record")
         return self._octets(offset + HEAD.size, end - offset - HEAD.size)
 
-    def _found(self, known, counted, defined):
-        """Find all records up to the end of the data, with the help of what _summary says; False when that is
-        not so.
+    def _find_records(self, known, counted, defined):
+        """Find all records up to the end of the data, with the help of what _read_summary has returned; False
+        when that is not so.
         """
         self.channels = []
         self.attachments = []
@@ -244,11 +244,11 @@ class Log:
                 break
             kind, end = head
             if kind == mcap.CHUNK:
-                end = self._chunk(end, known.get(self.end), is_known)
+                end = self._take_chunk(end, known.get(self.end), is_known)
             elif kind == mcap.MESSAGE:
-                end = self._loose(end)
+                end = self._take_loose(end)
             elif kind != mcap.DATA_END:
-                self._other(kind, end)
+                self._take_other(kind, end)
             if kind != mcap.DATA_END:
                 self.end = end
         if kind != mcap.DATA_END:
@@ -278,7 +278,7 @@ class Log:
                 self._counts[channel] = self._counts.get(channel, 0) + count
             self._stretches[-1] = last._replace(count=sum(counts.values()))
 
-    def _chunk(self, end, index, is_known):
+    def _take_chunk(self, end, index, is_known):
         """Note the chunk at self.end; returns the offset after it and its indexes."""
         try:
             chunk = mcap.Chunk(self._octets(self.end, min(mcap.BEGINNING, end - self.end)))
@@ -333,7 +333,7 @@ class Log:
                 counts[int.from_bytes(octets[body : body + 2], "little")] += 1
         return counts
 
-    def _loose(self, end):
+    def _take_loose(self, end):
         """Note the messages at self.end that are in no chunk; returns the offset after them."""
         times = []
         at = self.end
@@ -353,14 +353,14 @@ class Log:
         self._add(at, min(times), max(times), len(times), False)
         return at
 
-    def _other(self, kind, end):
+    def _take_other(self, kind, end):
         """Take what a record outside of chunks says."""
         try:
             if kind in (mcap.SCHEMA, mcap.CHANNEL):
                 self._define(kind, self._body(self.end, end))
                 return
             if kind == mcap.METADATA:
-                self._described(self._body(self.end, end))
+                self._take_metadata(self._body(self.end, end))
             elif kind == mcap.ATTACHMENT:
                 body = self._octets(self.end + HEAD.size, min(end - self.end, WORDS))
                 logged, name, media, place, size = mcap.attachment(body)
@@ -373,7 +373,7 @@ class Log:
         except mcap.Damaged:
             pass
 
-    def _described(self, body):
+    def _take_metadata(self, body):
         name, texts = mcap.metadata(body)
         created = texts.get("created", "")
         if name == "rtlog" and self.started is None and created.isdigit() and len(created) < 20:
@@ -391,7 +391,7 @@ class Log:
             return
         schema = self._schemas.get(schema_number)
         self._ids.setdefault((topic, schema, encoding, tuple(sorted(about.items()))), number)
-        channel = _channel(topic, schema, encoding, about)
+        channel = _make_channel(topic, schema, encoding, about)
         for place, other in enumerate(self.channels):
             if other[:2] == channel[:2]:
                 more = tuple(source for source in channel.sources if source not in other.sources)
@@ -409,12 +409,12 @@ class Log:
         if stretch.end - stretch.offset <= LARGEST + (1 << 20):
             octets = self._octets(stretch.offset, stretch.end - stretch.offset)
         if octets is not None and stretch.is_chunk:
-            octets = self._unpacked(octets)
+            octets = self._unpack(octets)
         if octets is None:
             self._damaged[stretch.offset] = max(stretch.count, 1)
         return octets
 
-    def _unpacked(self, octets):
+    def _unpack(self, octets):
         try:
             chunk = mcap.Chunk(octets)
         except mcap.Damaged:
@@ -423,7 +423,7 @@ class Log:
         if len(inner) < chunk.within:
             return None
         if chunk.compression:  # by what is read, or the file is refused
-            inner = compression.expanded(inner, min(chunk.size, LARGEST))
+            inner = compression.expand(inner, min(chunk.size, LARGEST))
         if inner is None or chunk.crc and zlib.crc32(inner) != chunk.crc:
             return None
         return bytes(inner)
@@ -454,7 +454,7 @@ class Log:
             return None
         encoding = self.channels[ours].encoding
         if encoding == "json" and self._parses:
-            return self._parsed(number, moment, ours, data)
+            return self._parse(number, moment, ours, data)
         if encoding != "cdr":
             return Entry(number, moment, ours, True, data, None)
         prefix = data[:4]
@@ -463,7 +463,7 @@ class Log:
             return None
         return Entry(number, moment, ours, prefix[1] == 1, data[4:], None)
 
-    def _parsed(self, number, moment, ours, data):
+    def _parse(self, number, moment, ours, data):
         try:
             return Entry(number, moment, ours, None, None, json.loads(data.decode("utf-8")))
         except (ValueError, RecursionError):
@@ -515,7 +515,7 @@ def _walk(octets):
         pass
 
 
-def _channel(topic, schema, encoding, about):
+def _make_channel(topic, schema, encoding, about):
     """The Channel for what a file says; one that we wrote describes its type, and where it comes from."""
     description = about.get("description", "").encode("ascii", "replace")
     try:

@@ -435,7 +435,7 @@ class _Recording:
             properties = dict({reading.SUBSCRIPTION: "new"}, **properties)
         reader = self._reader(port, properties)
         channel = await self._channels.add_by_path(port, about)
-        _feed(reader, self._plan.choice.thinned(port, self._taker(channel)))
+        _feed(reader, self._plan.choice.thin(port, self._taker(channel)))
         return reader
 
     def _reader(self, port, properties):
@@ -451,7 +451,7 @@ class _Recording:
             return deliver
         channel = self._channels.found[number]
         names = (channel.name, *channel.sources)
-        return self._plan.triggers.wrapped(names, self._channels.types[number], deliver)
+        return self._plan.triggers.wrap(names, self._channels.types[number], deliver)
 
 
 def _feed(reader, deliver):

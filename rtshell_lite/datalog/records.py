@@ -1,6 +1,7 @@
 """What a log holds: channels, and entries in them."""
 
 import collections
+import re
 
 # A stream in a log: its name for playing, its data type's id, that type as bytes (b"": unknown), the ports it
 # came from; the encoding of its messages (cdr, json, …), and what the file says of their type, where somebody
@@ -24,3 +25,8 @@ def is_called(word, names):
     """
     end = word.lstrip("./")
     return any(name == word or name.endswith(("/" + end, ":" + end)) for name in names)
+
+
+def cuts(word):
+    """Where the name of a channel or a port may end in NAME[.FIELD], from the end on."""
+    return [len(word)] + [found.start() for found in reversed(list(re.finditer(r"[.\[]", word)))]

@@ -337,7 +337,7 @@ class Hook:
         self._command = command
         self._processes = []
 
-    def kept(self, name):
+    def report(self, name):
         """Such a file is complete."""
         notes.note("kept " + text.printable(name))
         if self._command is None:
@@ -373,8 +373,8 @@ class Mailbox:
             raise
         self._file.truncate(0)
 
-    def taken(self):
-        """Whether somebody has left a word."""
+    def take(self):
+        """Whether somebody has left a word, which is taken."""
         if os.fstat(self._file.fileno()).st_size == 0:
             return False
         self._file.truncate(0)

@@ -40,9 +40,9 @@ _ODD = re.compile('[",\r\n]')
 class Table:
     """Lines of a table: `columns` are those so far, {name: place}."""
 
-    def __init__(self, channels, is_ns=False):
-        """`channels`: decode.Channels."""
-        self.channels = channels
+    def __init__(self, decoder, is_ns=False):
+        """`decoder`: decode.Decoder."""
+        self.decoder = decoder
         self.columns = {name: place for place, name in enumerate(HEAD)}
         self._is_ns = is_ns
         # by channel: its name as a cell; _Numbers, or None; [(column, function, sort)], None where it has no
@@ -64,13 +64,13 @@ class Table:
         if numbers is not None and entry.data is not None:
             found = numbers.cells(entry, self._time)
             if found is not None:
-                return self._placed(cells, numbers.names, found, (entry.channel, ()))
-        shown = decode.shown(self.channels, entry, lambda value: self._cells(value, plan))
-        if shown is None:
-            names, found = self._plain(entry)
-            return self._placed(cells, names, found, None)
-        sizes, found, names = shown
-        return self._placed(cells, names, found, (entry.channel, sizes))
+                return self._place_cells(cells, numbers.names, found, (entry.channel, ()))
+        formed = self.decoder.form_value(entry, lambda value: self._cells(value, plan))
+        if formed is None:
+            names, found = self._cells_without_type(entry)
+            return self._place_cells(cells, names, found, None)
+        sizes, found, names = formed
+        return self._place_cells(cells, names, found, (entry.channel, sizes))
 
     def _time(self, parts):
         if self._is_ns:
@@ -78,8 +78,8 @@ class Table:
         return "%d.%09d" % parts
 
     def _plan(self, number):
-        channel = self.channels.log.channels[number]
-        type = self.channels.type(number)
+        channel = self.decoder.log.channels[number]
+        type = self.decoder.type(number)
         numbers = None
         plan = None
         if type is not None and kind(descriptors.target(type.descriptor)) == STRUCT:
@@ -131,14 +131,14 @@ class Table:
             )
         return found
 
-    def _plain(self, entry):
+    def _cells_without_type(self, entry):
         """(function for the names, cells) of an entry whose type is not known, or that does not fit it."""
         if entry.data is not None:
             return lambda: ["hex"], [entry.data.hex()]
         pairs = decode.flat(entry.value, "")
         return lambda: [name for name, _ in pairs], [cell(_words(scalar)) for _, scalar in pairs]
 
-    def _placed(self, head, names, found, key):
+    def _place_cells(self, head, names, found, key):
         """The cells in their columns; `key` names a combination of columns that may come again, or
         is None.
         """
@@ -156,10 +156,6 @@ class Table:
         for place, scalar in zip(places, found):
             row[place] = scalar
         return row
-
-    def padded(self, row):
-        """A row as a line that has all columns."""
-        return ",".join(row) + "," * (len(self.columns) - len(row))
 
 
 def _words(scalar):
@@ -208,9 +204,9 @@ class _Numbers:
     def names(self):
         return self._columns
 
-    def cells(self, entry, spelt):
+    def cells(self, entry, spell):
         """The cells of an entry; None where it ends too early.
-        spelt((seconds, nanoseconds)): a time in words.
+        spell((seconds, nanoseconds)): a time in words.
         """
         try:
             numbers = self._layouts[entry.little].unpack_from(entry.data)
@@ -218,7 +214,7 @@ class _Numbers:
             return None
         found = list(map(str, numbers))
         for place in self._times:
-            found[place : place + 2] = [spelt(divmod(numbers[place] * 10**9 + numbers[place + 1], 10**9))]
+            found[place : place + 2] = [spell(divmod(numbers[place] * 10**9 + numbers[place + 1], 10**9))]
         return found
 
 
@@ -295,25 +291,25 @@ class _Spool:
                 yield row + "," * (total - int(count))
 
 
-def lines(channels, entries, is_ns=False):
+def lines(decoder, entries, is_ns=False):
     """The lines of one table of all entries."""
-    spool = _Spool(Table(channels, is_ns))
+    spool = _Spool(Table(decoder, is_ns))
     for entry in entries:
         spool.add(entry)
     return spool.lines()
 
 
-def write(channels, entries, directory, is_ns=False):
+def write(decoder, entries, directory, is_ns=False):
     """Write a table for each channel into a directory; returns their names. Raises OSError, errors.Failed."""
     spools = {}
     for entry in entries:
         if entry.channel not in spools:
-            spools[entry.channel] = _Spool(Table(channels, is_ns))
+            spools[entry.channel] = _Spool(Table(decoder, is_ns))
         spools[entry.channel].add(entry)
     os.makedirs(directory, exist_ok=True)
     names = []
     for number, spool in sorted(spools.items()):
-        names.append(os.path.join(directory, _file_name(channels.log.channels[number].name, names)))
+        names.append(os.path.join(directory, _file_name(decoder.log.channels[number].name, names)))
         _replace(names[-1], spool)
     return names
 

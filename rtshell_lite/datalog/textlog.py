@@ -55,7 +55,7 @@ class Writer:
                 seconds, nanoseconds = divmod(received, 10**9)
                 line = (
                     f"{seconds}.{nanoseconds:09d}\t({self._names[channel]!r}, "
-                    f"{self._spelt(channel, little, data)})\n"
+                    f"{self._spell(channel, little, data)})\n"
                 )
                 self._file.write(line.encode("utf-8", "backslashreplace"))
             self._file.flush()
@@ -63,7 +63,7 @@ class Writer:
             e.filename = self.name
             raise
 
-    def _spelt(self, channel, little, data):
+    def _spell(self, channel, little, data):
         if self._types[channel]:
             try:
                 return values.constructor(self._types[channel].decode(data, little))

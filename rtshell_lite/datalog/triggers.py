@@ -12,8 +12,7 @@ import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import values
-from rtshell_lite.datalog import schemas
-from rtshell_lite.datalog.records import is_called
+from rtshell_lite.datalog import records, schemas
 from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
@@ -40,8 +39,8 @@ class Silence:
         self._seconds = seconds
         self._last = {}  # by names of a channel: when a value came last; None: its silence has been noticed
 
-    def wrapped(self, names, type, deliver):
-        if not is_called(self._port, names):
+    def wrap(self, names, type, deliver):
+        if not records.is_called(self._port, names):
             return deliver
 
         def take(message):
@@ -70,7 +69,7 @@ class Comparison:
         self._happened = []
         self._was = {}
 
-    def wrapped(self, names, type, deliver):
+    def wrap(self, names, type, deliver):
         field = self._field(names)
         if field is None or type is None:
             return deliver
@@ -82,8 +81,8 @@ class Comparison:
         return take
 
     def _field(self, names):
-        for cut in [found.start() for found in reversed(list(re.finditer(r"[.\[]", self._part)))]:
-            if is_called(self._part[:cut], names):
+        for cut in records.cuts(self._part):
+            if records.is_called(self._part[:cut], names):
                 return self._part[cut:].lstrip(".")
         return None
 
@@ -114,7 +113,7 @@ class Report:
         self._events = EVENTS[word]
         self._happened = []
 
-    def wrapped(self, names, type, deliver):
+    def wrap(self, names, type, deliver):
         return deliver
 
     def hear(self, fields):
@@ -167,12 +166,12 @@ class Triggers:
         self._mailbox = mailbox
         self._signals = 0
 
-    def wrapped(self, names, type, deliver):
+    def wrap(self, names, type, deliver):
         """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of
         is_called.
         """
         for condition in self._conditions:
-            deliver = condition.wrapped(names, type, deliver)
+            deliver = condition.wrap(names, type, deliver)
         return deliver
 
     def hear(self, fields):
@@ -189,10 +188,10 @@ class Triggers:
         channel = work.channels.add_json("/triggers", schemas.of_events())
         number_of_signal = getattr(_signal, "SIGUSR1", None)  # not every system has it
         if number_of_signal is not None:
-            loop.current().hear(number_of_signal, self._signalled)
+            loop.current().hear(number_of_signal, self._note_signal)
         try:
             while True:
-                for words in self._happened():
+                for words in self._causes():
                     self._incidents.trigger(words)
                     notes.note(f"trigger: {printable(words)}")
                     fields = dict(path="", kind="TRIGGER", subject="", event=words, mark="trigger: " + words)
@@ -205,14 +204,14 @@ class Triggers:
     def close(self):
         self._mailbox.close()
 
-    def _signalled(self):
+    def _note_signal(self):
         self._signals += 1
 
-    def _happened(self):
+    def _causes(self):
         for condition in self._conditions:
             yield from condition.look()
         if self._signals:
             self._signals = 0
             yield "SIGUSR1"
-        if self._mailbox.taken():
+        if self._mailbox.take():
             yield "now"

@@ -187,8 +187,8 @@ def _plot(name):
     from rtshell_lite.views import plot_sources, plot_svg
 
     with logfile.load(name) as log:
-        channels = decode.Channels(log, datatypes.Types().load())
+        decoder = decode.Decoder(log, datatypes.Types().load())
         start = (log.last or 0) / 1e9 - WINDOW
         entries = play.Range(start, None, False).entries(log)
-        picture = plot_sources.of_log(channels, [], "", entries)
+        picture = plot_sources.of_log(decoder, [], "", entries)
     return base64.b64encode("\n".join(plot_svg.lines(picture)).encode()).decode()

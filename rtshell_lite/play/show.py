@@ -17,7 +17,7 @@ LOOK = 0.02  # seconds between two looks whether somebody is connected
 
 
 class Show:
-    """Plays decode.Channels of a log as components.
+    """Plays a log as components, with its decode.Decoder.
 
     prefix     Names below which they are bound
     server     address of the name server; None for the first of RTCTREE_NAMESERVERS
@@ -26,9 +26,9 @@ class Show:
     is_absolute  the timestamps in the data stay
     """
 
-    def __init__(self, channels, prefix=(), server=None, serve=None, choice=None, is_absolute=False):
-        self._channels = channels
-        self._log = channels.log
+    def __init__(self, decoder, prefix=(), server=None, serve=None, choice=None, is_absolute=False):
+        self._decoder = decoder
+        self._log = decoder.log
         self._prefix = prefix
         self._server = server
         self._serve = serve
@@ -156,7 +156,7 @@ class Show:
         if not self._is_absolute:
             moment = int(time.time() * 1e9)
         try:
-            self._stage.outs[entry.channel].write(lambda little: self._channels.data(entry, little, moment))
+            self._stage.outs[entry.channel].write(lambda little: self._decoder.data(entry, little, moment))
         except errors.Failed as e:
             if entry.channel not in self._failed:
                 self._failed.add(entry.channel)

@@ -1,7 +1,5 @@
 """Where the numbers of a plot come from: a log, or ports."""
 
-import re
-
 from rtshell_lite import errors, text
 from rtshell_lite.data import datatypes, values
 from rtshell_lite.datalog import records, schemas
@@ -103,7 +101,7 @@ def channel(log, word):
     records.is_called says. Raises NoSuch, Ambiguous, BadPath.
     """
     known = [each.name for each in log.channels]
-    for cut in _cuts(word):
+    for cut in records.cuts(word):
         name = word[:cut]
         found = [number for number, each in enumerate(known) if each == name]
         found = found or _called(log, name)
@@ -124,16 +122,11 @@ def _called(log, name):
     ]
 
 
-def _cuts(word):
-    """Where the name of a channel or a port may end, from the end on."""
-    return [len(word)] + [found.start() for found in reversed(list(re.finditer(r"[.\[]", word)))]
-
-
-def of_log(channels, words, shown, entries):
-    """The plot.Picture of some of the `entries` of a log (decode.Channels): of the `words` CHANNEL[.FIELD],
+def of_log(decoder, words, shown, entries):
+    """The plot.Picture of some of the `entries` of a log (decode.Decoder): of the `words` CHANNEL[.FIELD],
     or all. Raises errors.Error.
     """
-    log = channels.log
+    log = decoder.log
     between = (log.first or 0, log.last or 0)
     span = between[1] - between[0]
     width = max(span // WINDOWS, min(10**9, span // FEWEST), 1)
@@ -150,7 +143,7 @@ def of_log(channels, words, shown, entries):
         if entry.channel in events and isinstance(entry.value, dict) and entry.value.get("mark"):
             picture.marks.append((moment, printable(str(entry.value["mark"]))))
         for source in wanted.get(entry.channel, ()):
-            source.take(moment, lambda: _value(channels, entry))
+            source.take(moment, lambda: _value(decoder, entry))
     for source in sources:
         source.advance(moment)
         source.check()
@@ -158,14 +151,14 @@ def of_log(channels, words, shown, entries):
     return picture
 
 
-def _value(channels, entry):
+def _value(decoder, entry):
     """The value of an entry. Raises NoSuch, Failed."""
-    value = channels.value(entry)
+    value = decoder.value(entry)
     if value is not None:
         return value
     if entry.data is None:
         return entry.value
-    type_id = channels.log.channels[entry.channel].type_id
+    type_id = decoder.log.channels[entry.channel].type_id
     raise errors.NoSuch(printable(type_id) or "a type without a name", "data type known", datatypes.SOURCES)
 
 
@@ -187,7 +180,7 @@ def named_port(path, known):
     """(Port, plot.Field) for PATH:PORT[.FIELD] among the ports of a component. Raises NoSuch, BadPath."""
     from rtshell_lite.robot import ports
 
-    for cut in _cuts(path.port):
+    for cut in records.cuts(path.port):
         port = ports.named(path.with_port(path.port[:cut]), known)
         if not isinstance(port, errors.Error):
             return port, plot.Field(path.port[cut:].lstrip("."))

@@ -170,6 +170,35 @@ For others it is made whole in a copy, or in place:
   rtlog: --in-place is for --mend (see --help)
   [2]
 
+Compressed by somebody else: read by those Pythons that can, zstd from 3.14 on; else refused, with what to do:
+
+  $ base64 -d << END | gzip -d > zstd.mcap
+  > H4sIAAAAAAACA+v0dXYMMODlYpRkQABBIM5NTizQLagsycjP0zfUM9MzYFsIl09ZvnnbA16GKTPltgDpG1DR6fs6LViAdFVxSUopVExj
+  > q/5fhRupzAxfWJjlGRgZWIFiwSWJJalcQEZWcX5ecXJGam4iE5BXXcsiBVTByMAG5OgXs7CqQaypVsrNT0lVslJQKk/MyVaqPfXvEchi
+  > bgYFFcbiCVxrRYN2MPZofZFkelJ6SqnxI5sBC7sZ1HZGBgMk93rDnA80AcSvgvGh/lgJ5fKzIAUF0NUwswi5HaYO5gOQUhaoUpAMtwXM
+  > TCSlCMCIJWi5wOIw9Rx+OGJACyq6CkpDtF2B8uyhNHrcwOKNTxDmLgWoezTQZVg8oDLK6DLc2VAZR3QZjjVQmXB0GS5mJgYUAJfhRZdh
+  > EoEyYE6DKRBddE6qE5p2AQOUfSbEAgAA
+  > END
+  $ base64 -d << END | gzip -d > lz4.mcap
+  > H4sIAAAAAAACA+v0dXYMMODlYpRkQABBIM5NTizQLagsycjP0zfUM9MzYDsAl09ZvnnbA16GKTPltgDpG1DR6fs6LZiBdE6VyVSoEIuS
+  > r0SGA0xBdB2QMGKWZ2Bk+CTEyMAK5AWXJJakcgEZWcX5ecXJGam5iUxAXnUti5Q6wwagQkYGNiBfv1ibQZhFm4FBlkGBVY2NgVGZgZGd
+  > oQTqEA6GP4zVSrn5KalKVgpK5Yk52Uq1+gz2p/490meQ9Ae5Mo6BOQAsDHIGuxnUPYwMBkje8Yb5DqgPxK+C8aHeXAnl8rMghRTQMzCz
+  > CHgHrg7mI5BSFqhSkAy3BcxMJKUIwIgl5LnA4jD1HL44IkgLKnoSSkO0fYby7JGsRYo6WKTxCcLk7aHO0UCXYUmHyiijy3B3QWUc0WU4
+  > TkNlwtBluBSZGFAAXIYXXYZJBOYHqGEwBfNEuxs6oSkbACwG8UbiAgAA
+  > END
+  $ rtlog -d -f lz4.mcap
+  rtlog: lz4.mcap: compressed with lz4, which is not read; `mcap decompress FILE -o OUT` makes a copy that can be read
+  [1]
+  $ rtlog --mend lz4.mcap; ls lz4*
+  rtlog: lz4.mcap: compressed with lz4, which is not read; `mcap decompress FILE -o OUT` makes a copy that can be read
+  lz4.mcap
+  $ rtlog --json -f zstd.mcap
+  rtlog: zstd.mcap: compressed with zstd, which is read by Python 3.14 and later; `mcap decompress FILE -o OUT` makes a copy that can be read
+  [1]
+  $ rtplot -f zstd.mcap
+  rtplot: zstd.mcap: compressed with zstd, which is read by Python 3.14 and later; `mcap decompress FILE -o OUT` makes a copy that can be read
+  [1]
+
 Not logs:
 
   $ rtlog -d -f none

@@ -179,8 +179,8 @@ class Ours(Case):
     def test_we_read_every_value(self):
         written = self.recorded()
         with logfile.load(self.name) as log:
-            channels = decode.Channels(log, datatypes.Types())
-            found = [random_values.plain(channels.value(entry)) for entry in log.entries()]
+            decoder = decode.Decoder(log, datatypes.Types())
+            found = [random_values.plain(decoder.value(entry)) for entry in log.entries()]
         self.assertEqual(found, [random_values.plain(value) for _, _, value in written])
 
     @unittest.skipUnless(os.environ.get("RTSHELL_NPM"), "npm has not installed @mcap/core")
@@ -236,11 +236,11 @@ class Theirs(Case):
         ):
             self.ros(**options)
             with logfile.load(self.name) as log:
-                channels = decode.Channels(log, datatypes.Types())
+                decoder = decode.Decoder(log, datatypes.Types())
                 self.assertEqual(log.channels[0].type_id, "IDL:RTC/TimedLong:1.0")
                 self.assertEqual((log.count, log.closed), (100, True))
                 for entry in log.entries():
-                    value = channels.value(entry)
+                    value = decoder.value(entry)
                     self.assertEqual(
                         (value.tm.nsec, value.data, entry.received),
                         (entry.number, entry.number, START + entry.number),
@@ -252,7 +252,7 @@ class Theirs(Case):
         for packed in (CompressionType.LZ4, CompressionType.ZSTD):
             self.ros(compression=packed)
             with mock.patch.object(compression, "_zstd", lambda: None), self.assertRaisesRegex(
-                    errors.Failed, "compressed .*, which is not read; mcap decompress FILE -o OUT"):
+                    errors.Failed, "compressed with .*, which is .*read.*; `mcap decompress FILE -o OUT`"):
                 logfile.load(self.name)
 
     def test_zstd(self):
@@ -309,8 +309,8 @@ class Theirs(Case):
                     out.add_message(odd, START + number, b"\0\1\0\0" + own.encode(value), START)
                 out.finish()
             with logfile.load(self.name) as log:
-                channels = decode.Channels(log, datatypes.Types())
-                lines = [decode.record(channels, entry) for entry in log.entries()]
+                decoder = decode.Decoder(log, datatypes.Types())
+                lines = [decoder.record(entry) for entry in log.entries()]
                 self.assertEqual(
                     [line["value"] for line in lines[::2]], [{"a": number} for number in range(5)]
                 )

@@ -292,13 +292,13 @@ class Logs(Target):
         try:
             with logfile.load(self.file) as log:
                 entries = list(log.entries())
-                channels = decode.Channels(log, types)
+                decoder = decode.Decoder(log, types)
                 told = list(log.notes()) + list(decode.summary(log))
                 text.json_line(decode.as_dict(log))
                 for entry in entries:
-                    told.append(decode.line(channels, entry, 20))
-                    json.loads(text.json_line(decode.record(channels, entry)))
-                told += tables.lines(channels, entries)
+                    told.append(decoder.line(entry, 20))
+                    json.loads(text.json_line(decoder.record(entry)))
+                told += tables.lines(decoder, entries)
         except errors.Failed as e:
             raise Refused(str(e))
         for line in told:

@@ -123,7 +123,7 @@ class Hostile(Case):
             data = HEADER + channel() + chunk(b"xyz", compression=name)
             self.put(data)
             with mock.patch.object(compression, "_zstd", lambda: None), self.assertRaisesRegex(
-                errors.Failed, "compressed .*mcap decomp"
+                errors.Failed, "compressed with .*mcap decomp"
             ):
                 logfile.load(self.name)
 

@@ -17,7 +17,6 @@ from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
 from rtshell_lite.datalog import (
     decode,
-    export,
     logfile,
     pace,
     play,
@@ -183,10 +182,10 @@ class Timestamps(Case):
         )
         self.log = logfile.load(self.name)
         self.addCleanup(self.log.__exit__)
-        self.channels, self.entries = decode.Channels(self.log, datatypes.Types()), list(self.log.entries())
+        self.decoder, self.entries = decode.Decoder(self.log, datatypes.Types()), list(self.log.entries())
 
     def data(self, number, little, moment=None):
-        data = self.channels.data(self.entries[number], little, moment)
+        data = self.decoder.data(self.entries[number], little, moment)
         return struct.unpack("<IIi" if little else ">IIi", data)
 
     def test_left_alone(self):
@@ -209,11 +208,11 @@ class Timestamps(Case):
         self.assertEqual(self.data(0, True, START * 9), ((1 << 32) - 1, 999999999, 7))
 
     def test_data_that_is_none(self):
-        self.assertEqual(self.channels.data(self.entries[3], True, START + 1), b"xyz")
+        self.assertEqual(self.decoder.data(self.entries[3], True, START + 1), b"xyz")
         with self.assertRaisesRegex(errors.Failed, "entry 3: RTC.TimedLong: the data end"):
-            self.channels.data(self.entries[3], False, START + 1)
-        self.assertEqual(decode.line(self.channels, self.entries[3]), "3 bytes: 78797a")
-        self.assertEqual(self.channels.unreadable, 1)
+            self.decoder.data(self.entries[3], False, START + 1)
+        self.assertEqual(self.decoder.line(self.entries[3]), "3 bytes: 78797a")
+        self.assertEqual(self.decoder.unreadable, 1)
 
 
 class Types(Case):
@@ -224,27 +223,27 @@ class Types(Case):
         )
         log = logfile.load(self.name)
         self.addCleanup(log.__exit__)
-        return decode.Channels(log, datatypes.Types()), next(log.entries())
+        return decode.Decoder(log, datatypes.Types()), next(log.entries())
 
     @unittest.skipUnless(omniORB, "omniORBpy is not installed")
     def test_described_in_the_file(self):
         """No IDL is needed for a type that nobody else knows."""
         code = datatypes.Types().named("TimedLong").to_bytes()
-        channels, entry = self.open("IDL:Own/Type:1.0", code)
-        self.assertEqual(decode.line(channels, entry), "[1.000000002] 7")
-        self.assertEqual(decode.record(channels, entry)["value"], {"tm": {"sec": 1, "nsec": 2}, "data": 7})
+        decoder, entry = self.open("IDL:Own/Type:1.0", code)
+        self.assertEqual(decoder.line(entry), "[1.000000002] 7")
+        self.assertEqual(decoder.record(entry)["value"], {"tm": {"sec": 1, "nsec": 2}, "data": 7})
 
     def test_not_known(self):
         """The bytes are shown and played; only the other byte order needs the type."""
         for code in (b"", b"garbled", b"[" * 5000):
-            channels, entry = self.open("IDL:Own/Type:1.0", code)
-            self.assertEqual(decode.line(channels, entry), "12 bytes: 010000000200000007000000")
-            fields = decode.record(channels, entry)
+            decoder, entry = self.open("IDL:Own/Type:1.0", code)
+            self.assertEqual(decoder.line(entry), "12 bytes: 010000000200000007000000")
+            fields = decoder.record(entry)
             self.assertEqual((fields["hex"], fields["little_endian"]), ("010000000200000007000000", True))
-            self.assertEqual(channels.data(entry, True, START + 5), entry.data)
+            self.assertEqual(decoder.data(entry, True, START + 5), entry.data)
             with self.assertRaisesRegex(errors.Failed, "type IDL:Own/Type:1.0 is not known; name its "
                                                        "IDL file"):
-                channels.data(entry, False)
+                decoder.data(entry, False)
 
 
 class Exporting(Case):
@@ -257,7 +256,7 @@ class Exporting(Case):
         )
         self.put(simpkl_files.log([value], 2, specs=[simpkl_files.spec("n\x07", "IDL:Own/Type:1.0")]))
         with logfile.load(self.name) as log:
-            lines = list(tables.lines(decode.Channels(log, datatypes.Types()), log.entries()))
+            lines = list(tables.lines(decode.Decoder(log, datatypes.Types()), log.entries()))
         self.assertEqual(lines, ["number,time,port,tm.sec,tm.nsec,data,a\\u009b",
                                  "0,1795247464.750000000,n\\x07,1,2,\\x1b[2J\\u202e\\x0d\\x0a\\\\x,1"])
 
@@ -286,7 +285,7 @@ class Exporting(Case):
             messages.append((place, START + len(messages), True, types[place].encode(value)))
         self.write(messages, channels=channels)
         with logfile.load(self.name) as log:
-            lines = list(tables.lines(decode.Channels(log, known), log.entries()))
+            lines = list(tables.lines(decode.Decoder(log, known), log.entries()))
             self.assertEqual({len(row) for row in csv.reader(lines)}, {10})
             self.assertEqual(
                 lines[0],
@@ -296,7 +295,7 @@ class Exporting(Case):
             self.assertEqual(lines[3:], ["2,1700000000.000000002,RTC.TimedDoubleSeq,1.500000000,,2.5,3.5,,,",
                                          "3,1700000000.000000003,RTC.TimedPose2D,1.000000002,,,,1.0,2.0,3.0"])
             directory = os.path.join(self.directory.name, "tables")
-            names = tables.write(decode.Channels(log, known), log.entries(), directory, True)
+            names = tables.write(decode.Decoder(log, known), log.entries(), directory, True)
         self.assertEqual([os.path.basename(name) for name in names], [type.name + ".csv" for type in types])
         with open(names[1]) as file:
             self.assertEqual(
@@ -330,13 +329,13 @@ class Exporting(Case):
         self.write(messages + [(0, START, True, messages[0][3][:-1])],
                    channels=[records.Channel("n", type.id, type.to_bytes(), ())])
         with logfile.load(self.name) as log:
-            channels = decode.Channels(log, datatypes.Types())
-            lines = list(tables.lines(channels, log.entries()))
+            decoder = decode.Decoder(log, datatypes.Types())
+            lines = list(tables.lines(decoder, log.entries()))
         self.assertEqual(lines[0], "number,time,port,tm,small,at,large,is_so,octet,hex")
         self.assertEqual(lines[1], "0,1700000000.000000000,n,1.000000002,-3,5.999999999,1e+300,True,255,")
         self.assertEqual(lines[2], "1" + lines[1][1:])
         self.assertEqual(lines[3], "2,1700000000.000000000,n,,,,,,," + messages[0][3][:-1].hex())
-        self.assertEqual(channels.unreadable, 1)
+        self.assertEqual(decoder.unreadable, 1)
 
 
 class Deep(Case):
@@ -362,10 +361,10 @@ class Deep(Case):
     def test_shown(self):
         self.write(self.messages, channels=[self.channel])
         with logfile.load(self.name) as log:
-            channels = decode.Channels(log, datatypes.Types())
-            for line_of in (export.people(channels), export.json(channels)):
+            decoder = decode.Decoder(log, datatypes.Types())
+            for line_of in (decoder.line, decoder.record):
                 self.assertEqual(len(list(map(line_of, log.entries()))), len(self.messages))
-            self.assertEqual(len(list(tables.lines(channels, log.entries()))), 1 + len(self.messages))
+            self.assertEqual(len(list(tables.lines(decoder, log.entries()))), 1 + len(self.messages))
 
     def test_recorded_as_text(self):
         out = textlog.Writer(self.name, [self.channel], [self.type])

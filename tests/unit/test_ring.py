@@ -241,7 +241,7 @@ class Conditions(unittest.TestCase):
         type = datatypes.Types().named("TimedLong")
         taken = []
         count = 0
-        take = condition.wrapped((name,), type, taken.append)
+        take = condition.wrap((name,), type, taken.append)
         for number in numbers:
             take(types.SimpleNamespace(data=struct.pack("<IIi", 0, 0, number), little=True))
             count += len(list(condition.look()))
@@ -274,7 +274,7 @@ class Conditions(unittest.TestCase):
         clock = Clock()
         with mock.patch.object(time, "monotonic", clock):
             (condition,) = triggers.parse(["silent A.rtc:out 0.5"])
-            take = condition.wrapped(("/h/A.rtc:out",), None, lambda message: None)
+            take = condition.wrap(("/h/A.rtc:out",), None, lambda message: None)
             clock.now += 9
             self.assertEqual(list(condition.look()), [])  # nothing has come at all
             take(None)
