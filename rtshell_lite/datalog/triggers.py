@@ -17,6 +17,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 LOOK = 0.05  # seconds between two looks
+NO_PORT = "no port is called so yet"
 EVENTS = {"error": ("ERROR",), "death": ("DIED",), "disconnect": ("PORT_DISCONNECT",)}
 _OPERATORS = {
     "<": operator.lt,
@@ -37,11 +38,13 @@ class Silence:
         self.words = words
         self._port = port
         self._seconds = seconds
+        self.remark = NO_PORT
         self._last = {}  # by names of a channel: when a value came last; None: its silence has been noticed
 
     def wrap(self, names, type, deliver):
         if not records.is_called(self._port, names):
             return deliver
+        self.remark = None
 
         def take(message):
             self._last[names] = time.monotonic()
@@ -66,13 +69,18 @@ class Comparison:
         self._part = part
         self._compare = compare
         self._wanted = wanted
+        self.remark = NO_PORT
         self._happened = []
         self._was = {}
 
     def wrap(self, names, type, deliver):
         field = self._field(names)
-        if field is None or type is None:
+        if field is None:
             return deliver
+        if type is None:
+            self.remark = "the data type of this port is not known"
+            return deliver
+        self.remark = None
 
         def take(message):
             deliver(message)
@@ -89,8 +97,11 @@ class Comparison:
     def _judge(self, names, type, field, message):
         try:
             value = values.field(type.decode(message.data, message.little), field)
-        except errors.Error:
-            return  # it is not there
+        except errors.Error as e:
+            if names not in self._was:
+                self._was[names] = False
+                self.remark = str(e)
+            return
         value = getattr(value, "_n", value)
         try:
             is_so = self._compare(value, self._wanted)
@@ -107,6 +118,8 @@ class Comparison:
 
 class Report:
     """Components report an event."""
+
+    remark = None
 
     def __init__(self, word):
         self.words = word
@@ -143,7 +156,7 @@ def _condition(words):
         return Comparison(words, part, _OPERATORS[word], _number(wanted))
     known = ", ".join(EVENTS)
     raise errors.Usage(
-        f"--trigger: none of {known}, silent PATH:PORT SECONDS, PATH:PORT.FIELD OP VALUE: {printable(words)}"
+        f"--trigger {printable(words)}: not {known}, silent PATH:PORT SECONDS, or PATH:PORT.FIELD OP VALUE"
     )
 
 
@@ -157,14 +170,21 @@ def _number(word):
         return word.strip("'\"")
 
 
+SIGNAL = getattr(_signal, "SIGUSR1", None)  # not every system has it
+
+
 class Triggers:
-    """The conditions of a recording, which have ring.Incidents made of what comes."""
+    """The conditions of a recording, which have ring.Incidents made of what comes, and of SIGUSR1, until
+    `close`.
+    """
 
     def __init__(self, conditions, incidents, mailbox):
         self._conditions = conditions
         self._incidents = incidents
         self._mailbox = mailbox
         self._signals = 0
+        if SIGNAL is not None:
+            loop.current().hear(SIGNAL, self._note_signal)
 
     def wrap(self, names, type, deliver):
         """A function that takes the Messages of a channel, which are judged, too; `names`: a tuple, as of
@@ -186,23 +206,26 @@ class Triggers:
     async def watch(self, work):
         """Look whether something has happened, until it is cancelled. `work`: a recorder.Recorder."""
         channel = work.channels.add_json("/triggers", schemas.of_events())
-        number_of_signal = getattr(_signal, "SIGUSR1", None)  # not every system has it
-        if number_of_signal is not None:
-            loop.current().hear(number_of_signal, self._note_signal)
-        try:
-            while True:
-                for words in self._causes():
-                    self._incidents.trigger(words)
-                    notes.note(f"trigger: {printable(words)}")
-                    fields = dict(path="", kind="TRIGGER", subject="", event=words, mark="trigger: " + words)
-                    work.put_json(channel, fields)
-                await loop.sleep(LOOK)
-        finally:
-            if number_of_signal is not None:
-                loop.current().hear(number_of_signal, None)
+        while True:
+            self._report_remarks()
+            for words in self._causes():
+                self._incidents.trigger(words)
+                notes.note(f"trigger: {printable(words)}")
+                fields = dict(path="", kind="TRIGGER", subject="", event=words, mark="trigger: " + words)
+                work.put_json(channel, fields)
+            await loop.sleep(LOOK)
 
     def close(self):
+        if SIGNAL is not None:
+            loop.current().hear(SIGNAL, None)
         self._mailbox.close()
+
+    def _report_remarks(self):
+        """Report why a condition may never be true."""
+        for condition in self._conditions:
+            if condition.remark is not None:
+                notes.note(f"--trigger {printable(condition.words)}: {condition.remark}")
+                condition.remark = None
 
     def _note_signal(self):
         self._signals += 1

@@ -8,9 +8,10 @@ once: it is the clock that counts here
   $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ span() { rtlog -d --json -f "$1" | python3 -c 'import json, sys; log = json.load(sys.stdin); print(round(log["last"] - log["first"]))'; }
 
-An error, with what came before it and after it; the ring is bounded, and goes on:
+An error, with what came before it and after it; the ring is bounded, and goes on. (With `new` no port is let go where the
+machine is busy.)
 
-  $ rtlog --ring 4 --after 2 --trigger error --then 'echo complete:' -f a.mcap . > said 2> told & pid=$!
+  $ rtlog --ring 4 --after 2 --trigger error --then 'echo complete:' --property dataport.subscription_type=new -f a.mcap . > said 2> told & pid=$!
   $ soon 'ctl observers ConsoleIn0 | grep Observer'; sleep 6; rtact ConsoleIn0.rtc; ctl error ConsoleIn0; soon 'grep complete said'
   $ sed 's/20[0-9]*-[0-9]*/DATE/' said
   complete: a-DATE-error-ConsoleIn0.rtc.mcap
@@ -80,8 +81,10 @@ Wrong usage:
   $ rtlog --ring 5 --trigger error -f x Source0.rtc:number
   rtlog: --events and such triggers need a PATH without a port (see --help)
   [2]
+  $ ls x* 2>/dev/null
+  [2]
   $ rtlog --ring 5 --trigger something -f x .
-  rtlog: --trigger: none of error, death, disconnect, silent PATH:PORT SECONDS, PATH:PORT.FIELD OP VALUE: something (see --help)
+  rtlog: --trigger something: not error, death, disconnect, silent PATH:PORT SECONDS, or PATH:PORT.FIELD OP VALUE (see --help)
   [2]
   $ rtlog --ring 5 --rotate 5 -f x .
   rtlog: --ring takes neither --rotate nor --append; --keep needs --rotate (see --help)

@@ -7,9 +7,10 @@ alone: kills and time
   $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ entries() { rtlog -d --json -f $1 2>/dev/null | python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
 
-A directory with events. A component that dies and comes back goes on in its channel; no port has two connectors:
+A directory with events. A component that dies and comes back goes on in its channel; no port has two connectors. (With `new` none
+is let go where the machine is busy.)
 
-  $ rtlog -f a.mcap --events . 2> told & pid=$!; soon '[ $(entries a.mcap :number) -gt 20 ]'
+  $ rtlog -f a.mcap --events --property dataport.subscription_type=new . 2> told & pid=$!; soon '[ $(entries a.mcap :number) -gt 20 ]'
   $ soon 'ctl observers ConsoleIn0 | grep Observer'; rtact ConsoleIn0.rtc; ctl error ConsoleIn0
   $ ctl @senders connectors Source0:number | wc -l
   1

@@ -263,6 +263,22 @@ class Conditions(unittest.TestCase):
         ):
             self.assertEqual(self.happened(words, [1, 6, 7, 2, 9]), count, words)
 
+    def test_one_that_can_never_be_true_is_reported(self):
+        for words, why in (
+            ("A.rtc:out.data > 5", None),
+            ("B.rtc:out.data > 5", "no port is called so yet"),
+            ("A.rtc:out.nothing > 5", "nothing: no such field"),
+            ("silent A.rtc:out 5", None),
+            ("silent B.rtc:out 5", "no port is called so yet"),
+        ):
+            (condition,) = triggers.parse([words])
+            take = condition.wrap(("/h/c/A.rtc:out",), datatypes.Types().named("TimedLong"), lambda message: None)
+            take(types.SimpleNamespace(data=struct.pack("<IIi", 0, 0, 1), little=True))
+            if why is None:
+                self.assertIsNone(condition.remark)
+            else:
+                self.assertIn(why, condition.remark)
+
     def test_events(self):
         (condition,) = triggers.parse(["error"])
         condition.hear({"event": "ACTIVE", "path": "/h/A.rtc"})
