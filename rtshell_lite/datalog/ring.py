@@ -250,6 +250,7 @@ class Incidents:
         self._before = int(before * 1e9)
         self._after = int(after * 1e9)
         self._done = done
+        self._begun = int(time.time() * 1e9)
         self._pending = []
 
     def trigger(self, words, moment=None):
@@ -289,7 +290,7 @@ class Incidents:
         """Copy a slice of what is kept, or the rest."""
         if incident.writer is None:
             incident.name = self._free_name(incident)
-            incident.writer = writer.Writer(incident.name, ring.channels, incident.first)
+            incident.writer = writer.Writer(incident.name, ring.channels, max(incident.first, self._begun))
             incident.writer.describe("trigger", _described(incident))
             for attachment in ring.attached.values():
                 incident.writer.attach(*attachment)
@@ -364,7 +365,11 @@ class Mailbox:
         """Raises OSError, errors.Failed."""
         self._path = name + ".trigger"
         target = files.destination(self._path)
-        fd = os.open(target, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
+        try:
+            fd = os.open(target, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
+        except OSError as e:
+            e.filename = name  # the one that the user knows
+            raise
         self._file = os.fdopen(fd, "r+b", 0)
         try:
             writer.lock(self._file, name)

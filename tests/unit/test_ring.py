@@ -272,7 +272,8 @@ class Conditions(unittest.TestCase):
             ("silent B.rtc:out 5", "no port is called so yet"),
         ):
             (condition,) = triggers.parse([words])
-            take = condition.wrap(("/h/c/A.rtc:out",), datatypes.Types().named("TimedLong"), lambda message: None)
+            type = datatypes.Types().named("TimedLong")
+            take = condition.wrap(("/h/c/A.rtc:out",), type, lambda message: None)
             take(types.SimpleNamespace(data=struct.pack("<IIi", 0, 0, 1), little=True))
             if why is None:
                 self.assertIsNone(condition.remark)
