@@ -8,9 +8,7 @@ from rtshell_lite.net import loop
 JUMP = 5.0  # seconds
 ROUND = 0.1  # seconds that a log takes at least that is played again and again: it may have one moment only
 RUN = 16  # entries that are late, after which others go on
-SET_BACK = (
-    1e9  # ns; an entry that is so much earlier than the one before came after the clock had been set back
-)
+SET_BACK = 1e9  # ns by which an entry is earlier than the one before where the clock was set back
 
 
 class Pace:

@@ -31,8 +31,7 @@ class Range:
 
     def entries(self, log, first=None):
         """The entries, from number `first` on if that is given. Raises errors.Failed where there are none."""
-        begin = self._first(log)
-        entries = log.entries(begin if first is None else max(begin, first))
+        entries = log.entries(max(self._first(log), first or 0))
         if self.end is None:
             return entries
         if self.by_index:
@@ -72,11 +71,10 @@ class Range:
             return 0
         if not self.by_index:
             number = log.since(int(self.start * 1e9))
+        elif next(log.entries(int(self.start)), None):
+            number = int(self.start)
         else:
-            if next(log.entries(int(self.start)), None):
-                number = int(self.start)
-            else:
-                number = None
+            number = None
         if number is None:
             raise errors.Failed(log.where, "the start is after the last entry")
         return number
@@ -95,14 +93,9 @@ def _channel_for(log, port, name, place):
     elif name is None and place < len(names):
         number = place
     else:
-        number = None
-    if number is None:
-        raise errors.NoSuch(
-            where,
-            f"channel in {log.where}",
-            "%s (there are: %s)"
-            % (printable(name or "number %d" % (place + 1)), ", ".join(map(printable, names)) or "none"),
-        )
+        wanted = printable(name or "number %d" % (place + 1))
+        there = ", ".join(map(printable, names)) or "none"
+        raise errors.NoSuch(where, f"channel in {log.where}", f"{wanted} (there are: {there})")
     _check_types(log, number, port)
     return number
 
@@ -202,9 +195,9 @@ class Playing:
             live = opened.live()
             if not live:
                 return False
-            able = [
-                writer for writer in live if writer.failure is None
-            ] or live  # silent ones would delay the others
+            able = [writer for writer in live if writer.failure is None]
+            if not able:
+                able = live  # beside others, silent ones would delay them
             begun = time.monotonic()
             spare = min(writing.LATE, spare + begun - ended)
             writers = [

@@ -219,17 +219,15 @@ class Limits:
 
     def __init__(self, end, by_index, seconds):
         """`end` is a number of entries (`by_index`) or seconds since the epoch; None and -1 are never."""
-        if end == -1:
-            end = None
-        if by_index and end is not None:
+        self.entries = None
+        self.until = None
+        self.seconds = seconds
+        if end is None or end == -1:
+            return
+        if by_index:
             self.entries = int(end)
         else:
-            self.entries = None
-        if by_index:
-            self.until = None
-        else:
             self.until = end
-        self.seconds = seconds
 
     def words(self):
         """The line that reports the limits, None without any."""
@@ -237,11 +235,15 @@ class Limits:
             return f"Recording for {self.seconds}s."
         if self.entries is not None:
             return f"Recording {self.entries} entries."
-        return self.until and f"Recording until {decode.date(int(self.until * 1e9))}."
+        if self.until is not None:
+            return f"Recording until {decode.date(int(self.until * 1e9))}."
+        return None
 
     def left(self):
         """Seconds that are left; infinite without a limit in time."""
-        return min(self.seconds, math.inf if self.until is None else self.until - time.time())
+        if self.until is None:
+            return self.seconds
+        return min(self.seconds, self.until - time.time())
 
 
 class File:
