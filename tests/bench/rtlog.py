@@ -1,14 +1,15 @@
 """How much rtlog records without loss, beside a bare omniORBpy servant; its CPU at 100 Hz; its memory after
 many messages.
 
-    python3 tests/bench/rtlog.py [rate | block | cpu | memory | robot | triggers] [MESSAGES | SECONDS | FAILURES]     TMPDIR says which disk
+    python3 tests/bench/rtlog.py [rate | block | cpu | memory | robot | triggers | kills] [MESSAGES | SECONDS | FAILURES | KILLS]     TMPDIR says which disk
 
 TimedLong: a mock component sends as fast as its port takes values (flush: each put is waited for), to rtlog
 and to the bare servant. Octets, 1 MB each: also to the bare servant; to rtlog at lower and lower rates, until
 nothing is dropped. A robot of 60 ports at 100 Hz and 4 of images of 1 MB at 10 Hz, recorded whole with
 --events, beside a bare servant that writes the same: CPU of both, by turns; values lost; memory. Triggers:
 five recorders keep 10 s before and 5 s after failures at random moments (50). All that their rings have ever
-held is read again, and each file has to have exactly what came in its 15 s.
+held is read again, and each file has to have exactly what came in its 15 s. Kills: rtlog is ended by kill -9
+at random moments (100): each file is read and mended, and what it lacks at its end is measured.
 """  # noqa: E501
 
 import collections
@@ -25,7 +26,7 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path[:0] = [ROOT, os.path.join(ROOT, "tests", "support")]
 import worlds  # noqa: E402
-from rtshell_lite.datalog import logfile  # noqa: E402
+from rtshell_lite.datalog import logfile, mend  # noqa: E402
 
 SECONDS, ROUNDS = 3, 3
 FLUSH = ["--property", "dataport.subscription_type=flush"]
@@ -356,6 +357,32 @@ def triggers(directory, failures):
     )
 
 
+def kills(directory, count):
+    world = worlds.World("sources", "10", "100", "8")
+    top = "/127.0.0.1:%d" % worlds.Server.port
+    chance = random.Random(1)
+    lost = []
+    for number in range(count):
+        file = os.path.join(directory, "killed%d.mcap" % number)
+        process = subprocess.Popen(rtlog(file, ["--events", top]), env=environment())
+        while not (os.path.exists(file) and os.path.getsize(file) > 20000):
+            time.sleep(0.01)
+        time.sleep(chance.random())
+        killed = time.time()
+        process.kill()
+        process.wait()
+        with logfile.load(file) as log:
+            if log.closed or log.damaged or len(list(log.entries())) != log.count:
+                print("%s: not as a killed recorder leaves it" % file, flush=True)
+            lost.append(killed - log.last / 1e9)
+        mend.mend(file, file + "-mended")
+        os.remove(file)
+        os.remove(file + "-mended")
+    world.close()
+    print("%d kills, all read and mended; lost: %.3f s at a median, at most %.3f s" % (
+        count, sorted(lost)[count // 2], max(lost)))
+
+
 def main():
     what = sys.argv[1] if len(sys.argv) > 1 else "all"
     worlds.start_name_server()
@@ -372,6 +399,8 @@ def main():
                 robot(directory, float(sys.argv[2]) if len(sys.argv) > 2 else 300.0)
             if what == "triggers":
                 triggers(directory, int(sys.argv[2]) if len(sys.argv) > 2 else 50)
+            if what == "kills":
+                kills(directory, int(sys.argv[2]) if len(sys.argv) > 2 else 100)
             if what in ("memory", "all"):
                 memory(file, int(sys.argv[2]) if len(sys.argv) > 2 else 1000000)
     finally:
