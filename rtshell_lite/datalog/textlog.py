@@ -22,15 +22,11 @@ class Writer:
         self._names = [channel.name for channel in channels]
         self._types = types
         target = files.destination(name)
-        special = files.is_special(target)
-        if special:
-            fd = -1
-        else:
-            fd = os.open(target, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
-        if special:
+        if files.is_special(target):
             self._file = files.open_special(target)
         else:
-            self._file = open(fd, "ab")
+            flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
+            self._file = open(os.open(target, flags, 0o666), "ab")
         try:
             writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
