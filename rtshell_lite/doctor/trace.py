@@ -162,7 +162,7 @@ class Trace:
         self.gap = None  # the path of the component to which no way leads
         self.is_cut = False  # whether there was no time to follow all connections
         self.slower = 1.0  # times that all takes longer than on an idle machine; 1 where it is not busy
-        self._patience = 0.0  # seconds that an answer is waited for
+        self.patience = 0.0  # seconds that an answer is waited for
         self._following = self._measuring = None  # loop.Groups
 
     async def follow(self, start, to, seconds):
@@ -174,7 +174,7 @@ class Trace:
         clock = _Clock(seconds)
         following = max(FOLLOWED * seconds, 2 * LEAST)
         # who is silent, and what that one waits for, is to be found out in the seconds
-        self._patience = now.timeout = min(patience, SILENT * following)
+        self.patience = now.timeout = min(patience, SILENT * following)
         try:
             async with loop.Group() as self._measuring:
                 await self._find(start, clock, following)
@@ -444,7 +444,7 @@ class Trace:
             needed = ANSWERS * others
         else:
             needed = LEAST * self.slower
-        if error.why == UNANSWERED or self._patience < needed:
+        if error.why == UNANSWERED or self.patience < needed:
             return DOUBTFUL
         return CERTAIN
 
@@ -665,9 +665,11 @@ async def of_silent(where, error):
     """The Trace from the component at a Path that does not answer, by an errors.Silent: what it waits for."""
     node = await tree.component(where)
     trace = Trace()
+    trace.patience = session.current().timeout
     stage = trace.stages[orb.identity(node.ref)] = Stage(node, 0)
     stage.error = error
     await trace.find_cause(stage)
+    trace.slower = _slowdown()
     return trace
 
 

@@ -16,7 +16,7 @@ def chain(count, slower=1.0):
     """A Trace of Link0, Link1 …, active at 50 Hz, which have been found."""
     made = trace.Trace()
     made.slower = slower
-    made._patience = 1.0
+    made.patience = 1.0
     for number in range(count):
         node = tree.Node(path.parse("/h/Link%d.rtc" % number), "component")
         stage = made.stages[number] = trace.Stage(node, number)
