@@ -326,7 +326,7 @@ class Trace:
                 others.append(node)
         *others, itself = await tree.check_alive(others + [stage.node])
         silent = [node for node in others if node.kind == "silent"]
-        if len(silent) == 1 and itself.kind != "silent":
+        if len({node.endpoint for node in silent}) == 1 and itself.kind != "silent":
             stage.error = errors.Silent(stage.where, f"it waits for {silent[0].path}, which does not answer")
             error = errors.Silent(str(silent[0].path), "it does not answer")
             self.silent.append(Far(str(silent[0].path), stage.depth, stage.where, error))

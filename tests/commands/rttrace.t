@@ -4,6 +4,7 @@ server: healthy
 world: chain 4
 world: services
 world: these ConsoleOut:Apart0
+world: parts
 
 Values and times differ from run to run; what stays is who is named:
 
@@ -14,7 +15,7 @@ Values and times differ from run to run; what stays is who is named:
   Active Link2.rtc:out
   no stage stops, holds, thins, delays or disorders the values
   $ head -1 out
-  STATE     CONTEXT   VALUES        HZ       AGE    NEWEST    JITTER     DELAY  CHANGE  BUFFER    PORT
+  STATE     CONTEXT  VALUES        HZ       AGE    NEWEST    JITTER     DELAY  CHANGE  BUFFER    PORT
   $ trace -u Link3.rtc:in
   Active Link0.rtc:out
   Active Link1.rtc:out
@@ -28,6 +29,20 @@ Values and times differ from run to run; what stays is who is named:
   {"age": N, "buffer": null, "changes": N, "context": N, "delay": null, "jitter": N, "newest": N, "port": "/localhost:$PORT/testNhost_cxt/LinkNrtc:out", "rate": N, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active", "values": N}
   {"buffer": "replaces", "context": N, "delay": null, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active"}
   {"culprit": null, "sure": null, "why": null}
+
+Branches and loops are shown once; service connections are shown:
+
+  $ rtcon -q Sensor0.rtc:out Controller0.rtc:in; rtcon -q Controller0.rtc:out Motor0.rtc:in; rtcon -q Motor0.rtc:out Sensor0.rtc:in; rtcon -q Sensor0.rtc:out Motor0.rtc:in
+  $ rtcon -q Hokuyo_AIST0.rtc:ranges Clusterer0.rtc:ranges; rtcon -q Hokuyo_AIST0.rtc:control MyServiceConsumer0.rtc:MyService; rtact --wait 5 Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
+  $ trace Sensor0.rtc:out | sort
+  Active Controller0.rtc:out
+  Active Motor0.rtc:out
+  Active Sensor0.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ rttrace -t 0.5 Hokuyo_AIST0.rtc:ranges | grep ^service
+  service   /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc:control and /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService
+  $ rttrace -t 0.5 --json Hokuyo_AIST0.rtc:ranges | grep service
+  {"far": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService", "service": "/localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc:control", "stage": "/localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc"}
 
 A connection is made to each port on the way, and removed:
 
@@ -89,7 +104,7 @@ What stops it; rtdoctor has the last word:
   $ rtec Link2.rtc stop; trace Link0.rtc:out | head -4
   Active Link0.rtc:out
   Active Link1.rtc:out
-  Inactive  stopped         0         0         -         -         -         -  no      replaces  /localhost:$PORT/test.host_cxt/Link2.rtc:out
+  Inactive  stopped       0         0         -         -         -         -  no      replaces  /localhost:$PORT/test.host_cxt/Link2.rtc:out
   /localhost:$PORT/test.host_cxt/Link2.rtc: its execution context is stopped (certain)
   $ rttrace -t 2 --plot Link1.rtc:out | grep -A1 'Link2.rtc:out, values'
   /localhost:$PORT/test.host_cxt/Link2.rtc:out, values per second
