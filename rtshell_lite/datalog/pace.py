@@ -49,6 +49,10 @@ class Pace:
     def pause(self):
         """Pause, or go on."""
         self.is_paused = not self.is_paused
+        self.resume()
+
+    def resume(self):
+        """Go on from the next entry: this process was stopped, or paused."""
         self._origin = None
         self._bell.ring()
 
@@ -97,6 +101,10 @@ class Pace:
             if is_begin and self._origin is not None:  # once more from the beginning
                 self._begun = max(self._due, self._begun + ROUND)
                 self._origin = self._begun, entry.received
+            if (
+                is_begin and first is not None
+            ):  # where a jump has led to is seen, and jumped from, while paused
+                self.position = entry.received
             is_begin = False
             if not await self._wait_until_due(entry, end):
                 return

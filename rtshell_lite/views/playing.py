@@ -1,5 +1,6 @@
 """A log that is played on a terminal: its keys, and a line that says where it is."""
 
+import _signal  # see net/loop.py
 import os
 import select
 import sys
@@ -34,10 +35,17 @@ async def attend(pace, write):
     settings = list(before)
     settings[3] &= ~(termios.ICANON | termios.ECHO)
     termios.tcsetattr(terminal, termios.TCSANOW, settings)
+
+    def resume():
+        termios.tcsetattr(terminal, termios.TCSANOW, settings)
+        pace.resume()
+
+    loop.current().hear(_signal.SIGCONT, resume)
     try:
         async with loop.background(_show(pace, write)):
             await _take_keys(terminal, pace)
     finally:
+        loop.current().hear(_signal.SIGCONT, None)
         termios.tcsetattr(terminal, termios.TCSANOW, before)
         write("\n")
 

@@ -140,6 +140,38 @@ class Playing(Case):
         self.assertEqual(numbers, expected)
         self.assertEqual([number for number, is_elsewhere in came if is_elsewhere], [0, 7, 15, 15, 15])
 
+    def test_jumping_while_paused(self):
+        """Each jump begins where the one before has led to, and the line shows that."""
+        self.write([(0, START + i * 10 ** 9, True, b"") for i in range(40)])
+
+        async def play_it(log):
+            paced = pace.Pace(log, play.Range(None, None, True), 1000)
+            positions = []
+
+            async def press():
+                while not paced.is_paused:
+                    await loop.sleep(0)
+                for seconds in (pace.JUMP, pace.JUMP, -3 * pace.JUMP):
+                    paced.jump(seconds)
+                    before = paced.position
+                    while paced.position == before:
+                        await loop.sleep(0)
+                    positions.append((paced.position - START) // 10 ** 9)
+                paced.pause()
+
+            numbers = []
+            async with loop.background(press()):
+                async for entry in paced.entries():
+                    numbers.append(entry.number)
+                    if len(numbers) == 3:
+                        paced.pause()
+            return positions, numbers
+
+        with logfile.load(self.name) as log:
+            positions, numbers = loop.run(play_it(log))
+        self.assertEqual(positions, [7, 12, 0])
+        self.assertEqual(numbers, [0, 1, 2] + list(range(40)))
+
     def test_a_moment_again_and_again(self):
         """It takes some time, and others go on."""
         chosen = mock.Mock(

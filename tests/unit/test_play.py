@@ -1,5 +1,6 @@
 """Name server and components of recordings, as others call them, in one loop with who calls."""
 import os
+import signal
 import termios
 import unittest
 from unittest import mock
@@ -432,6 +433,7 @@ class Keys(unittest.TestCase):
         pace.pause.side_effect = lambda: done.append("pause")
         pace.step.side_effect = lambda: done.append("step")
         pace.jump.side_effect = done.append
+        pace.resume.side_effect = lambda: done.append("resume")
 
         async def main():
             async with loop.background(playing.attend(pace, written.append)):
@@ -441,12 +443,15 @@ class Keys(unittest.TestCase):
                 os.write(keyboard, b" .<x>")
                 while len(done) < 4:
                     await loop.sleep(0.01)
+                os.kill(os.getpid(), signal.SIGCONT)  # as after Ctrl-Z
+                while len(done) < 5:
+                    await loop.sleep(0.01)
 
         with mock.patch.object(playing, "_is_ours", lambda: True), mock.patch(
             "sys.stdin", mock.Mock(fileno=lambda: terminal)
         ):
             wait_for(main(), timeout=30)
-        self.assertEqual(done, ["pause", "step", -5.0, 5.0])
+        self.assertEqual(done, ["pause", "step", -5.0, 5.0, "resume"])
         self.assertRegex(written[0], r"\(1700000000\.000000000\)  7 entries  x2  paused\x1b\[K\r\Z")
         self.assertEqual((written[-1], termios.tcgetattr(terminal)), ("\n", before))
 
