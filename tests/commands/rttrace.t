@@ -25,7 +25,7 @@ Values and times differ from run to run; what stays is who is named:
   Active Link1.rtc:out
   Active Link2.rtc:out
   no stage stops, holds, thins, delays or disorders the values
-  $ rttrace -t 0.5 --json Link2.rtc:out | sed 's/[0-9]*[.][0-9]*[e0-9-]*/N/g; s/"values": [0-9]*/"values": N/; s/"changes": [0-9]*/"changes": N/'
+  $ rttrace -t 2 --json Link2.rtc:out | sed 's/[0-9]*[.][0-9]*[e0-9-]*/N/g; s/"values": [0-9]*/"values": N/; s/"changes": [0-9]*/"changes": N/'
   {"age": N, "buffer": null, "changes": N, "context": N, "delay": null, "jitter": N, "newest": N, "port": "/localhost:$PORT/testNhost_cxt/LinkNrtc:out", "rate": N, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active", "values": N}
   {"buffer": "replaces", "context": N, "delay": null, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active"}
   {"culprit": null, "sure": null, "why": null}
@@ -66,7 +66,7 @@ Plotted, each port on the way, on equal axes:
 On a recording, with the connections that it had:
 
   $ trace_log() { rttrace --from chain.mcap "$@" | sed -n '/^-/s/.* yes  .*host_cxt//p; /^no stage/p'; }
-  $ rtlog -q --events -t 2 -f chain.mcap .
+  $ rtlog -q --events -t 4 -f chain.mcap .
   $ trace_log Link0.rtc:out
   /Link0.rtc:out
   /Link1.rtc:out
@@ -99,7 +99,7 @@ What stops it; rtdoctor has the last word:
   /localhost:$PORT/test.host_cxt/Link2.rtc: it is Inactive (certain)
     rtdoctor: try: rtact /localhost:$PORT/test.host_cxt/Link2.rtc
   [1]
-  $ rttrace -t 0.5 --json Link0.rtc:out | tail -1
+  $ rttrace -t 2 --json Link0.rtc:out | tail -1
   {"culprit": "/localhost:$PORT/test.host_cxt/Link2.rtc", "sure": "certain", "why": "it is Inactive"}
   $ rtec Link2.rtc stop; trace Link0.rtc:out | head -4
   Active Link0.rtc:out
@@ -136,7 +136,7 @@ Where it cannot begin or end:
   $ rttrace Link0.rtc:out -u --to Link3.rtc:in
   rttrace: --to does not go with -u: give the port where the signal starts (see --help)
   [2]
-  $ rtdis Link2.rtc:out Apart0.rtc:in; rttrace -t 0.2 Link0.rtc:out --to Apart0.rtc:in | tail -1
+  $ rtdis Link2.rtc:out Apart0.rtc:in; rttrace -t 2 Link0.rtc:out --to Apart0.rtc:in | tail -1
   /localhost:$PORT/test.host_cxt/Link1.rtc: no connection leads on from it to /localhost:$PORT/test.host_cxt/Apart0.rtc (certain)
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
