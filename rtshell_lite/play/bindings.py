@@ -67,14 +67,19 @@ class Bindings:
                 raise
 
     async def clear(self):
-        """Remove all names, and the contexts that were made for them and are empty."""
-        try:
-            for names in list(self.bound):
-                await self.unbind(names)
-            for names in sorted(self._made, key=len, reverse=True):
-                await self._remove_context(names)
-        except errors.Error as e:
-            notes.fail(e)
+        """Remove all names, and the contexts that were made for them and are empty; those that are refused
+        stay.
+        """
+        steps = [(self.unbind, names) for names in list(self.bound)]
+        steps += [(self._remove_context, names) for names in sorted(self._made, key=len, reverse=True)]
+        for remove, names in steps:
+            try:
+                await remove(names)
+            except errors.Unreachable as e:
+                notes.fail(e)
+                return
+            except errors.Error as e:
+                notes.fail(e)
 
     async def _remove_context(self, names):
         where = self._path(names)

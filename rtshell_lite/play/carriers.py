@@ -214,8 +214,12 @@ class Provider(Carrier):
         wait = loop.Wait()
         self.news.append(wait)
         timer = loop.current().call_later(_seconds(self._of_side("buffer.read.timeout", "")), wait.done)
-        await wait
-        timer.cancel()
+        try:
+            await wait
+        finally:
+            timer.cancel()
+            if wait in self.news:  # no value has come
+                self.news.remove(wait)
 
 
 class OutPortCdr:

@@ -97,7 +97,7 @@ class Port:
     async def notify_connect(self, profile):
         profile = _plain(profile)
         places = [at for at, end in enumerate(profile.ports) if orb.same(end, self.reference)]
-        if len(places) != 1 or len(profile.ports) > MOST_ENDS:
+        if len(places) != 1 or None in profile.ports or len(profile.ports) > MOST_ENDS:
             return code("BAD_PARAMETER"), profile
         name = profile.connector_id
         if not name or name in self.connectors or name in self.coming or self._is_double(profile):

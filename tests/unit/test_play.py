@@ -6,11 +6,12 @@ import unittest
 from unittest import mock
 
 from loops import wait_for
-from rtshell_lite import errors
+from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
 from rtshell_lite.giop.requests import Thrown
 from rtshell_lite.net import loop
-from rtshell_lite.play import component, nameserver, ports, recording, stage
+from rtshell_lite.play import bindings, component, nameserver, ports, recording, stage
+from rtshell_lite.robot import tree
 from rtshell_lite.views import playing
 from rtshell_lite.xmlprofile import model
 
@@ -98,6 +99,25 @@ class Names(unittest.TestCase):
             for _ in range(nameserver.MOST_ITERATORS + 5):
                 _, last = await ask("list", 0)
             self.assertEqual(len(await ask("next_n", 1, of=orb.narrow(last, "CosNaming.BindingIterator"))), 2)
+        self.run_with_server(work)
+
+    def test_a_name_that_is_refused_keeps_no_other(self):
+        async def work(ask, root):
+            server = tree.Node(path.parse(f"/{HOST}:1"), "manager", root)
+            made = bindings.Bindings(server)
+            for word in "abc":
+                await made.bind((path.Name("m", "cxt"), path.Name(word, "rtc")), root)
+            refuse = nameserver.Context.unbind
+
+            def unbind(context, name):
+                if name[-1].id == "b":
+                    raise Thrown("NO_PERMISSION")
+                refuse(context, name)
+
+            with mock.patch.object(nameserver.Context, "unbind", unbind), mock.patch("sys.stderr"):
+                await made.clear()
+            listed, _ = await ask("list", 10, of=orb.context(await ask("resolve", name("m.cxt"))))
+            self.assertEqual([one.binding_name[0].id for one in listed], ["b"])
         self.run_with_server(work)
 
     def test_of_another_server(self):
@@ -199,6 +219,10 @@ class Connecting(unittest.TestCase):
             ):
                 found, _ = await self.ask(out, "connect", self.profile(ends, properties))
                 self.assertEqual(found._n, result, properties)
+            nothing = self.profile([out], PUSH)
+            nothing.ports = [out.reference, None]
+            for operation in ("connect", "notify_connect"):
+                self.assertEqual((await self.ask(out, operation, nothing))[0]._n, "BAD_PARAMETER")
             for operation in ("disconnect", "notify_disconnect"):
                 self.assertEqual((await self.ask(out, operation, "x"))._n, "BAD_PARAMETER")
             self.assertEqual((out.connectors, into.connectors, out.coming), ({}, {}, set()))
