@@ -430,6 +430,16 @@ class Top:
         while not self._is_complete() and time.monotonic() < end:
             await loop.sleep(0.02)
 
+    def give_up(self):
+        """What has not been looked at yet counts as silent, until it answers."""
+        for top in self._tops:
+            if top not in self._found:
+                self._found[top] = {}
+                self._failed[top] = {str(top): errors.Silent(str(top), "no answer in time")}
+        for entry in self._entries.values():
+            if not entry.looked:
+                entry.fail("silent", errors.Silent(entry.path, "no answer in time"))
+
     def _is_complete(self):
         return len(self._found) == len(self._tops) and all(entry.looked for entry in self._entries.values())
 

@@ -49,9 +49,10 @@ def tearDownModule():
     shutil.rmtree(Pages.directory)
 
 
-def write(name, profile, picture):
-    remarks = [page.Remark("fail", "", str(picture.boxes[3].path), "does not answer", "rtdoctor -q"),
-               page.Remark("note", "", "elsewhere", "something that is left out", "")]
+def write(name, profile, picture, remarks=None):
+    if remarks is None:
+        remarks = [page.Remark("fail", "", str(picture.boxes[3].path), "does not answer", "rtdoctor -q"),
+                   page.Remark("note", "", "elsewhere", "something that is left out", "")]
     with open(os.path.join(Pages.directory, name + ".html"), "w", encoding="utf-8") as file:
         file.write(page.html(page.fields(picture, profile, "A robot", "made by a test", remarks)))
 
@@ -243,6 +244,51 @@ class Search(Pages):
         listed = [each.split()[1] for each in self.open("middle").run(LIST)]
         self.assertEqual(sorted(listed[:4]), self.names({3, 5, 60, 117}, self.middle))
         self.assertEqual(listed[4:7], ["Camera0", "Camera8", "Camera16"])
+
+
+class Faults(Pages):
+    """300 components in 40 processes, three faults: what a person sees who knows nothing of them."""
+
+    def setUp(self):
+        self.profile = large_robots.profile(300, each=8)
+        self.picture = large_robots.picture(self.profile, {101}, each=8)
+        self.picture.boxes[150].state = "Unknown"
+        silent, lost = [str(self.picture.boxes[number].path) for number in (150, 235)]
+        remarks = [
+            page.Remark("fail", "answer", silent, "does not answer within 3 s", ""),
+            page.Remark("warn", "connection", lost + ":out", "is unknown to its peer", ""),
+        ]
+        write("faults", self.profile, self.picture, remarks)
+        self.shown = self.open("faults")
+
+    def neighbours(self, number):
+        return self.names(part.neighbours(self.picture, {number}) - {number}, self.profile)
+
+    def test_all_are_seen_with_what_they_are_connected_to(self):
+        """By one click."""
+        self.point(self.shown, "document.getElementById('broken')")
+        names = self.names(part.neighbours(self.picture, {101, 150, 235}), self.profile)
+        self.assertEqual(sorted(self.shown.run(NAMES)), names)
+        inside = """[...document.querySelectorAll('.box rect')].every((each) => {
+            const [box, map] = [each, element('map')].map((one) => one.getBoundingClientRect());
+            return box.left >= map.left && box.right <= map.right && box.top >= map.top && box.bottom <= map.bottom;
+            })"""  # noqa: E501
+        self.assertTrue(self.shown.run(inside), "all of it is on the screen")
+
+    def test_each_is_told_apart(self):
+        """By one click each: the list begins with them; what is wrong, and what is connected."""
+        words = {101: "Error", 150: "does not answer within 3 s", 235: "is unknown to its peer"}
+        listed = self.shown.run(LIST)[:4]
+        self.assertEqual([each.split()[1] for each in listed[:3]], self.names(words, self.profile))
+        self.assertEqual([each.split()[2:] for each in listed], [[], ["⚠"], ["⚠"], []])
+        for entry, number in zip(listed, words):
+            self.click(self.shown, entry, "#list")
+            self.assertIn(words[number], self.shown.run(DETAILS))
+            self.assertEqual(self.shown.run("document.querySelector('.box.selected .name').textContent"),
+                             self.profile.components[number].instance_name)
+            far = self.shown.run("[...document.querySelectorAll('.connection > button')].map(each => "
+                                 "each.textContent.split(':')[0])")
+            self.assertEqual(sorted(set(far)), self.neighbours(number))
 
 
 class Details(Pages):

@@ -342,7 +342,7 @@ function showList() {
 function componentButton(number, words) {
   const {name, state, path} = data.boxes[number];
   const more = {class: isBroken(number) ? "link broken" : "link", title: path || ""};
-  return button(words || `${SYMBOLS[state] || ""} ${name}`, () => select(number), more);
+  return button(words || `${SYMBOLS[state] || ""} ${name}${troubles[number].length ? " \u26a0" : ""}`, () => select(number), more);
 }
 
 // ---- details
@@ -360,6 +360,7 @@ function clear() {
        ...data.plots.map(([title, svg]) => folded(title, make("img", {alt: title, title: "Click to enlarge it, elsewhere to shrink it", tabindex: 0, src: `data:image/svg+xml;base64,${svg}`}), true)),
        ...showFindings(data.findings.filter((found) => found.level !== "ok")), ...data.sections.map(([title, text]) => folded(title, make("pre", {}, text))));
   element("page").classList.remove("chosen");
+  element("status").textContent = "";
   mark();
 }
 function showGroup(box) {
