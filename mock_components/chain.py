@@ -30,25 +30,23 @@ class Link(Component):
 
     def receive(self, port, value):
         dataport.InPort.take(port, value)
-        self.waiting.append(value)
+        self.waiting.append((time.monotonic(), value))
 
     def on_execute(self, handle):
         if self.has_in():
             self.read_ports(handle)
         else:
-            self.waiting.append(values.make("TimedLong", int(time.time() * 1e3) % 10**9, True))
+            value = values.make("TimedLong", int(time.time() * 1e3) % 10**9, True)
+            self.waiting.append((time.monotonic(), value))
         while self.waiting and self.is_due():
-            self.pass_on(self.waiting.popleft())
+            self.pass_on(self.waiting.popleft()[1])
         return RTC.RTC_OK
 
     def has_in(self):
         return any(port.port_type == "DataInPort" for port in self.ports)
 
     def is_due(self):
-        return (
-            self.fault != "delayed"
-            or time.time() - self.waiting[0].tm.sec - self.waiting[0].tm.nsec / 1e9 > LATE
-        )
+        return self.fault != "delayed" or time.monotonic() - self.waiting[0][0] > LATE
 
     def pass_on(self, value):
         self.number += 1
