@@ -3,6 +3,7 @@ started here.
 
 They keep their files in the directory $SESSION: NAME.pid, NAME.out (what they say) and NAME.control.
 """
+import itertools
 import json
 import os
 import re
@@ -125,10 +126,11 @@ def mocks_alone():
 
 
 def unused_name(name):
-    """The name for one more peer of that name: two, two2, two3 …"""
-    known = name
-    number = 1
-    while os.path.exists(session_file(known + ".pid")):
-        number += 1
-        known = "%s%d" % (name, number)
-    return known
+    """A name for one more peer of that name: two, two2, two3 …, which no other thread gets, too."""
+    for number in itertools.count(1):
+        known = name + (str(number) if number > 1 else "")
+        try:
+            with open(session_file(known + ".out"), "x"):
+                return known
+        except FileExistsError:
+            pass
