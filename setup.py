@@ -20,7 +20,8 @@ os.umask(0o022)
 zlib.Z_DEFAULT_COMPRESSION = zlib.Z_BEST_COMPRESSION  # what zipfile uses where no level is given
 sys.path.insert(0, os.getcwd())
 from rtshell_lite.shell import installation  # noqa: E402: the path first
-TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/documentation.py", "shell/manpages.py"]
+TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/command_line.py",
+         "shell/documentation.py", "shell/manpages.py"]
 COMMANDS = sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum())
 PAGES = {}
 for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):

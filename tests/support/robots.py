@@ -22,6 +22,7 @@ WHEEL, OMNIORB_WHEEL = (
 TOOLS = {
     "rtshell_lite/idl_stubs/generate.py",
     "rtshell_lite/idl_stubs/tabulate.py",
+    "rtshell_lite/shell/command_line.py",
     "rtshell_lite/shell/documentation.py",
     "rtshell_lite/shell/manpages.py",
 }  # they write generated files
