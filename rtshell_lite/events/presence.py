@@ -251,7 +251,9 @@ class Presence:
 
     async def _seek(self, absent):
         """Look whether absent components have come."""
-        found = await session.each(absent, self._found, lambda each: (tree.lane(each.path), each.where))
+        found = await session.each(
+            absent, self._found, lambda each: (tree.server_endpoint(each.path), each.where)
+        )
         for each, node in zip(absent, found):
             if isinstance(node, errors.Error):
                 each.error = node
