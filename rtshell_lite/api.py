@@ -142,7 +142,7 @@ async def _path(word):
     return found
 
 
-# ---- components --------------------------------------------------------------------------------------------
+# ---- components ----
 
 
 class Component:
@@ -344,7 +344,7 @@ async def components(top="/"):
     return [Component(str(node.path)) for node in nodes]
 
 
-# ---- connections -------------------------------------------------------------------------------------------
+# ---- connections ----
 
 
 async def _found(*words):
@@ -481,7 +481,7 @@ async def connections(path):
     return list(found.values())
 
 
-# ---- data --------------------------------------------------------------------------------------------------
+# ---- data ----
 
 
 async def _type(port, idl):
@@ -626,7 +626,7 @@ async def send(port, value, idl=(), anyway=False):
         raise writer.failure
 
 
-# ---- services ----------------------------------------------------------------------------------------------
+# ---- services ----
 
 LIMIT = 60.0  # seconds that an operation may take
 
@@ -721,7 +721,7 @@ def service(path, idl=(), limit=LIMIT):
     return found
 
 
-# ---- systems -----------------------------------------------------------------------------------------------
+# ---- systems ----
 
 
 @_plain
@@ -890,7 +890,7 @@ class _Watching(_Happenings):
                     self._take(Event(watched.where, *event))
 
 
-# ---- the RTC Tree ------------------------------------------------------------------------------------------
+# ---- the RTC Tree ----
 
 
 @_plain
@@ -998,7 +998,7 @@ def manager(path):
     return found
 
 
-# ---- files -------------------------------------------------------------------------------------------------
+# ---- files ----
 
 
 def log(name, idl=()):

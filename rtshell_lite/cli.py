@@ -23,7 +23,7 @@ MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 _quiet = _verbose = False
 
 
-# ---- running a command -------------------------------------------------------------------------------------
+# ---- running a command ----
 
 
 def main(arguments, run, doc, argv=None):
@@ -192,7 +192,7 @@ def _flushed(status):
     return status
 
 
-# ---- output that others must not wait for ------------------------------------------------------------------
+# ---- output that others must not wait for ----
 
 
 async def write(output):
@@ -222,7 +222,7 @@ async def reader_leaves():
     raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
 
-# ---- talking on stderr -------------------------------------------------------------------------------------
+# ---- talking on stderr ----
 
 
 def complain(what):

@@ -19,7 +19,7 @@ LIMIT = 16 << 20  # octets of a file that is read as a whole
 LINKS = 40  # links to links that are followed
 
 
-# ---- reading -----------------------------------------------------------------------------------------------
+# ---- reading ----
 
 
 def read(name, limit=LIMIT):
@@ -76,7 +76,7 @@ def _is_descriptor(name):
     return name == "/dev/stdin" or number.isdigit() and (is_of_process or directory == "/dev/fd")
 
 
-# ---- writing -----------------------------------------------------------------------------------------------
+# ---- writing ----
 
 
 def write(name, content):

@@ -19,7 +19,7 @@ EXIT_STATUSES = """exit status:
   129 SIGHUP, 143 SIGTERM"""
 
 
-# ---- reading it --------------------------------------------------------------------------------------------
+# ---- reading it ----
 
 
 class Parser(argparse.ArgumentParser):
@@ -317,7 +317,7 @@ def state(word):
 state.words = [name.lower() for name in text.STATES]  # for completion
 
 
-# ---- options that commands share ---------------------------------------------------------------------------
+# ---- options that commands share ----
 
 
 def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
@@ -421,7 +421,7 @@ def profile_form(parser, verb):
     parser.add_argument("-y", "--yaml", action="store_const", dest="form", const="yaml", help=f"{verb} YAML")
 
 
-# ---- options of commands that send or receive data ---------------------------------------------------------
+# ---- options of commands that send or receive data ----
 
 
 def duration(parser, help):

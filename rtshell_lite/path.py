@@ -207,7 +207,7 @@ def _elements(text):
     return _cut(text, "/")
 
 
-# ---- without a name server ---------------------------------------------------------------------------------
+# ---- without a name server ----
 
 
 def _standard(text):
@@ -274,7 +274,7 @@ def _is_hexadecimal(text):
     return bool(text) and len(text) % 2 == 0 and not text.strip("0123456789abcdefABCDEF")
 
 
-# ---- elements ----------------------------------------------------------------------------------------------
+# ---- elements ----
 
 
 def _server(element, text):

@@ -7,7 +7,7 @@ import sys
 
 from rtshell_lite import errors
 
-# ---- the wire ----------------------------------------------------------------------------------------------
+# ---- the wire ----
 
 is_ascii = getattr(str, "isascii", lambda s: all(c < "\x80" for c in s))  # missing in Python 3.6
 
@@ -55,7 +55,7 @@ def to_wire(s):
         raise errors.Usage(f"{printable(s)}: not text that can be sent")
 
 
-# ---- the terminal ------------------------------------------------------------------------------------------
+# ---- the terminal ----
 
 MARKS = 4  # combining marks that may follow one another: Vietnamese has 2, Hebrew and Tibetan 3 or 4
 # Invisible characters that Python calls printable: fillers of Hangul, Braille, music, Khmer and Khitan,
@@ -373,7 +373,7 @@ def pairs(items, indent=""):
     return lines
 
 
-# ---- colour ------------------------------------------------------------------------------------------------
+# ---- colour ----
 
 # States of a component; Unknown where its context does not say.
 STATES = ("Active", "Inactive", "Error", "Created", "Unknown")
@@ -425,7 +425,7 @@ def painter():
     return paint
 
 
-# ---- JSON --------------------------------------------------------------------------------------------------
+# ---- JSON ----
 
 
 def json_line(value):

@@ -32,7 +32,7 @@ _session = None  # the Session of the command that runs
 _starting = threading.RLock()
 
 
-# ---- the ORB -----------------------------------------------------------------------------------------------
+# ---- the ORB ----
 
 
 def start():
@@ -111,7 +111,7 @@ def _milliseconds(seconds):
     return str(max(1, int(seconds * 1000)))
 
 
-# ---- references --------------------------------------------------------------------------------------------
+# ---- references ----
 
 
 def from_url(where, url):
@@ -163,7 +163,7 @@ def same(one, other):
     return bool(one._is_equivalent(other))
 
 
-# ---- calls -------------------------------------------------------------------------------------------------
+# ---- calls ----
 
 
 def repeated(call, otherwise):
@@ -519,7 +519,7 @@ def _label(e):
     return type(e).__name__
 
 
-# ---- servants ----------------------------------------------------------------------------------------------
+# ---- servants ----
 
 
 def serve(servant):
@@ -574,7 +574,7 @@ def _on_loop(of, method):
     return called
 
 
-# ---- values ------------------------------------------------------------------------------------------------
+# ---- values ----
 
 
 def properties(nvlist, only=None):

@@ -84,7 +84,7 @@ def answers_at_once():
     return (_orb or _chosen()).ANSWERS_AT_ONCE
 
 
-# ---- references --------------------------------------------------------------------------------------------
+# ---- references ----
 
 
 def corbaloc(where, address, key, default_port):
@@ -180,7 +180,7 @@ def reference_at(ref, host, port):
     return _orb.from_url(host, "corbaloc:iiop:1.2@%s:%d/%s" % (place, port, key))
 
 
-# ---- calls -------------------------------------------------------------------------------------------------
+# ---- calls ----
 
 
 class Call:
@@ -285,7 +285,7 @@ def serve(servant):
     return _orb.serve(servant)
 
 
-# ---- objects that others know by a name, which our own ORB serves ------------------------------------------
+# ---- objects that others know by a name, which our own ORB serves ----
 
 
 def listen(host=None, port=0):
@@ -326,7 +326,7 @@ def own_servant(ref):
     return server.servant(ref)
 
 
-# ---- values ------------------------------------------------------------------------------------------------
+# ---- values ----
 
 struct = idl.struct
 items = idl.items

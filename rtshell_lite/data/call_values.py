@@ -14,7 +14,7 @@ TEXTS = (STRING, WSTRING, CHAR, WCHAR)
 RESULT = "result"  # the key of what an operation returns, beside its out parameters
 
 
-# ---- arguments ---------------------------------------------------------------------------------------------
+# ---- arguments ----
 
 
 def of_words(operation, words, find):
@@ -89,7 +89,6 @@ def of_values(operation, values, named, find):
 
 
 def _parameter(operation, name):
-    """The parameter of this name that is sent."""
     inputs = operation.inputs()
     for parameter in inputs:
         if parameter.name == name:
@@ -154,7 +153,7 @@ def _built(operation, written, find):
     return values
 
 
-# ---- results -----------------------------------------------------------------------------------------------
+# ---- results ----
 
 
 def as_dict(operation, value):

@@ -142,7 +142,6 @@ class Provider:
                 notes.fail(f"{self._named(operation)}: interrupted; {MAYBE}")
 
     def _named(self, operation):
-        """An operation of it for messages."""
         return f"{self.where} {operation.shown}"
 
     def _schema(self, operation):
@@ -220,7 +219,7 @@ class Provider:
         return text.printable(self.interface.file)
 
 
-# ---- finding providers -------------------------------------------------------------------------------------
+# ---- finding providers ----
 
 
 async def providers(path, types):

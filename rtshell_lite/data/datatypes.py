@@ -93,7 +93,7 @@ def check(descriptor, name):
             )
 
 
-# ---- looking types up --------------------------------------------------------------------------------------
+# ---- looking types up ----
 
 
 class Types:

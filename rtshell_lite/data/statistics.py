@@ -194,7 +194,7 @@ class Counts:
             self.spans[span // 2] = self.spans.get(span // 2, 0) + count
 
 
-# ---- the rate of the last seconds --------------------------------------------------------------------------
+# ---- the rate of the last seconds ----
 
 WINDOW = 2.0  # seconds over which a rate is measured
 LEAST = 0.2  # seconds after which there is a first rate

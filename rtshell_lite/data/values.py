@@ -23,7 +23,7 @@ SCALARS = ((1, "B", "octet"), (2, "h", "short"), (4, "i", "long"), (4, "f", "flo
 SHOWN = 64  # characters of a guessed string
 
 
-# ---- parts of a value --------------------------------------------------------------------------------------
+# ---- parts of a value ----
 
 
 _SORTS = {marshal.Any: "any", marshal.TypeCode: "typecode", references.Reference: "reference"}
@@ -82,7 +82,7 @@ def _bounded(function, *args):
         raise errors.BadValue("the value", "nested too deep to show")
 
 
-# ---- as text -----------------------------------------------------------------------------------------------
+# ---- as text ----
 
 
 def text(value, limit=None):
@@ -214,7 +214,7 @@ def _escaped(c):
     return f"\\U{n:08x}"
 
 
-# ---- as JSON and in tables ---------------------------------------------------------------------------------
+# ---- as JSON and in tables ----
 
 
 def json(value):
@@ -344,7 +344,7 @@ def _step(value, step, path):
     raise errors.NoSuch(printable(path), "field", f"{name} ({there})")
 
 
-# ---- bytes of an unknown type ------------------------------------------------------------------------------
+# ---- bytes of an unknown type ----
 
 
 def raw(data, little=True, limit=None):

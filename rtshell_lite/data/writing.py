@@ -53,7 +53,7 @@ REFUSALS = {
 Cycle = collections.namedtuple("Cycle", "index ref state running")
 
 
-# ---- who reads ---------------------------------------------------------------------------------------------
+# ---- who reads ----
 
 
 class Audience:
@@ -192,7 +192,7 @@ def _hertz(rate):
     return "%g Hz" % float("%.3g" % rate)
 
 
-# ---- sending -----------------------------------------------------------------------------------------------
+# ---- sending ----
 
 
 class Writer(Connection):

@@ -104,7 +104,7 @@ class Decoder:
             value = values.with_timestamp(value, *_move_stamp(stamp, shift))
         return type.encode(value, little)
 
-    # ---- for people and programs ---------------------------------------------------------------------------
+    # ---- for people and programs ----
 
     def form_value(self, entry, form):
         """form(value of an entry); None when its type is not known, or the entry does not fit it or is nested
@@ -186,7 +186,7 @@ def _move_stamp(stamp, shift):
     return divmod(min(max(moment, 0), (1 << 32) * 10**9 - 1), 10**9)
 
 
-# ---- what is in a log --------------------------------------------------------------------------------------
+# ---- what is in a log ----
 
 
 def summary(log):
@@ -266,7 +266,7 @@ def _size(size):
     return "%.2f%s (%dB)" % (size / factor, unit, size)
 
 
-# ---- values of unknown types -------------------------------------------------------------------------------
+# ---- values of unknown types ----
 
 
 def _tame(value):

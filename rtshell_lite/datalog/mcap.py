@@ -37,7 +37,7 @@ class Damaged(Exception):
     """These octets are no whole record of their kind."""
 
 
-# ---- octets to records -------------------------------------------------------------------------------------
+# ---- octets to records ----
 
 
 class Fields:
@@ -193,7 +193,7 @@ def walk(octets):
         at = end
 
 
-# ---- records to octets -------------------------------------------------------------------------------------
+# ---- records to octets ----
 
 
 def record(kind, *parts):

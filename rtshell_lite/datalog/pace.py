@@ -44,7 +44,7 @@ class Pace:
         self._late = 0
         self._is_over = False
 
-    # ---- what somebody does --------------------------------------------------------------------------------
+    # ---- what somebody does ----
 
     def pause(self):
         """Pause, or go on."""
@@ -68,7 +68,7 @@ class Pace:
             self._target = self.position + int(seconds * 1e9)
             self._bell.ring()
 
-    # ---- what is due ---------------------------------------------------------------------------------------
+    # ---- what is due ----
 
     async def entries(self):
         """Each entry when it is due."""

@@ -156,7 +156,7 @@ class Log:
             yield self._octets(at, end - at)
             at = end
 
-    # ---- finding what is where -----------------------------------------------------------------------------
+    # ---- finding what is where ----
 
     def _octets(self, offset, length):
         if hasattr(os, "pread"):
@@ -401,7 +401,7 @@ class Log:
         self._numbers[number] = len(self.channels)
         self.channels.append(channel)
 
-    # ---- messages ------------------------------------------------------------------------------------------
+    # ---- messages ----
 
     def _records(self, stretch):
         """The octets of the records in a Stretch; None, which is counted, where they are damaged."""

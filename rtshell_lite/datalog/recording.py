@@ -211,7 +211,7 @@ class _Recording:
             )
         notes.detail(f"{work.count} messages, {work.octets} octets recorded")
 
-    # ---- ports ---------------------------------------------------------------------------------------------
+    # ---- ports ----
 
     async def _wanted_readers(self):
         """Readers of the ports that were named, each for its channel; what fails is counted."""

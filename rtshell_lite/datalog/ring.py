@@ -219,7 +219,7 @@ class Memory:
         return iter([message for message in self._messages if first <= message[1] <= last])
 
 
-# ---- triggers ----------------------------------------------------------------------------------------------
+# ---- triggers ----
 
 
 class Incident:
@@ -353,7 +353,7 @@ class Hook:
             notes.fail(e)
 
 
-# ---- from another command ----------------------------------------------------------------------------------
+# ---- from another command ----
 
 
 class Mailbox:

@@ -86,7 +86,7 @@ def of_type(type):
     return None
 
 
-# ---- ros2msg -----------------------------------------------------------------------------------------------
+# ---- ros2msg ----
 
 
 def _ros2msg(descriptor):
@@ -153,7 +153,7 @@ def _single(descriptor, known):
     return _BASIC[sort]
 
 
-# ---- omgidl ------------------------------------------------------------------------------------------------
+# ---- omgidl ----
 
 
 def _omgidl(descriptor):
@@ -236,7 +236,7 @@ def _label(descriptor, place, case):
     return "case %d" % case.label
 
 
-# ---- the reverse -------------------------------------------------------------------------------------------
+# ---- the reverse ----
 
 
 def type_id(name):

@@ -246,7 +246,6 @@ def _sort(inner):
 
 
 def _names(plan, others, value):
-    """The columns of a value."""
     found = []
     for column, get, sort in plan:
         if sort == NUMBERS:
@@ -258,7 +257,7 @@ def _names(plan, others, value):
     return found
 
 
-# ---- whole tables ------------------------------------------------------------------------------------------
+# ---- whole tables ----
 
 
 class _Spool:

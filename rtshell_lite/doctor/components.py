@@ -84,7 +84,7 @@ async def complete(snapshots):
         snapshot.error = None
 
 
-# ---- findings ----------------------------------------------------------------------------------------------
+# ---- findings ----
 
 
 async def findings(snapshots, rates, hung, stated=False, logs=None):
@@ -184,7 +184,7 @@ def _restart(snapshot):
     return remedies.words("restart", port=snapshot.node.endpoint[1])
 
 
-# ---- names -------------------------------------------------------------------------------------------------
+# ---- names ----
 
 
 def _names(snapshot):
@@ -229,7 +229,7 @@ def _bound_as(node):
     return "/".join(_spelt(name) for name in node.path.names)
 
 
-# ---- ports -------------------------------------------------------------------------------------------------
+# ---- ports ----
 
 
 def _ports(snapshot):
@@ -258,7 +258,7 @@ def _refusing(snapshot, number, e, endpoint):
     )
 
 
-# ---- execution contexts ------------------------------------------------------------------------------------
+# ---- execution contexts ----
 
 
 def _contexts(snapshot, log):

@@ -157,7 +157,6 @@ async def all_ends(snapshots):
 
 
 def _name(end):
-    """What to call an End."""
     if end.port is not None and end.port.node is not None:
         return ports.label(end.port)
     address = orb.at_address(end.ref)
@@ -191,11 +190,10 @@ async def _again(link, ends):
     return Link(link.snapshot, own, now)
 
 
-# ---- what can be wrong -------------------------------------------------------------------------------------
+# ---- what can be wrong ----
 
 
 async def _troubles(link, ends):
-    """Findings on one Link."""
     where = ports.label(link.port)
     connector = link.connector
     undo = remedies.command("disconnect", id=connector.id, port=where)

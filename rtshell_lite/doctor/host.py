@@ -66,7 +66,7 @@ def _first_line(name, words):
     return words + _content(name).partition("\n")[0]
 
 
-# ---- the network -------------------------------------------------------------------------------------------
+# ---- the network ----
 
 
 def _interfaces():
@@ -100,7 +100,7 @@ def _environment():
             yield f"{name}={quoted(value)}"
 
 
-# ---- processes ---------------------------------------------------------------------------------------------
+# ---- processes ----
 
 
 def _processes(ports):

@@ -45,7 +45,7 @@ async def findings():
     )
 
 
-# ---- programs ----------------------------------------------------------------------------------------------
+# ---- programs ----
 
 
 def _programs():
@@ -93,7 +93,7 @@ def _number(word):
     return 0
 
 
-# ---- settings of the ORB -----------------------------------------------------------------------------------
+# ---- settings of the ORB ----
 
 
 def _settings(started):
@@ -224,7 +224,7 @@ def transport_rule():
     return None
 
 
-# ---- names of this host ------------------------------------------------------------------------------------
+# ---- names of this host ----
 
 
 async def _host_name():
@@ -264,7 +264,7 @@ async def _localhost():
     return []
 
 
-# ---- our environment ---------------------------------------------------------------------------------------
+# ---- our environment ----
 
 
 def _patience():
@@ -335,7 +335,7 @@ def _working_directory():
     return []
 
 
-# ---- rtmount -----------------------------------------------------------------------------------------------
+# ---- rtmount ----
 
 
 async def _is_stale(place):

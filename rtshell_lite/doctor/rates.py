@@ -123,7 +123,7 @@ def _unmeasured(where, e):
     return ok("rate", where, "rate not measured: " + reason(e))
 
 
-# ---- one batch ---------------------------------------------------------------------------------------------
+# ---- one batch ----
 
 
 async def _watch(batch, seconds):

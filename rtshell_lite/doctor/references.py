@@ -20,7 +20,7 @@ async def findings(visit):
     return sorted(found + await _stale_contexts(visit), key=lambda finding: finding.path)
 
 
-# ---- where it leads ----------------------------------------------------------------------------------------
+# ---- where it leads ----
 
 
 async def _unreachable(visit, node):
@@ -175,7 +175,7 @@ def _half_reachable(visit, where, offered):
     ]
 
 
-# ---- what it is --------------------------------------------------------------------------------------------
+# ---- what it is ----
 
 
 async def _not_what_it_says(node):
@@ -205,7 +205,7 @@ async def _not_what_it_says(node):
     ]
 
 
-# ---- contexts ----------------------------------------------------------------------------------------------
+# ---- contexts ----
 
 
 def alias(node):

@@ -77,7 +77,7 @@ def _contents(log, values, environment):
     return "It contains " + "; ".join(words) + "."
 
 
-# ---- the map -----------------------------------------------------------------------------------------------
+# ---- the map ----
 
 
 def _system(seen):
@@ -113,7 +113,7 @@ def _leave_out_values(snapshots):
             snapshot.profile = snapshot.profile._replace(properties=kept)
 
 
-# ---- sections ----------------------------------------------------------------------------------------------
+# ---- sections ----
 
 
 def _sections(seen, environment):
@@ -177,7 +177,7 @@ def _ports(visits):
     return found
 
 
-# ---- a log -------------------------------------------------------------------------------------------------
+# ---- a log ----
 
 
 def _plot(name):

@@ -90,7 +90,7 @@ async def _visit(place, tops, used):
     )
 
 
-# ---- the name server itself --------------------------------------------------------------------------------
+# ---- the name server itself ----
 
 
 async def _unbound(visit):
@@ -302,7 +302,7 @@ async def _is_context(where, ref):
         )
 
 
-# ---- what is bound in it -----------------------------------------------------------------------------------
+# ---- what is bound in it ----
 
 
 async def _below(visit, top):

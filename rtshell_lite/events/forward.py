@@ -36,7 +36,7 @@ MOST_BOOKED = 1000  # records that are taken before other tasks go on
 Source = collections.namedtuple("Source", "where name")
 
 
-# ---- messages ----------------------------------------------------------------------------------------------
+# ---- messages ----
 
 
 def pairs(data):
@@ -144,7 +144,7 @@ def _text(found):
     return str(found)
 
 
-# ---- connections -------------------------------------------------------------------------------------------
+# ---- connections ----
 
 
 class _Sender:
@@ -260,7 +260,6 @@ class Door:
                 self._turn_away([each for each in self._senders if each.data])
 
     async def _take_messages(self, sender, take):
-        """Take the messages that have all come."""
         end = sender.scan.end(sender.data)
         while end is not None:
             message = bytes(sender.data[:end])

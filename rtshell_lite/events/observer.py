@@ -78,7 +78,7 @@ def record_line(record, name):
     )
 
 
-# ---- subscriptions of a component --------------------------------------------------------------------------
+# ---- subscriptions of a component ----
 
 
 async def properties(node):
@@ -225,7 +225,7 @@ class _Listener:
         """Nothing: the end of a component is noticed otherwise."""
 
 
-# ---- hints -------------------------------------------------------------------------------------------------
+# ---- hints ----
 
 
 def event(now, status, hint):

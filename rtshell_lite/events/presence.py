@@ -334,7 +334,7 @@ def _is_doubtful(each, now):
     return is_late or each.is_there and (each.is_hung or each.is_ending)
 
 
-# ---- the questions, (part, function), that a component is asked in turn ------------------------------------
+# ---- the questions, (part, function), that a component is asked in turn ----
 
 
 def _of_state(each):

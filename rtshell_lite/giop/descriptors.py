@@ -95,7 +95,7 @@ LARGEST = 20000  # types within a type
 LONGEST = 1 << 24  # elements of an array, all dimensions together
 
 
-# ---- values ------------------------------------------------------------------------------------------------
+# ---- values ----
 
 
 class Struct:
@@ -149,7 +149,7 @@ class Item:
         return hash((self._parent_id, self._v))
 
 
-# ---- making ------------------------------------------------------------------------------------------------
+# ---- making ----
 
 
 def struct(type_id, name, members):
@@ -206,7 +206,7 @@ def renamed(descriptor, type_id):
     return (descriptor[0], type_id) + descriptor[2:]
 
 
-# ---- reading -----------------------------------------------------------------------------------------------
+# ---- reading ----
 
 
 def kind(descriptor):
@@ -392,7 +392,7 @@ def _within(descriptor, where):
     return []
 
 
-# ---- taking what others made -------------------------------------------------------------------------------
+# ---- taking what others made ----
 
 
 def adopted(descriptor, find=None, classes=False):

@@ -35,7 +35,7 @@ class BadReference(ValueError):
     """A reference that must not be used; why is its text."""
 
 
-# ---- what a reference says ---------------------------------------------------------------------------------
+# ---- what a reference says ----
 
 
 @cached(1024)
@@ -157,7 +157,7 @@ class _Cdr:
         return self.octets()[:-1].decode("latin-1"), self.ushort()
 
 
-# ---- from octets to a reference ----------------------------------------------------------------------------
+# ---- from octets to a reference ----
 
 _pack = struct.Struct("<LL").pack
 _pack_one = struct.Struct("<LLL").pack
@@ -234,7 +234,7 @@ def checked(said):
     return said
 
 
-# ---- descriptors -------------------------------------------------------------------------------------------
+# ---- descriptors ----
 
 
 def _pair(*parts):

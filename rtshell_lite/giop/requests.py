@@ -99,7 +99,7 @@ class Request:
         return bytes(self.data[at - size : at]), at
 
 
-# ---- answers, in little endian -----------------------------------------------------------------------------
+# ---- answers, in little endian ----
 
 
 def answer(request, status=messages.NO_EXCEPTION):

@@ -168,7 +168,7 @@ class MembersDirectory(Directory):
         return {name: (Link, link_text(path, self)) for name, (_, path) in zip(names, members)}
 
 
-# ---- configuration -----------------------------------------------------------------------------------------
+# ---- configuration ----
 
 
 class ConfigurationDirectory(Directory):
@@ -234,7 +234,7 @@ class SetDirectory(Directory):
         await found.store({parameter: text}, found.set(self._id, with_hidden=True))
 
 
-# ---- execution contexts ------------------------------------------------------------------------------------
+# ---- execution contexts ----
 
 
 class ContextsDirectory(Directory):

@@ -28,7 +28,7 @@ NODEV = 4
 DETACH = 2
 
 
-# ---- what is mounted ---------------------------------------------------------------------------------------
+# ---- what is mounted ----
 
 
 def mounted():
@@ -75,7 +75,7 @@ async def _is_stale_for_certain(directory):
         return False
 
 
-# ---- mounting ----------------------------------------------------------------------------------------------
+# ---- mounting ----
 
 
 async def check(directory, over=False):

@@ -112,7 +112,7 @@ class Mount:
             session.current().sweep()
 
 
-# ---- names -------------------------------------------------------------------------------------------------
+# ---- names ----
 
 
 def file_name(name):
@@ -158,7 +158,7 @@ def meant(text, where):
         raise errors.BadValue(where, str(e))
 
 
-# ---- nodes -------------------------------------------------------------------------------------------------
+# ---- nodes ----
 
 
 class Node:
@@ -380,7 +380,7 @@ class Items(Directory):
         return {name: (Item,) for name in self.texts(value)}
 
 
-# ---- links between objects ---------------------------------------------------------------------------------
+# ---- links between objects ----
 
 
 def link_text(path, above):

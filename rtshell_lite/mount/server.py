@@ -74,7 +74,7 @@ class Server:
         self._is_mounted = True
         self._over = loop.Wait()
 
-    # ---- the loop ------------------------------------------------------------------------------------------
+    # ---- the loop ----
 
     async def serve(self):
         """Answer until the tree is unmounted."""
@@ -102,7 +102,6 @@ class Server:
             self._over.done()
 
     def _take(self):
-        """Take a request."""
         try:
             size = os.readv(self.fd, [self._buffer])
             self._handle(wire.request(memoryview(self._buffer)[:size]))
@@ -139,7 +138,7 @@ class Server:
             if payload is not None:
                 self.reply(request, payload)
 
-    # ---- answers -------------------------------------------------------------------------------------------
+    # ---- answers ----
 
     def reply(self, request, payload=b"", error=0):
         """Answer a request; False if it is waited for no longer."""
@@ -178,7 +177,7 @@ class Server:
 
         self.mount.change(node.where, lambda: self._finish(request, change()))
 
-    # ---- nodes that the kernel knows -----------------------------------------------------------------------
+    # ---- nodes that the kernel knows ----
 
     def _enter(self, request, node):
         """Reply the entry of a node; from then on the kernel knows it."""
@@ -215,7 +214,7 @@ class Server:
             raise OSError(errno.ENOENT, "")
         return node
 
-    # ---- requests ------------------------------------------------------------------------------------------
+    # ---- requests ----
 
     def init(self, request):
         version, flags = wire.init(request.body)
@@ -344,7 +343,7 @@ class Server:
         )
         raise errors.Refused(where, "nothing can be made, moved or removed here but connections and zombies")
 
-    # ---- directories ---------------------------------------------------------------------------------------
+    # ---- directories ----
 
     def opendir(self, request):
         self._node(request, Directory)

@@ -32,7 +32,7 @@ async def data_type(port):
         )
 
 
-# ---- out of components -------------------------------------------------------------------------------------
+# ---- out of components ----
 
 
 class Feed:
@@ -58,7 +58,6 @@ class Feed:
             self._mount.tasks.start(self._run())
 
     def detach(self, reader):
-        """Stop that."""
         self._readers.discard(reader)
         self._left.ring()
 
@@ -185,7 +184,6 @@ class PortStream(File):
 
 
 async def _follow_port(directory, publish):
-    """Publish the values of the port with this PortDirectory."""
     port = await directory.fresh()
     kind = await data_type(port)
 
@@ -224,7 +222,7 @@ class WatchStream(File):
         return StreamFile(self.mount, self._feed, self.where)
 
 
-# ---- into components ---------------------------------------------------------------------------------------
+# ---- into components ----
 
 
 class SendingFile(OpenFile):
@@ -318,7 +316,6 @@ class Sending(File):
             await self._unused.wait()
 
     async def _close(self):
-        """Disconnect."""
         if self._writer is not None:
             self._writer = None
             self._unused.ring()

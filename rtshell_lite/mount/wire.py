@@ -57,7 +57,7 @@ ENTRY_SIZE = _ENTRY.size + _ATTRIBUTES.size  # bytes that READDIRPLUS has before
 Request = collections.namedtuple("Request", "opcode unique node uid pid body")
 
 
-# ---- requests ----------------------------------------------------------------------------------------------
+# ---- requests ----
 
 
 def request(data):
@@ -134,7 +134,7 @@ def changed(body):
     return struct.unpack_from("=I", body)[0]
 
 
-# ---- answers -----------------------------------------------------------------------------------------------
+# ---- answers ----
 
 
 def reply(unique, payload=b"", error=0):

@@ -197,7 +197,7 @@ def _check(name):
         raise Thrown("CosNaming.NamingContext.InvalidName")
 
 
-# ---- names as one text (CosNaming 2.4) ---------------------------------------------------------------------
+# ---- names as one text (CosNaming 2.4) ----
 
 
 def _spelt(id, kind):

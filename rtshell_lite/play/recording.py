@@ -126,7 +126,7 @@ def _details(log, attachment):
     }
 
 
-# ---- parts of details, which may have any form -------------------------------------------------------------
+# ---- parts of details, which may have any form ----
 
 
 def text_in(known, key, default=""):

@@ -108,7 +108,7 @@ class Show:
         while not all(port.carriers for port in ports if port.component.is_there):
             await loop.sleep(LOOK)
 
-    # ---- playing -------------------------------------------------------------------------------------------
+    # ---- playing ----
 
     async def _play(self, pace):
         async for entry in pace.entries():

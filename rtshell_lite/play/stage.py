@@ -45,7 +45,7 @@ class Stage:
         for where in self.components:
             self._come(where)
 
-    # ---- building ------------------------------------------------------------------------------------------
+    # ---- building ----
 
     def _component(self, scene, where, described):
         known = scene.details.get(where, {})
@@ -135,7 +135,7 @@ class Stage:
                 owner.ports.append(port)
                 self.outs[number] = port
 
-    # ---- what changes --------------------------------------------------------------------------------------
+    # ---- what changes ----
 
     def show(self, scene, is_jump=False):
         """Have everything be as a Scene says: connections, contexts, configuration, states; at a jump to it,
@@ -246,7 +246,7 @@ class Stage:
             if not is_new and is_its and connector_id not in wanted:
                 self._drop(connector_id)
 
-    # ---- coming and going ----------------------------------------------------------------------------------
+    # ---- coming and going ----
 
     def _come(self, where):
         """A component is there, from now on."""
@@ -265,7 +265,7 @@ class Stage:
         owner.close()
         self.changed.add(where)
 
-    # ---- the end -------------------------------------------------------------------------------------------
+    # ---- the end ----
 
     async def sent(self):
         """Wait until all values have been sent, or who should get them is gone."""

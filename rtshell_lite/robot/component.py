@@ -51,7 +51,7 @@ async def uncertain_if_refused(asked):
         raise errors.Uncertain(*e.args)
 
 
-# ---- profile -----------------------------------------------------------------------------------------------
+# ---- profile ----
 
 
 async def profile(node, brief=False, names=False):
@@ -118,7 +118,7 @@ async def once_more(call, failures=None):
         return await call()
 
 
-# ---- execution contexts ------------------------------------------------------------------------------------
+# ---- execution contexts ----
 
 
 async def context_refs(node):
@@ -213,7 +213,7 @@ def _by_number(names, enumerator):
     return "Unknown"
 
 
-# ---- state -------------------------------------------------------------------------------------------------
+# ---- state ----
 
 
 async def state(node):

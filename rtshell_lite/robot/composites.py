@@ -22,7 +22,7 @@ EXPORTED = (
 )
 
 
-# ---- asking ------------------------------------------------------------------------------------------------
+# ---- asking ----
 
 
 async def owned(node, with_members=True):
@@ -114,7 +114,7 @@ async def _path_text(places, name, ref, node):
     return f"Unknown ({printable(name)})"
 
 
-# ---- changing ----------------------------------------------------------------------------------------------
+# ---- changing ----
 
 # A member to add or to remove, and its ports to export or to hide; `node` is None for one that is gone.
 Member = record("Member", "instance node ports")
@@ -296,7 +296,7 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     return lines
 
 
-# ---- rtcomp: find or make a composite on a manager, then change its members --------------------------------
+# ---- rtcomp: find or make a composite on a manager, then change its members ----
 
 
 async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=False):

@@ -189,7 +189,7 @@ def _changed(within, values):
     return changed
 
 
-# ---- as text -----------------------------------------------------------------------------------------------
+# ---- as text ----
 
 
 def dumped(configuration, with_hidden=False):

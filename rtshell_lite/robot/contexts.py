@@ -38,7 +38,7 @@ async def _entry(node, index, ref):
     )
 
 
-# ---- changing ----------------------------------------------------------------------------------------------
+# ---- changing ----
 
 
 async def set_rate(node, index, rate):

@@ -81,7 +81,7 @@ def _is_no_server(server):
     return has_kind(server) and not server.startswith(REFERENCES) and server not in tree.servers()
 
 
-# ---- relative paths ----------------------------------------------------------------------------------------
+# ---- relative paths ----
 
 
 async def _relative(word, may_be_server):
@@ -179,7 +179,7 @@ def is_path(word):
     return _is_address(names[0]) or has_kind(names[-1])
 
 
-# ---- patterns ----------------------------------------------------------------------------------------------
+# ---- patterns ----
 
 
 def has_pattern(word):
@@ -267,7 +267,7 @@ def _fits(names, wanted):
     return False
 
 
-# ---- OpenRTM's own -----------------------------------------------------------------------------------------
+# ---- OpenRTM's own ----
 
 
 async def _check_category(path, word):

@@ -31,7 +31,7 @@ class Address(str):
         return parse(self).child(name)
 
 
-# ---- which manager -----------------------------------------------------------------------------------------
+# ---- which manager ----
 
 
 async def find(word):
@@ -105,7 +105,7 @@ def reference(word):
     return orb.corbaloc(word, address, key, MANAGER_PORT)
 
 
-# ---- what it has -------------------------------------------------------------------------------------------
+# ---- what it has ----
 
 
 async def components(node):
@@ -199,7 +199,7 @@ def component_id(properties):
     )
 
 
-# ---- changing ----------------------------------------------------------------------------------------------
+# ---- changing ----
 
 
 async def create(node, argument, wait=None):

@@ -147,7 +147,7 @@ async def _unbind(path, dry_run, zombie=False):
     return str(path) + ": deleted"
 
 
-# ---- naming contexts ---------------------------------------------------------------------------------------
+# ---- naming contexts ----
 
 
 class _Bindings:

@@ -158,7 +158,7 @@ def kind_of(type_id, name_kind=""):
     return "unknown"
 
 
-# ---- liveness ----------------------------------------------------------------------------------------------
+# ---- liveness ----
 
 
 async def check_alive(nodes):
@@ -248,7 +248,7 @@ def _place(node):
     return node.endpoint, node.path
 
 
-# ---- what a naming context holds ---------------------------------------------------------------------------
+# ---- what a naming context holds ----
 
 
 def name_server_error(node, e):

@@ -48,7 +48,7 @@ class Places:
         return paths
 
 
-# ---- the far ends of connections ---------------------------------------------------------------------------
+# ---- the far ends of connections ----
 
 # The port at an end of a connection: its reference; its ports.Port, whose `node` is None if its component is
 # bound nowhere, or None and the errors.Error `error`.

@@ -59,7 +59,7 @@ MOST_CHOICES = 5  # in a message
 ANY_CASE = ("dataport.dataflow_type", "dataport.subscription_type")  # OpenRTM 1.0 says Push and takes push
 
 
-# ---- asking ------------------------------------------------------------------------------------------------
+# ---- asking ----
 
 
 async def ports(node, brief=False):
@@ -262,7 +262,7 @@ async def meant(paths):
     return ""
 
 
-# ---- matching ----------------------------------------------------------------------------------------------
+# ---- matching ----
 
 
 def between(ends):

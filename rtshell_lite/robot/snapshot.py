@@ -121,7 +121,7 @@ async def ask_all(snapshots, **parts):
             snapshot.error = None
 
 
-# ---- how each part is asked for ----------------------------------------------------------------------------
+# ---- how each part is asked for ----
 
 
 async def _ports(snapshot, how):

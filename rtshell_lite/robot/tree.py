@@ -37,7 +37,7 @@ AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call ta
 DEPTH = 64  # contexts can be bound inside themselves by another name
 
 
-# ---- name servers ------------------------------------------------------------------------------------------
+# ---- name servers ----
 
 
 def servers():
@@ -108,7 +108,7 @@ def server_endpoint(path):
     return None
 
 
-# ---- from a path to a node ---------------------------------------------------------------------------------
+# ---- from a path to a node ----
 
 
 async def resolve(path):
@@ -310,7 +310,7 @@ async def at_each(paths, function):
     return await session.each(paths, function, lambda path: (server_endpoint(path), str(path)))
 
 
-# ---- listing -----------------------------------------------------------------------------------------------
+# ---- listing ----
 
 
 async def children(node, objects=()):
@@ -363,7 +363,7 @@ def _sorted(nodes):
     return sorted(nodes, key=lambda node: str(node.path))
 
 
-# ---- below a manager ---------------------------------------------------------------------------------------
+# ---- below a manager ----
 
 
 async def slaves(node):
@@ -438,7 +438,7 @@ async def _instance_name(node):
     return from_wire(await node.call("get_sdo_id"))
 
 
-# ---- walking -----------------------------------------------------------------------------------------------
+# ---- walking ----
 
 
 async def walk(node, depth=None, managers=True, objects=()):

@@ -166,7 +166,7 @@ async def _of_kind(kind, word, positional):
     return []
 
 
-# ---- the RTC Tree ------------------------------------------------------------------------------------------
+# ---- the RTC Tree ----
 
 # A printable name in a directory; directory, manager, component (of kind rtc) or another object
 _Entry = collections.namedtuple("_Entry", "name kind")
@@ -272,7 +272,6 @@ _BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
 
 
 async def _ports(component, types):
-    """Paths of the ports of a component."""
     from rtshell_lite.robot import ports
 
     (path,) = await lookup.paths([component])
@@ -288,7 +287,7 @@ async def _ports(component, types):
     ]
 
 
-# ---- configuration -----------------------------------------------------------------------------------------
+# ---- configuration ----
 
 
 async def _configuration(path):
@@ -315,7 +314,7 @@ async def _parameters(_, positional):
     return [Candidate(printable(name), True, printable(value)) for name, value in values.items()]
 
 
-# ---- services ----------------------------------------------------------------------------------------------
+# ---- services ----
 
 _services = _paths(("component", "object", "manager"), ("CorbaPort",))
 
@@ -333,7 +332,7 @@ async def _calls(word, positional):
     return [Candidate(*found) for found in await calls.offered(word, positional, idl)]
 
 
-# ---- local files -------------------------------------------------------------------------------------------
+# ---- local files ----
 
 
 async def _files(word, _):

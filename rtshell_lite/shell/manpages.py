@@ -47,7 +47,7 @@ def sections(markdown):
     return dict(re.findall(r"^#+ (.*)\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)", markdown, re.MULTILINE))
 
 
-# ---- a command ---------------------------------------------------------------------------------------------
+# ---- a command ----
 
 
 def _command_page(name, path, date):
@@ -153,7 +153,7 @@ def _entries(text):
     ][1:]
 
 
-# ---- the overview ------------------------------------------------------------------------------------------
+# ---- the overview ----
 
 
 def _overview(readme, text, commands, date):
@@ -205,7 +205,7 @@ def _joined(rows):
     return text
 
 
-# ---- troff -------------------------------------------------------------------------------------------------
+# ---- troff ----
 
 
 def _text(s):

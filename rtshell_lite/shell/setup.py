@@ -84,7 +84,7 @@ def code(shell, commands):
     return FUNCTIONS[shell] + completion % " ".join(sorted(commands))
 
 
-# ---- words on a line that is being typed -------------------------------------------------------------------
+# ---- words on a line that is being typed ----
 
 # The `words` of the last command, of which the last one is unfinished; the `quote` that it is in: '', ", '
 # or, after a backslash, \; `open`: it will be expanded by the shell; `redirected`: it is a file after < or >.

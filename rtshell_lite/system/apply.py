@@ -157,7 +157,7 @@ def _levels(outcomes):
     return levels
 
 
-# ---- looking -----------------------------------------------------------------------------------------------
+# ---- looking ----
 
 
 async def _answers(outcomes):
@@ -257,7 +257,7 @@ def _living_placements(outcomes):
     )
 
 
-# ---- doing -------------------------------------------------------------------------------------------------
+# ---- doing ----
 
 
 async def _carry_out(level, outcomes, all_or_nothing):

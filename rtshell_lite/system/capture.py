@@ -43,7 +43,7 @@ Loose = collections.namedtuple("Loose", "connector endpoint note")
 _REFERENCE = re.compile(r"dataport\.corba_cdr\.(?:in|out)port_(?:ior|ref)\Z")
 
 
-# ---- asking ------------------------------------------------------------------------------------------------
+# ---- asking ----
 
 
 async def ask(node, brief=False, states=True, everything=False):
@@ -133,7 +133,7 @@ def is_reference(name, value):
     return bool(_REFERENCE.match(name) or (value or "").startswith("IOR:"))
 
 
-# ---- capturing ---------------------------------------------------------------------------------------------
+# ---- capturing ----
 
 
 async def capture(
@@ -257,11 +257,10 @@ def _member(ref, found):
     return None
 
 
-# ---- one component -----------------------------------------------------------------------------------------
+# ---- one component ----
 
 
 def _component(each, found, notes):
-    """The model.Component of a ComponentState."""
     instance = each.profile.instance_name
     made = model.Component(
         id=component_id(each.profile),
@@ -334,7 +333,7 @@ def _target(kind, each, **more):
     )
 
 
-# ---- connections -------------------------------------------------------------------------------------------
+# ---- connections ----
 
 
 def _connectors(found, outside, silent, notes):
@@ -438,7 +437,7 @@ def _connector(one, known):
     return made
 
 
-# ---- files -------------------------------------------------------------------------------------------------
+# ---- files ----
 
 
 def path_of(each):
@@ -517,7 +516,7 @@ def port_path(end, component):
         return None
 
 
-# ---- what is running of a profile --------------------------------------------------------------------------
+# ---- what is running of a profile ----
 
 
 async def ask_each(profile, function=ask):

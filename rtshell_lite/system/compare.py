@@ -93,7 +93,7 @@ def _is_silent(placement):
     )
 
 
-# ---- what is checked ---------------------------------------------------------------------------------------
+# ---- what is checked ----
 
 
 def checks(profile, state, listed):
@@ -198,7 +198,7 @@ class _State(steps.Step):
         return found.states.get(handle)
 
 
-# ---- in rtshell's words ------------------------------------------------------------------------------------
+# ---- in rtshell's words ----
 
 
 def plan(profile, state):
@@ -316,7 +316,6 @@ def _missing(step):
 
 
 def _in_words(step, difference):
-    """The Difference for a steps.Difference."""
     words = {
         "set": printable(getattr(step, "set_id", "")),
         "name": printable(str(difference.name)),
@@ -351,7 +350,7 @@ def _shown(value):
     return printable(str(value))
 
 
-# ---- what there is beyond the profile ----------------------------------------------------------------------
+# ---- what there is beyond the profile ----
 
 
 def _beyond(check, required, message, path, actual):

@@ -184,7 +184,7 @@ def _joined(connector):
     return {orb.identity(ref) for ref in connector.ports if ref is not None}
 
 
-# ---- connecting --------------------------------------------------------------------------------------------
+# ---- connecting ----
 
 
 class Connect(Connection):
@@ -315,7 +315,7 @@ def _agree(name, expected, actual):
     return expected == actual
 
 
-# ---- disconnecting -----------------------------------------------------------------------------------------
+# ---- disconnecting ----
 
 
 class Disconnect(Connection):

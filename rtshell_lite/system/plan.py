@@ -38,7 +38,7 @@ NOT_TRIED = "not tried"
 REACHED = (DONE, ALREADY, GONE)
 
 
-# ---- from a profile to a plan ------------------------------------------------------------------------------
+# ---- from a profile to a plan ----
 
 
 def make(profile, section, name, start=True):
@@ -276,7 +276,7 @@ def _once(items):
     return list(collections.OrderedDict.fromkeys(items))
 
 
-# ---- showing a plan ----------------------------------------------------------------------------------------
+# ---- showing a plan ----
 
 
 def checks(profile):
@@ -342,7 +342,7 @@ def _steps(actions):
     return [steps[key] for key in sorted(steps)]
 
 
-# ---- carrying it out, without doing anything ---------------------------------------------------------------
+# ---- carrying it out, without doing anything ----
 
 
 class Schedule:

@@ -25,7 +25,7 @@ def places(profile):
     return listed
 
 
-# ---- restoring ---------------------------------------------------------------------------------------------
+# ---- restoring ----
 
 
 async def restoring(profile, options):
@@ -170,7 +170,7 @@ def _above(where):
     return None
 
 
-# ---- components --------------------------------------------------------------------------------------------
+# ---- components ----
 
 
 async def memberships(placement, placement_of):
@@ -234,7 +234,7 @@ async def _participations(placement, placement_of):
     return outcomes
 
 
-# ---- connections -------------------------------------------------------------------------------------------
+# ---- connections ----
 
 
 async def connections(connecting):
@@ -280,7 +280,7 @@ def _strange_ends(step):
     return [ref for key, ref in sorted(refs.items()) if key not in known]
 
 
-# ---- tearing down ------------------------------------------------------------------------------------------
+# ---- tearing down ----
 
 
 async def tearing_down(profile, options):

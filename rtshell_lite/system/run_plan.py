@@ -259,7 +259,7 @@ class Run:
         return Result(action, plan.FAILED, error)
 
 
-# ---- asking ------------------------------------------------------------------------------------------------
+# ---- asking ----
 
 
 async def _unasked(node):
@@ -273,7 +273,6 @@ async def _ask(node):
 
 
 async def _contexts(node):
-    """The _Contexts of a component."""
     owned, participating = await component.context_refs(node)
     return _Contexts(
         [await node.call("get_context_handle", ref) for ref in owned + participating], len(owned)

@@ -164,7 +164,7 @@ async def _send(connection, text):
             return
 
 
-# ---- asking ------------------------------------------------------------------------------------------------
+# ---- asking ----
 
 
 def running():
@@ -239,7 +239,7 @@ def _mark(line):
     return "kept"
 
 
-# ---- the service manager of the system ---------------------------------------------------------------------
+# ---- the service manager of the system ----
 
 
 def notify(**said):

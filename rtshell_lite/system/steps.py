@@ -130,7 +130,7 @@ class Present(Step):
             )
 
 
-# ---- making components -------------------------------------------------------------------------------------
+# ---- making components ----
 
 
 class Create(Step):
@@ -260,7 +260,7 @@ def _is_missing(member, composite):
     return not any(orb.same(ref, member.node.ref) for _, ref in composite.members)
 
 
-# ---- configuration -----------------------------------------------------------------------------------------
+# ---- configuration ----
 
 
 class _Configuring(Step):

@@ -36,7 +36,7 @@ WHOLE = 12  # walks of which one looks up all names, where there are more than F
 KEPT = 60.0  # seconds for which what was measured is shown
 
 
-# ---- one component -----------------------------------------------------------------------------------------
+# ---- one component ----
 
 
 NEVER = float("-inf")
@@ -235,7 +235,7 @@ class Entry:
         )
 
 
-# ---- the system --------------------------------------------------------------------------------------------
+# ---- the system ----
 
 
 class Slots:

@@ -36,7 +36,7 @@ TICK = 1.0  # seconds between two looks whether a browser is still there
 Detail = collections.namedtuple("Detail", "snapshot links asked")
 
 
-# ---- where it listens --------------------------------------------------------------------------------------
+# ---- where it listens ----
 
 
 class Place:
@@ -116,7 +116,7 @@ def _is_loopback(address):
     return address == "::1" or address.startswith("127.")
 
 
-# ---- what it shows -----------------------------------------------------------------------------------------
+# ---- what it shows ----
 
 
 class Site:

@@ -29,7 +29,7 @@ async def collect(node, level=0):
     return await Snapshot(node).ask(**parts, profile=FULL)
 
 
-# ---- lines -------------------------------------------------------------------------------------------------
+# ---- lines ----
 
 
 def lines(snapshot, level, ends, paint):
@@ -202,7 +202,7 @@ def _shown(connector):
     ]
 
 
-# ---- JSON --------------------------------------------------------------------------------------------------
+# ---- JSON ----
 
 
 def as_dict(snapshot, ends):

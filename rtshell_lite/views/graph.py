@@ -64,7 +64,7 @@ class Box:
             side.append(port)
 
 
-# ---- from a profile ----------------------------------------------------------------------------------------
+# ---- from a profile ----
 
 
 def of(profile, states=None):
@@ -158,7 +158,7 @@ def _compose(profile, boxes, numbers, locate):
     return [number for number in range(len(boxes)) if number not in inside]
 
 
-# ---- what drawings share -----------------------------------------------------------------------------------
+# ---- what drawings share ----
 
 
 def count_words(box):

@@ -96,7 +96,7 @@ def _scale(sizes):
     return max(1, (area / (PAGE[0] * PAGE[1])) ** 0.5)
 
 
-# ---- columns and rows --------------------------------------------------------------------------------------
+# ---- columns and rows ----
 
 
 def _columns(picture, boxes, rank, tallest):
@@ -210,7 +210,7 @@ def _height(ports, port):
     return (ports.index(port) + 1) / (len(ports) + 1)
 
 
-# ---- the order within columns ------------------------------------------------------------------------------
+# ---- the order within columns ----
 
 
 def _sort(columns):
@@ -269,7 +269,7 @@ def _mean(values, otherwise):
     return otherwise
 
 
-# ---- y -----------------------------------------------------------------------------------------------------
+# ---- y ----
 
 
 def _put_below(columns):
@@ -304,7 +304,7 @@ def _stack(items, wanted):
         item.y = int(item.y + shift)
 
 
-# ---- lines between the rows --------------------------------------------------------------------------------
+# ---- lines between the rows ----
 
 
 def _detours(picture, boxes, ways, port_of):

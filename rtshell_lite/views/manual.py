@@ -75,7 +75,7 @@ def _authors_order(texts):
     return [key.strip() for key in texts.get("__order__", "").split(",") if key.strip()]
 
 
-# ---- tables ------------------------------------------------------------------------------------------------
+# ---- tables ----
 
 
 def _ports_section(profile, listed, graph):

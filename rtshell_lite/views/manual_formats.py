@@ -9,7 +9,7 @@ def _lines_of(text):
     return [safe(line) for line in text.expandtabs().replace("\r\n", "\n").split("\n")]
 
 
-# ---- reStructuredText --------------------------------------------------------------------------------------
+# ---- reStructuredText ----
 
 
 def rst(manual):
@@ -46,7 +46,7 @@ def _csv(row):
     return ", ".join('"%s"' % " ".join(_lines_of(cell)).replace('"', "'") for cell in row)
 
 
-# ---- HTML --------------------------------------------------------------------------------------------------
+# ---- HTML ----
 
 _STYLE = """\
 body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em }
@@ -102,7 +102,7 @@ def _html_part(part):
     ]
 
 
-# ---- LaTeX -------------------------------------------------------------------------------------------------
+# ---- LaTeX ----
 
 _LATEX = {
     "\\": r"\textbackslash{}",

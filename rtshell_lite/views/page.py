@@ -75,7 +75,7 @@ def _hash(text):
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
-# ---- the data ----------------------------------------------------------------------------------------------
+# ---- the data ----
 
 
 def fields(picture, profile, title, what, findings=(), kind=None, opened=()):

@@ -78,7 +78,7 @@ def port_parts(box):
     return found
 
 
-# ---- what is running ---------------------------------------------------------------------------------------
+# ---- what is running ----
 
 
 def _of_snapshot(snapshot):
@@ -130,7 +130,7 @@ def _port_rows(port):
     return rows
 
 
-# ---- what a file has ---------------------------------------------------------------------------------------
+# ---- what a file has ----
 
 
 def _of_file(component):

@@ -12,7 +12,7 @@ KINDS = ("none", "composite", "process", "directory", "host")  # of groups, the 
 MOST = 30  # boxes that a person can overlook
 
 
-# ---- some of the boxes -------------------------------------------------------------------------------------
+# ---- some of the boxes ----
 
 
 def keep(picture, numbers):
@@ -71,7 +71,7 @@ def neighbours(picture, numbers, hops=1, upstream=True, downstream=True):
     return reached
 
 
-# ---- groups ------------------------------------------------------------------------------------------------
+# ---- groups ----
 
 
 def fold(picture, kind, opened=()):
@@ -174,7 +174,7 @@ def _folded(name, boxes):
     return made
 
 
-# ---- a new picture out of an old one -----------------------------------------------------------------------
+# ---- a new picture out of an old one ----
 
 
 def _copy(box, places):

@@ -17,7 +17,7 @@ _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})(?::(\d{1,9}))?\]", re.ASCII)
 _TICKS = (1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 10800, 21600, 43200, 86400)  # s
 
 
-# ---- fields ------------------------------------------------------------------------------------------------
+# ---- fields ----
 
 
 class Field:
@@ -102,7 +102,7 @@ def _leaves(value, name, found, is_all):
                 _leaves(inner, f"{name}.{member}" if name else member, found, is_all)
 
 
-# ---- series ------------------------------------------------------------------------------------------------
+# ---- series ----
 
 
 class Series:
@@ -287,7 +287,7 @@ class Picture:
         return not any(series.points for panel in self.panels for series in panel.series.values())
 
 
-# ---- axes --------------------------------------------------------------------------------------------------
+# ---- axes ----
 
 
 def number(value):

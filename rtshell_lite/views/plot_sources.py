@@ -93,7 +93,7 @@ def _counted(name, counts, first, last):
     return panel
 
 
-# ---- a log -------------------------------------------------------------------------------------------------
+# ---- a log ----
 
 
 def channel(log, word):
@@ -173,7 +173,7 @@ def _all(log):
     return [(number, plot.Field("")) for number in found[:PANELS]]
 
 
-# ---- ports -------------------------------------------------------------------------------------------------
+# ---- ports ----
 
 
 def named_port(path, known):

@@ -96,7 +96,7 @@ def _said(series):
     return f"{series.name or 'value'}: min %s, max %s, last %s" % tuple(words)
 
 
-# ---- one panel ---------------------------------------------------------------------------------------------
+# ---- one panel ----
 
 
 def _legend_rows(panel):
@@ -197,7 +197,7 @@ def _thinned(picture, series):
     return thin.points
 
 
-# ---- what all panels share ---------------------------------------------------------------------------------
+# ---- what all panels share ----
 
 
 def _kept_apart(picture):

@@ -23,7 +23,7 @@ LONG = 8  # elements of a sequence that are shown on a terminal
 USER_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 
 
-# ---- channels ----------------------------------------------------------------------------------------------
+# ---- channels ----
 
 
 class Channel:
@@ -123,7 +123,7 @@ def formatter(name, directories=()):
     return function
 
 
-# ---- as they come ------------------------------------------------------------------------------------------
+# ---- as they come ----
 
 
 async def batches(box, opened, seconds=math.inf, rate=None):
@@ -161,7 +161,7 @@ def portions(lines):
     yield "".join(pending)
 
 
-# ---- figures -----------------------------------------------------------------------------------------------
+# ---- figures ----
 
 
 class Board:

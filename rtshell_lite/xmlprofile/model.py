@@ -42,7 +42,7 @@ COMPOSITE_TYPES.update(
 DIRECTIONS = {name.lower(): name for name in ("DOWN", "RIGHT", "UP", "LEFT")}
 
 
-# ---- what elements share -----------------------------------------------------------------------------------
+# ---- what elements share ----
 
 
 class Property(Element):
@@ -86,7 +86,7 @@ class TargetExecutionContext(Element):
     )
 
 
-# ---- components --------------------------------------------------------------------------------------------
+# ---- components ----
 
 
 class DataPort(Element):
@@ -168,7 +168,7 @@ class Group(Element):
     )
 
 
-# ---- connections -------------------------------------------------------------------------------------------
+# ---- connections ----
 
 
 class Connector(Element):
@@ -230,7 +230,7 @@ class ServicePortConnector(Connector):
     )
 
 
-# ---- the order of starting and stopping --------------------------------------------------------------------
+# ---- the order of starting and stopping ----
 
 
 class WaitTime(Element):

@@ -31,7 +31,7 @@ _CODECS = re.compile(
 _DECLARATION = re.compile(rb"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-z][\w.:-]*)["']""")
 
 
-# ---- reading: text to nodes --------------------------------------------------------------------------------
+# ---- reading: text to nodes ----
 
 
 class Node:
@@ -191,7 +191,7 @@ def _decoded(decoder, chunk, final, reader):
         reader.fail(f"not in the encoding that it declares ({getattr(e, 'reason', e)})")
 
 
-# ---- reading: nodes to the model ---------------------------------------------------------------------------
+# ---- reading: nodes to the model ----
 
 
 def read(data, name):
@@ -307,7 +307,7 @@ def _foreign_element(node):
     return fields.ForeignElement(names.clark(node.tag), attributes, content)
 
 
-# ---- writing -----------------------------------------------------------------------------------------------
+# ---- writing ----
 
 
 def write(profile):

@@ -25,7 +25,7 @@ def version():
     return "builtin ORB"
 
 
-# ---- references --------------------------------------------------------------------------------------------
+# ---- references ----
 
 
 def from_url(where, url):
@@ -83,7 +83,7 @@ def same(one, other):
     return one.profiles == other.profiles or bool(one.address.host) and one.address[1:] == other.address[1:]
 
 
-# ---- servants ----------------------------------------------------------------------------------------------
+# ---- servants ----
 
 
 def serve(servant):
@@ -96,7 +96,7 @@ def serve(servant):
     return reference.text(), withdraw
 
 
-# ---- values ------------------------------------------------------------------------------------------------
+# ---- values ----
 
 
 def properties(nvlist, only=None):

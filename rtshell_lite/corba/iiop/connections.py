@@ -446,7 +446,6 @@ class Connection:
             _sweep()
 
     def close(self):
-        """Close it."""
         self.end = None  # its traceback leads back here: what has come would stay until a collection
         if self._socket is not None:
             self._socket.close()

@@ -101,7 +101,7 @@ def _setting(name):
     return found.group(1).strip("[]"), int(found.group(2) or 0)
 
 
-# ---- connections -------------------------------------------------------------------------------------------
+# ---- connections ----
 
 
 class Caller:
@@ -474,7 +474,6 @@ def _result(servant, interface, operation, arguments):
 
 
 def _written(request, writers, result):
-    """The answer with a result."""
     if result is not None and result is request.result:
         return requests.repeated(request)
     out = requests.answer(request)

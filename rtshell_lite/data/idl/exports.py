@@ -137,7 +137,6 @@ def _raised(parser, word):
 
 
 def _texts(parser):
-    """The texts in brackets."""
     parser.take("(")
     found = []
     while not parser.is_mark(")"):

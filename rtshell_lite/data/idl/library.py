@@ -112,7 +112,7 @@ class Library:
         wanted = "/" + os.path.normpath(name).lstrip("./")
         return next((path for path in self.texts() if path.endswith(wanted)), None)
 
-    # ---- reading files -------------------------------------------------------------------------------------
+    # ---- reading files ----
 
     def texts(self):
         """{path: octets} of all files, in the order of the roots, then by name."""

@@ -83,7 +83,7 @@ class Parser:
             {entry.type_id: entry.what.interface for entry in self.interfaces.values()},
         )
 
-    # ---- tokens --------------------------------------------------------------------------------------------
+    # ---- tokens ----
 
     def _go(self):
         """Go to the next token of the grammar, past pragmas, ends of files and files of OpenRTM's own."""
@@ -194,7 +194,7 @@ class Parser:
                 entry.hole[0] = entry.what
             self.made[id(entry)] = (type_id, entry.what)
 
-    # ---- names ---------------------------------------------------------------------------------------------
+    # ---- names ----
 
     def name(self, what):
         """An identifier that is declared, without an escaping _. Raises BadIdl for a keyword."""
@@ -281,7 +281,7 @@ class Parser:
         """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
         return f"IDL:{'/'.join(filter(None, [self.scope.prefix, name]))}:1.0"
 
-    # ---- definitions ---------------------------------------------------------------------------------------
+    # ---- definitions ----
 
     def definition(self, depth):
         """One definition with its semicolon."""
@@ -489,7 +489,7 @@ class Parser:
                 return
             self.advance()
 
-    # ---- bounds --------------------------------------------------------------------------------------------
+    # ---- bounds ----
 
     def weight(self, descriptor):
         """(types in it, depth) of a descriptor."""

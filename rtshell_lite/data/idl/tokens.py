@@ -236,7 +236,7 @@ class _File:
         named = dict(zip(macro.parameters, given))
         return [part for each in body for part in named.get(each[1], [each])]
 
-    # ---- preprocessor lines --------------------------------------------------------------------------------
+    # ---- preprocessor lines ----
 
     def _directive(self, line, active):
         line = line[1:].lstrip()

@@ -46,7 +46,7 @@ def _within(parser, least, most, words):
     return value
 
 
-# ---- types ------------------------------------------------------------------------------------------------
+# ---- types ----
 
 
 def type_spec(parser, depth):
@@ -146,7 +146,7 @@ def _fixed(parser):
     return (FIXED, digits, scale)
 
 
-# ---- structs, unions, enums -------------------------------------------------------------------------------
+# ---- structs, unions, enums ----
 
 
 def constructed(parser, depth):

@@ -37,7 +37,7 @@ def write(profile):
     return writer.write({ROOT: _data(profile)})
 
 
-# ---- reading -----------------------------------------------------------------------------------------------
+# ---- reading ----
 
 
 def _element(doc, node, cls, depth):
@@ -177,7 +177,7 @@ def _date(doc, node):
     return text
 
 
-# ---- reading foreign parts ---------------------------------------------------------------------------------
+# ---- reading foreign parts ----
 
 
 def _foreign(found):
@@ -245,7 +245,7 @@ def _foreign_element(doc, node, table, depth):
     return fields.ForeignElement(tag, attributes, fields.tidy(items))
 
 
-# ---- writing -----------------------------------------------------------------------------------------------
+# ---- writing ----
 
 
 def _data(element):

@@ -96,7 +96,7 @@ def _line_end(doc, pos):
     return doc.next_token(pos)[0]
 
 
-# ---- block style -------------------------------------------------------------------------------------------
+# ---- block style ----
 
 
 def _value(doc, pos, indent, depth, compact, dashes=False):
@@ -248,7 +248,7 @@ def _inline(doc, pos, indent, depth, tag):
     return _line_end(doc, end), node
 
 
-# ---- both styles -------------------------------------------------------------------------------------------
+# ---- both styles ----
 
 
 def _properties(doc, pos):
@@ -318,7 +318,6 @@ def _alias(doc, pos, depth):
 
 
 def _tagged(doc, pos, node, tag):
-    """`node` with its tag."""
     if isinstance(node.value, dict):
         wanted = "map"
     elif isinstance(node.value, list):
@@ -354,7 +353,7 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
     return end, doc.node(text, pos, depth, tag or ("str" if quotes else None))
 
 
-# ---- flow style --------------------------------------------------------------------------------------------
+# ---- flow style ----
 
 
 def _flow(doc, pos, depth, tag):

@@ -22,7 +22,7 @@ _MARKER = re.compile(rf"[{BREAK}](?:---|\.\.\.)(?=[ \0{BREAK}])")
 _ALIAS = re.compile(r"\*[\w-]+", re.ASCII)
 
 
-# ---- text without quotes -----------------------------------------------------------------------------------
+# ---- text without quotes ----
 
 
 def key_end(doc, pos):
@@ -97,7 +97,7 @@ def _check_length(doc, pos, end):
         doc.fail(pos, "a text of more than %d MiB" % (LONGEST_TEXT >> 20))
 
 
-# ---- text in quotes ----------------------------------------------------------------------------------------
+# ---- text in quotes ----
 
 _ANY_SPACE = re.compile(f"[ \t{BREAK}]+")
 _ESCAPE = re.compile(
@@ -184,7 +184,7 @@ def _closing(doc, pos):
             return end + 1
 
 
-# ---- literal and folded text -------------------------------------------------------------------------------
+# ---- literal and folded text ----
 
 _HEADER = re.compile(rf"([|>])(?:([-+])([1-9])?|([1-9])([-+])?)?(?: +#[^{BREAK}\0]*| *)(?=[{BREAK}\0])")
 _LINE = re.compile(f"[^{BREAK}\x00]*")
@@ -256,7 +256,7 @@ def _empty_lines(text, pos, width):
         pos += 1
 
 
-# ---- what text means ---------------------------------------------------------------------------------------
+# ---- what text means ----
 
 _BOOLEAN = re.compile(r"(?:(yes|Yes|YES|true|True|TRUE|on|On|ON)|no|No|NO|false|False|FALSE|off|Off|OFF)\Z")
 NULLS = ("", "~", "null", "Null", "NULL")
