@@ -45,6 +45,12 @@ def main(arguments, run, doc, argv=None):
         _leave_soon(e.args[0])
 
 
+def installed(name):
+    """Run a command of an installation and exit."""
+    module = getattr(__import__("rtshell_lite.commands." + name).commands, name)
+    main(module.arguments, module.run, module.__doc__)
+
+
 class Ended(BaseException):
     """SIGTERM or SIGHUP, raised so that `finally` clauses run; its argument is the exit status."""
 

@@ -12,11 +12,4 @@ hosts      where hosts are, by their names
 failures   what the exceptions of peers mean, for both
 liveness   what a refused connection proves
 servants   objects of ours that components call
-
-An ORB behind this seam has to offer: references from and to text (IOR, corbaloc), narrowing without a call,
-equivalence; calls by the name of an operation with a deadline to the millisecond, for each reference;
-TIMEOUT, OBJECT_NOT_EXIST, TRANSIENT, COMM_FAILURE, MARSHAL and user exceptions told apart; answers read by
-our descriptors instead of its own; few connections to a process; servants by a class of the IDL, and the port
-that they listen on; TypeCodes of an `any` as descriptors. Structs and enums come as objects with the
-attributes of the IDL; enums have a name `_n` and a number `_v`.
 """

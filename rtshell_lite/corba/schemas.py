@@ -214,7 +214,6 @@ def _received(orb, descriptor, value):
 
 
 def _each_part(convert, descriptor, value):
-    """A value with each of its parts converted."""
     kind = descriptors.kind(descriptor)
     if kind in (STRUCT, EXCEPTION):
         parts = [convert(inner, getattr(value, name)) for name, inner in descriptors.members(descriptor)]

@@ -215,7 +215,6 @@ def _definition(descriptor, known):
 
 
 def _declared(descriptor, name, known):
-    """`double name[3][4]`"""
     lengths = ""
     while kind(descriptor) == ARRAY:
         lengths += "[%d]" % descriptors.length(descriptor)

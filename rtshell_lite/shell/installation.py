@@ -18,9 +18,8 @@ from rtshell_lite import start
 start.quietly(__name__)
 
 from rtshell_lite import cli
-from rtshell_lite.commands import {name}
 
-cli.main({name}.arguments, {name}.run, {name}.__doc__)
+cli.installed("{name}")
 """
 
 

@@ -63,7 +63,6 @@ class Service:
         self.has_teardown = False
 
     def report(self, event):
-        """Report a Happening."""
         self._show(event)
         steering.notify(STATUS=safe(event.line()))
         self._log.add(event)

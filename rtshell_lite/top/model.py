@@ -202,7 +202,6 @@ class Entry:
         self.failure = failure
 
     def _connect(self, links):
-        """Note which connections it has."""
         if self.links is not None and len(links) != len(self.links):
             self.event = f"{len(self.links)} to {len(links)} connections"
         self.links = links

@@ -60,7 +60,6 @@ def _port(item, box, heads, name):
 
 
 def _drawn(item, box, heads, port_of):
-    """The lines for a box."""
     more = ""
     if box.missing:
         more = ' stroke-dasharray="4"'

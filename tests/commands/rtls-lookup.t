@@ -40,8 +40,8 @@ Without the slash before it, a server is taken from the root, unless the working
   $ rtls /fe80::1
   rtls: /fe80::1: an IPv6 address is written in brackets: /[fe80::1]
   [2]
-  $ rtls /::1:28091
-  rtls: /::1:28091: an IPv6 address is written in brackets: /[::1]:28091
+  $ rtls /::1:65535
+  rtls: /::1:65535: an IPv6 address is written in brackets: /[::1]:65535
   [2]
   $ rtls ConsoleIn0.rtc:99
   rtls: /localhost:*/test.host_cxt/ConsoleIn0.rtc:99: not a directory or component (it is a port; rtcat shows it) (glob)

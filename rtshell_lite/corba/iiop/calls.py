@@ -233,8 +233,10 @@ def _system_exception(data, at, little):
         name = name.split(":")[1].rpartition("/")[2]
     else:
         name = "UNKNOWN"
-    label = idl.MINORS.get(name, {}).get(minor) or "CORBA." + printable(name[:LONGEST_NAME])
-    return name, label, completed
+    meaning = idl.MINORS.get(name, {}).get(minor)
+    if meaning:
+        return name, f"{name}_{meaning}", completed
+    return name, "CORBA." + printable(name[:LONGEST_NAME]), completed
 
 
 def values(readers, data, at, is_all=False):

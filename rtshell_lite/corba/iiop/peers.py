@@ -211,7 +211,6 @@ class Peers:
         return self.known.get(endpoint) or self.known.setdefault(endpoint, _Peer(endpoint))
 
     def submit(self, request):
-        """Have a request sent."""
         request.sent = None
         peer = self.peer(request.endpoint)
         peer.waiting.append(request)
@@ -281,7 +280,6 @@ class Peers:
                 self.loop.alone = partial(self._take, peer, True)
 
     def _send(self, peer):
-        """Send requests to a process, as many as it may get."""
         try:
             while peer.waiting:
                 if peer.needs_connection():
@@ -319,7 +317,6 @@ class Peers:
             self._take(peer, False)
 
     def _watch(self, peer):
-        """Have the loop call when the connection of a peer can go on."""
         wanted = peer.connection.wanted()
         if wanted == peer.watched:
             return
@@ -418,7 +415,6 @@ class Peers:
             self.known.pop(peer.endpoint, None)
 
     def _drop(self, peer):
-        """Close the connection with a peer, and return it."""
         connection = peer.connection
         peer.connection = None
         self._unwatch(peer)

@@ -489,7 +489,6 @@ def _written(request, writers, result):
 
 
 def _raised(request, interface, exception):
-    """The answer with what a servant has raised."""
     try:
         if isinstance(exception, requests.Thrown):
             return requests.thrown(request, interface, exception)

@@ -28,7 +28,6 @@ def declare(parser, file, token):
 
 
 def _inner(parser, type_id):
-    """The Scope of an interface that is declared."""
     scope = parser.file_scope
     for name in scoped(type_id).split("::"):
         scope = scope.names[name.lower()].what
