@@ -182,7 +182,7 @@ async def invoke(call):
     queue = queues.get(endpoint)
     if queue is None:
         queue = queues[endpoint] = _Queue(here, endpoint)
-    item = _Item(call, queue.session)
+    item = _Item(call, queue)
     queue.add(item)
     try:
         return await item.wait
@@ -192,16 +192,17 @@ async def invoke(call):
 
 
 class _Item:
-    """An orb.Call on its way: `begun` (time.monotonic()) when a thread has taken it,
+    """An orb.Call on its way: `queue` of its process, `begun` (time.monotonic()) when a thread has taken it,
     and `wait` for its outcome.
     """
 
-    __slots__ = ("call", "seconds", "has_answered", "begun", "wait", "is_withdrawn", "may_take_long")
+    __slots__ = ("call", "seconds", "queue", "begun", "wait", "is_withdrawn", "may_take_long")
 
-    def __init__(self, call, now):
+    def __init__(self, call, queue):
         self.call = call
-        self.seconds = max(call.seconds or 0, now.timeout)
-        self.has_answered = self.is_withdrawn = False
+        self.queue = queue
+        self.seconds = max(call.seconds or 0, queue.session.timeout)
+        self.is_withdrawn = False
         # of a user's IDL: it may take longer than its caller waits, which is no silence of the process
         self.may_take_long = isinstance(call.operation, Schema)
         if call.seconds and self.may_take_long:
@@ -219,12 +220,13 @@ class _Queue:
         self.endpoint = endpoint
         self.waiting = collections.deque()  # type: collections.deque
         self.open = set()
+        self.has_answered = False  # set by threads, too: another may wait for what the loop has not heard yet
         self._threads = 0
         self._checking = None
 
     def add(self, item):
         """Have a call made. Raises Shortage where there is no thread for it."""
-        item.has_answered = self.endpoint in self.session.answered
+        self.has_answered = self.has_answered or self.endpoint in self.session.answered
         self.waiting.append(item)
         self.open.add(item)
         self._start()
@@ -254,6 +256,7 @@ class _Queue:
             value = error = None
             try:
                 value = _made(item)
+                self.has_answered = True
             except BaseException as e:
                 error = e
             self.loop.post(self._end, item, value, error)
@@ -366,7 +369,7 @@ def _made(item):
         try:
             return answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
-            if not item.has_answered:
+            if not item.queue.has_answered:
                 _check_version(str(where), address(ref)[1:3])
             return _asked_again(e, item)
     except CORBA.Exception as e:
@@ -411,7 +414,7 @@ def _asked_again(failure, item):
     from omniORB import CORBA
 
     call = item.call
-    if not failures.may_repeat(call.operation) or not item.has_answered:
+    if not failures.may_repeat(call.operation) or not item.queue.has_answered:
         raise failure
     for _ in range(CONNECTIONS):
         try:
