@@ -42,7 +42,7 @@ OTHERS = {"and": ["or"], "or": ["and"], "+": ["-"], "-": ["+"], "*": ["/"], "//"
 DELETED = (ast.Expr, ast.Raise, ast.AugAssign, ast.Break, ast.Continue, ast.Delete)
 
 
-# ---- what is changed ------------------------------------------------------------------------------------------  # noqa: E501
+# ---- what is changed ----
 
 class Source:
     """The text of a module, and the positions of its nodes in bytes."""
@@ -213,7 +213,7 @@ def _Call(source, node):
         before = end
 
 
-# ---- which tests cover it -------------------------------------------------------------------------------------  # noqa: E501
+# ---- which tests cover it ----
 
 def imported(path):
     """Files of ours that a Python file imports, anywhere in it."""

@@ -651,12 +651,12 @@ class _Clock:
         self._longest = LONGEST * seconds
 
     def passed(self):
-        """How many have passed."""
+        """The seconds that have passed."""
         waited = min(limits.starved() - self._starved, self._longest)
         return time.monotonic() - self._begun - waited
 
     async def reach(self, seconds):
-        """Wait until so many have passed."""
+        """Wait until these seconds have passed."""
         while self.passed() < seconds:
             await loop.sleep(seconds - self.passed())
 

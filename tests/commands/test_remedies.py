@@ -161,7 +161,7 @@ FAULTS = {
 }
 
 
-# ---- what there is --------------------------------------------------------------------------------------------  # noqa: E501
+# ---- what there is ----
 
 TIMEOUT = 5.0  # seconds
 
@@ -203,7 +203,7 @@ def changed(before, after):
     return sorted(key for key in set(before) | set(after) if before.get(key) != after.get(key))
 
 
-# ---- which remedy it is -----------------------------------------------------------------------------------------  # noqa: E501
+# ---- which remedy it is ----
 
 def is_command(remedy):
     return remedy.split(" ")[0] in PROGRAMS

@@ -90,7 +90,7 @@ class Worlds(unittest.TestCase):
         return world
 
 
-# ---- what is saved comes back ---------------------------------------------------------------------------------  # noqa: E501
+# ---- what is saved comes back ----
 
 class Everything(Worlds):
     def make(self, dice):
@@ -181,7 +181,7 @@ def without_dates(profile):
                              service_port_connectors=profile.service_port_connectors)]
 
 
-# ---- what is reported is what there is ------------------------------------------------------------------------  # noqa: E501
+# ---- what is reported is what there is ----
 
 HERE = ("these", "ConsoleIn", "ConsoleOut", "ConfigSample")
 THERE = ("these", "ConsoleOut:ConsoleOut1", "ConsoleOut:ConsoleOut2", "MyServiceConsumer")

@@ -38,7 +38,7 @@ class Refused(Exception):
     """The input was refused with a declared error."""
 
 
-# ---- spoiling -------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- spoiling ----
 
 NUMBERS = [
     b"0",
@@ -109,7 +109,7 @@ def _changed(rng, data, words, others):
     return data[:at] + bytes([rng.randrange(256)]) + data[at + 1:]
 
 
-# ---- targets --------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- targets ----
 
 class Target:
     """What is fuzzed. `prepare` is called once before `make` and `check`; `done` once in the end."""
@@ -140,7 +140,7 @@ def same(one, other, what):
         raise Crash("%s: %.300r is not %.300r" % (what, one, other))
 
 
-# ---- running --------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- running ----
 
 @contextlib.contextmanager
 def limits():

@@ -74,7 +74,7 @@ WORDS = [
 ]
 
 
-# ---- serving --------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- serving ----
 
 class Robot:
     """A port behind which all recorded objects live; `changed` is {(operation, number): message}."""
@@ -156,7 +156,7 @@ def load():
         ]
 
 
-# ---- the target -----------------------------------------------------------------------------------------------  # noqa: E501
+# ---- the target ----
 
 class Replies(fuzz.Target):
     name = "replies"
@@ -295,7 +295,7 @@ class Builtin(Replies):
     orb = "builtin"
 
 
-# ---- the child ------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- the child ----
 
 def serve():
     """Run the commands on stdin, a line of JSON each, and print their results."""
@@ -335,7 +335,7 @@ def _memory():
         return int(file.read().split()[1]) * 4096
 
 
-# ---- recording ------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- recording ----
 
 class Recorder(relay.Relay):
     """Records requests and replies."""

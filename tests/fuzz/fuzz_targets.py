@@ -33,7 +33,7 @@ def files(*parts):
     )
 
 
-# ---- paths ----------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- paths ----
 
 class Paths(Target):
     name = "paths"
@@ -84,7 +84,7 @@ class Paths(Target):
         same(path.parse(spelt, "/"), found._replace(directory=False), "typed again")
 
 
-# ---- profiles -------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- profiles ----
 
 class Profiles(Target):
     def prepare(self):
@@ -189,7 +189,7 @@ class Yaml(Profiles):
     ]
 
 
-# ---- log files ------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- log files ----
 
 class Logs(Target):
     name = "logs"
@@ -320,7 +320,7 @@ class Logs(Target):
             )
 
 
-# ---- IDL files ------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- IDL files ----
 
 class Idl(Target):
     name = "idl"
@@ -385,7 +385,7 @@ class Idl(Target):
         raise Crash("a template names the type %s" % name)
 
 
-# ---- values ---------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- values ----
 
 class _Some(datatypes.Types):
     """Only these types, so that no stubs are needed."""
@@ -579,7 +579,8 @@ class Cdr(Target):
         try:
             one = datatypes.from_bytes(as_json)
             data = one.encode(random_values.value(rng, one.descriptor), rng.random() < 0.5)
-        except (errors.Error, AssertionError, IndexError, KeyError):  # types that have no values; `check` looks at them  # noqa: E501
+        except (errors.Error, AssertionError, IndexError, KeyError):
+            # types that have no values; `check` looks at them
             data = bytes(20)
         if rng.random() < 0.15:
             as_json = spoilt(rng, as_json, self.type_words, self.types).replace(b"\n", b"")
@@ -641,7 +642,8 @@ class Cdr(Target):
             except errors.BadData as e:
                 refused = e
                 continue
-            except errors.BadValue as e:  # sloppy senders fill strings up with NULs, which is shown and not sent on  # noqa: E501
+            except errors.BadValue as e:
+                # sloppy senders fill strings up with NULs, which is shown and not sent on
                 if not str(e).endswith("holds no NUL"):
                     raise
                 refused = e

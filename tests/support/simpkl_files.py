@@ -83,7 +83,7 @@ def log(data, protocol=4, closed=True, specs=None, start=1795247464.75, classes=
     return out
 
 
-# ---- Python 2 -------------------------------------------------------------------------------------------------  # noqa: E501
+# ---- Python 2 ----
 
 def python2_log(data, old_style=False):
     """The same in the form of Python 2: protocol 2, text as strings of octets; classes may be of the old
