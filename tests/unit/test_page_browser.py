@@ -121,14 +121,19 @@ class Map(Pages):
                 shown.run("""(() => {
                 const boxes = [...document.querySelectorAll('.box rect')].map((each) => each.getBBox());
                 const {width, height} = document.querySelector('svg').viewBox.baseVal;
-                const outside = [...document.querySelectorAll('.box, .line')].map((each) => each.getBBox()).filter(
-                    (each) => each.x < 0 || each.y < 0 || each.x + each.width > width || each.y + each.height > height);
-                const over = boxes.filter((one, place) => boxes.some((other, at) => at > place && one.x < other.x + other.width &&
-                    other.x < one.x + one.width && one.y < other.y + other.height && other.y < one.y + one.height));
-                const lines = [...document.querySelectorAll('.line')].map((each) => each.getAttribute('d')).filter((each) => each.includes('V'));
-                const lanes = lines.map((each) => each.split(' ').slice(1, -2).filter((part) => part[0] === 'V')).reduce((a, b) => a.concat(b), []);
-                return outside.length + over.length + lanes.length - new Set(lanes).size;
-                })()"""),  # noqa: E501
+                const shapes = [...document.querySelectorAll('.box, .line')].map((each) => each.getBBox());
+                const isOutside = (each) => each.x < 0 || each.y < 0 ||
+                    each.x + each.width > width || each.y + each.height > height;
+                const touch = (one, other) => one.x < other.x + other.width && other.x < one.x + one.width &&
+                    one.y < other.y + other.height && other.y < one.y + one.height;
+                const over = boxes.filter((one, place) =>
+                    boxes.slice(place + 1).some((other) => touch(one, other)));
+                const paths = [...document.querySelectorAll('.line')].map((each) => each.getAttribute('d'));
+                const detours = paths.filter((each) => each.includes('V'));
+                const corners = detours.map((each) => each.split(' ').slice(1, -2));
+                const lanes = [].concat(...corners).filter((part) => part[0] === 'V');
+                return shapes.filter(isOutside).length + over.length + lanes.length - new Set(lanes).size;
+                })()"""),
                 0,
                 (name, kind),
             )
@@ -139,12 +144,15 @@ class Map(Pages):
             width, height = (390, 760) if phone else (1200, 800)
             shown = self.open(name, width=width, height=height)
             wide, high, seen, broken = shown.run("""(() => {
-                const [map, svg] = [element("map").getBoundingClientRect(), picture.svg.getBoundingClientRect()];
-                const isIn = (each) => each.left >= map.left && each.top >= map.top && each.right <= map.right && each.bottom <= map.bottom;
-                const boxes = [...document.querySelectorAll(".box rect")].map((each) => isIn(each.getBoundingClientRect()));
-                const broken = isIn(document.querySelector(".box.broken rect").getBoundingClientRect());
-                return [svg.width / map.width, svg.height / map.height, boxes.every(Boolean), broken];
-                })()""")  # noqa: E501
+                const [map, svg] = [element("map"), picture.svg].map((each) => each.getBoundingClientRect());
+                const isIn = (each) => {
+                    const {left, top, right, bottom} = each.getBoundingClientRect();
+                    return left >= map.left && top >= map.top && right <= map.right && bottom <= map.bottom;
+                };
+                const boxes = [...document.querySelectorAll(".box rect")];
+                const broken = isIn(document.querySelector(".box.broken rect"));
+                return [svg.width / map.width, svg.height / map.height, boxes.every(isIn), broken];
+                })()""")
             self.assertTrue(broken, (name, width))
             self.assertTrue(seen or name == "middle" and 0.4 < wide / high < 2.5, (name, width, wide, high))
 
@@ -271,8 +279,9 @@ class Faults(Pages):
         self.assertEqual(sorted(self.shown.run(NAMES)), names)
         inside = """[...document.querySelectorAll('.box rect')].every((each) => {
             const [box, map] = [each, element('map')].map((one) => one.getBoundingClientRect());
-            return box.left >= map.left && box.right <= map.right && box.top >= map.top && box.bottom <= map.bottom;
-            })"""  # noqa: E501
+            return box.left >= map.left && box.right <= map.right &&
+                box.top >= map.top && box.bottom <= map.bottom;
+            })"""
         self.assertTrue(self.shown.run(inside), "all of it is on the screen")
 
     def test_each_is_told_apart(self):
