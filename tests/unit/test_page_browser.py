@@ -2,6 +2,7 @@
 something wrong there.
 """
 import base64
+import functools
 import os
 import re
 import shlex
@@ -216,6 +217,26 @@ class Map(Pages):
         self.assertAlmostEqual(shown.run(width), 1.25 * before, delta=2)
         self.click(shown, "Fit", "header")
         self.assertLessEqual(shown.run(width), shown.run("document.getElementById('map').clientWidth"))
+
+    def test_drag(self):
+        """The mouse moves the map, and selects no text: to draw that took most of the time of a picture."""
+        shown = self.open("large")
+        self.choose(shown, "kind", "none")
+        shown.run("zoom(1); element('map').scrollTo(1000, 1000)")
+        x, y = shown.run("""(() => {
+            const {left, top, width, height} = element("map").getBoundingClientRect();
+            const isFree = ([x, y]) => !document.elementFromPoint(x, y).closest(".box");
+            const [x, y] = [left + width / 4, top + height / 2];
+            return Array.from({length: 300}, (_, place) => [x + place, y]).find(isFree);
+            })()""")
+        mouse = functools.partial(shown.call, "Input.dispatchMouseEvent", button="left", buttons=1)
+        mouse(type="mousePressed", x=x, y=y, clickCount=1)
+        for step in range(1, 11):
+            mouse(type="mouseMoved", x=x + 20 * step, y=y + 10 * step)
+        mouse(type="mouseReleased", x=x + 200, y=y + 100, clickCount=1)
+        self.assertEqual(shown.run("[element('map').scrollLeft, element('map').scrollTop, "
+                                   "getSelection().toString()]"),
+                         [800, 900, ""])
 
 
 class Search(Pages):

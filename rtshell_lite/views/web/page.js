@@ -468,6 +468,7 @@ function listen() {
 function drag(event) {
   const map = element("map");
   if (event.button || event.target.closest(".box") || event.clientX > map.getBoundingClientRect().left + map.clientWidth) return;
+  event.preventDefault(); // it would select the text on its way
   const move = (now) => { map.scrollLeft -= now.movementX; map.scrollTop -= now.movementY; };
   document.addEventListener("mousemove", move);
   document.addEventListener("mouseup", () => document.removeEventListener("mousemove", move), {once: true});
