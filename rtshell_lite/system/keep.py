@@ -158,7 +158,7 @@ class Keeper(presence.Presence):
         while not self._is_ending:
             now = time.monotonic()
             waiting = [kept for kept in self.followed if kept.is_waiting]
-            batch = [kept for kept in waiting if kept.due <= now]
+            batch = self._mendable([kept for kept in waiting if kept.due <= now])
             for kept in batch:
                 kept.is_busy = True
             if batch:
@@ -168,6 +168,20 @@ class Keeper(presence.Presence):
                 await self.bell.wait(None)
             else:
                 await self.bell.wait(due - now)
+
+    def _mendable(self, waiting):
+        """Those that can be mended now. One that is back comes with the composites that have lost it: two
+        tasks at one component would each take the other's work for a person's.
+        """
+        batch = set()
+        for kept in waiting:
+            losers = kept.losers
+            if any(other.is_busy for other in losers):
+                continue
+            for other in losers:
+                other.changed = other.changed | {"contexts"}
+            batch.update(losers, [kept])
+        return [kept for kept in self.followed if kept in batch]
 
     async def _mend(self, batch):
         """Look at components again, where they have changed, and bring them to what the file says."""
@@ -277,11 +291,7 @@ class Keeper(presence.Presence):
 
     async def _parts(self, batch):
         """The outcomes of steps other than connections."""
-        own = {kept for kept in batch if kept.looking - {"ports", STATE}}
-        for kept in batch:
-            if WHOLE in kept.looking:  # composites have lost a member that is back
-                own.update(other for other in kept.drivers if other.is_usable)
-        listed = [kept.placement for kept in self.followed if kept in own]
+        listed = [kept.placement for kept in batch if kept.looking - {"ports", STATE}]
         return [
             outcome for outcome in await restore.parts(listed, self._placement_of) if outcome.step.placements
         ]
