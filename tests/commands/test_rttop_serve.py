@@ -334,8 +334,8 @@ class Browsers(Served):
     def test_a_phone(self):
         self.start("--serve", "0.0.0.0:0")
         page = self.open(width=390, height=760, dark=True)
+        page.wait("document.getElementById('live').offsetWidth > 0")
         self.assertLessEqual(page.run("document.documentElement.scrollWidth"), 390)
-        self.assertTrue(page.run("document.getElementById('live').offsetWidth > 0"))
 
 
 if __name__ == "__main__":
