@@ -1,6 +1,7 @@
 """A queue of values that have arrived: adding one never blocks; what does not fit is dropped and counted."""
 
 import collections
+import functools
 
 from rtshell_lite.net import loop
 
@@ -45,7 +46,7 @@ class Inbox:
 
     def taker(self, key):
         """The function that takes the values of `key`."""
-        return lambda message: self.put(key, message)
+        return functools.partial(self.put, key)
 
     async def get(self, seconds):
         """All values so far, as a list in their order;

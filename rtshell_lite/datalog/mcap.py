@@ -298,6 +298,11 @@ class Packer:
         return octets, chunk_index_record(self, offset, length, places, len(indexes))
 
 
+def counts(times):
+    """{channel's id: messages} of {channel's id: [log time, offset, log time, offset, …]}."""
+    return {channel: len(flat) // 2 for channel, flat in times.items()}
+
+
 def message_indexes(times, offset):
     """(the MessageIndex records at `offset` for the messages of a chunk, {channel's id: where its record
     is}); `times`: {channel's id: [log time, offset in the chunk, log time, …]}

@@ -270,7 +270,7 @@ class Log:
             self.end = last.offset
             self._stretches.pop()
             return
-        counts = {channel: len(times) // 2 for channel, times in self._times(last).items()}
+        counts = mcap.counts(self._times(last))
         if last.is_chunk and sum(counts.values()) != last.count:
             for channel, count in self._indexes(last.end)[0].items():
                 self._counts[channel] -= count
@@ -474,7 +474,7 @@ class Log:
         """The ChunkIndex of a Stretch, which is counted in `contents`; b"" for messages in no chunk."""
         counts, places, after = self._indexes(stretch.end)
         if not stretch.is_chunk or sum(counts.values()) != stretch.count:
-            counts = {channel: len(flat) // 2 for channel, flat in self._times(stretch).items()}
+            counts = mcap.counts(self._times(stretch))
             places = {}
             after = stretch.end
         contents.add_chunk(stretch.first, stretch.last, counts)

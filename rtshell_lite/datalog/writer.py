@@ -217,7 +217,6 @@ class Writer:
         and pass them to the operating system.
         """
         packer = mcap.Packer()
-        counts = {}
         for channel, received, little, data in messages:
             stream = self.streams[channel]
             moment = max(received, 0)
@@ -226,18 +225,16 @@ class Writer:
                 prefix = mcap.PREFIXES[little]
             packer.add(stream.id, stream.count, moment, stream.published(moment, little, data), prefix, data)
             stream.count += 1
-            counts[stream.id] = counts.get(stream.id, 0) + 1
             if packer.size >= CHUNK_SIZE:
-                self._write(packer, counts)
+                self._write(packer)
                 packer = mcap.Packer()
-                counts = {}
-        if counts:
-            self._write(packer, counts)
+        if packer.size:
+            self._write(packer)
 
-    def _write(self, packer, counts):
+    def _write(self, packer):
         octets, index = packer.records(list(_pieces(packer.parts)), self.end)
         self._put(octets)
-        self.contents.add_chunk(packer.first, packer.last, counts)
+        self.contents.add_chunk(packer.first, packer.last, mcap.counts(packer.times))
         self._indexes.write(index)
 
     def attach(self, moment, name, media_type, data):

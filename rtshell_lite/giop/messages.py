@@ -30,6 +30,7 @@ _PLAIN = b"GIOP\1\2\1\1"
 _PLAIN_HEAD = struct.Struct("<8sIIII")
 _PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
 _ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
+_HEADERS = [struct.Struct(order + "4s4BI") for order in "><"]
 
 
 class Garbled(ValueError):
@@ -113,9 +114,9 @@ def whole(kind, payload=b"", minor=2, order="<", more=False):
 
 def size(data):
     """How many octets follow the header that `data` begins with. Raises Garbled."""
-    if data[:4] != b"GIOP" or data[4] != 1 or data[5] > 2 or data[7] > FRAGMENT:
+    magic, major, minor, _, kind, found = _HEADERS[data[6] & LITTLE].unpack_from(data)
+    if magic != b"GIOP" or major != 1 or minor > 2 or kind > FRAGMENT:
         raise Garbled("not GIOP")
-    (found,) = _ORDERS[data[6] & LITTLE][0].unpack_from(data, 8)
     if found > LARGEST:
         raise Garbled(f"a message of {found} octets")
     return found

@@ -38,6 +38,15 @@ class Answers(Served):
         self.assertEqual(self.port.taken, [b"%d" % i for i in range(2000)])
         self.assertIs(type(self.port.taken[0]), bytes)
 
+    def test_the_same_enumerator_again_is_not_written_again(self):
+        here = self.client()
+        with mock.patch.object(requests, "answer", wraps=requests.answer) as answer:
+            for number in range(100):
+                asked = request(self.key, "put", block(b"x"), number=number)
+                found = here.ask(asked)
+                self.assertEqual((messages.reply(found)[0], result(found)), (number, bytes(4)))
+        self.assertLess(answer.call_count, 5)
+
     def test_blocks(self):
         here = self.client()
         for size in (0, 1, 4000, 65536, 1000000, 3000001, 17):

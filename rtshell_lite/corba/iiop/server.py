@@ -135,10 +135,11 @@ class Caller:
 
     def receive(self):
         """Take what has come. Raises OSError, EOFError."""
-        if self.begin:
-            self.end -= self.begin
-            self.data[: self.end] = self.data[self.begin : self.begin + self.end]
-            self.begin = 0
+        left = self.end - self.begin
+        if self.begin and left:
+            self.data[:left] = self.data[self.begin : self.end]
+        self.begin = 0
+        self.end = left
         if self.end == len(self.data):
             if self.end:
                 wanted = messages.HEADER + messages.size(self.data)
@@ -477,9 +478,10 @@ def _written(request, writers, result):
     if result is not None and result is request.result:
         return requests.repeated(request)
     out = requests.answer(request)
+    values = result
     if len(writers) < 2:
-        result = [result]
-    for write, value in zip(writers, result):
+        values = [result]
+    for write, value in zip(writers, values):
         write(out, value)
     requests.sized(out)
     if isinstance(result, descriptors.Item) and request.minor == 2:
