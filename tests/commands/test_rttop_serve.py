@@ -273,6 +273,10 @@ class Browsers(Served):
         self.addCleanup(self.rt, "rtreset", "Err0.rtc")
         page.wait((BOX % "Err0") + ".getAttribute('class').includes('Error broken')")
         page.wait("document.getElementById('status').textContent === 'Err0: ✖ Error'")
+        page.press("Escape")
+        World.robot.ctl("error", "Motor0")
+        self.addCleanup(self.rt, "rtreset", "Motor0.rtc")
+        page.wait("document.getElementById('status').textContent === 'Motor0: ✖ Error'")
         page.run("document.getElementById('search').value = ''; "
                  "document.getElementById('search').dispatchEvent(new Event('input'))")
         page.wait("document.querySelector('#list button').textContent.includes('Broken0')")
@@ -300,6 +304,44 @@ class Browsers(Served):
         self.assertEqual(page.run("document.activeElement.querySelector('.name').textContent"), "Sensor0")
         self.assertEqual(page.run("document.querySelector('#details h2').textContent"), "Controller0")
         self.assertEqual(page.run(where), before)
+
+    def test_buttons_lead_where_they_say(self):
+        """Also after components have come that are before theirs, and what was broken is well again."""
+        self.start("--serve", "127.0.0.1:0")
+        page = self.open()
+        page.run("select(data.boxes.findIndex(each => each.name === 'Motor0'))")
+        page.run("document.querySelector('#details .connection button').focus()")
+        far = "document.querySelector('#details .connection button')"
+        self.assertEqual(page.run(far + ".textContent"), "Controller0:out")
+        World.robot.ctl("error", "Controller0")
+        page.wait(far + ".className === 'link broken'")
+        self.rt("rtreset", "Controller0.rtc")
+        page.wait(far + ".className === 'link'")
+        world = World("these", "ConsoleIn:Another0")
+        try:
+            page.wait(NAMES + ".includes('Another0')")
+        finally:
+            world.close()
+        self.addCleanup(self.rt, "rtdel", "Another0.rtc")
+        self.assertEqual(page.run("document.activeElement.textContent"), "Controller0:out")
+        page.run(far + ".click()")
+        self.assertEqual(page.run("document.querySelector('#details h2').textContent"), "Controller0")
+
+    def test_a_map_that_grows_is_seen_whole(self):
+        """Unless a person has zoomed."""
+        self.start("--serve", "127.0.0.1:0")
+        page = self.open()
+        whole = ("['Width', 'Height'].every(side => element('map')['scroll' + side] <= "
+                 "element('map')['client' + side])")
+        page.wait(whole)
+        wide, high = page.run("[picture.width, picture.height]")
+        names = ["Grown%d" % number for number in range(16)]
+        world = World("these", *["ConsoleIn:" + name for name in names])
+        self.addCleanup(self.rt, "rtdel", *[name + ".rtc" for name in names])
+        self.addCleanup(world.close)
+        page.wait(NAMES + ".filter(each => each.startsWith('Grown')).length === 16")
+        page.wait(whole)
+        self.assertGreater(page.run("picture.width * picture.height"), 1.5 * wide * high)
 
     def test_a_server_that_ends(self):
         self.start("--serve", "127.0.0.1:0")

@@ -27,14 +27,17 @@ function reword() {
   return true;
 }
 
-// What a person has under the keyboard, by the path of its component, and how to go back there.
+// How to draw the map again: what a person has under the keyboard stays there, and what was seen whole is so again.
 function redraw() {
+  const isWhole = () => ["Width", "Height"].every((side) => element("map")[`scroll${side}`] <= element("map")[`client${side}`]);
+  const wasWhole = isWhole();
   const focused = picture.boxes.find((box) => box.shape === document.activeElement);
   const path = focused ? data.boxes[focused.members[0]].path : null;
   return () => {
     draw();
     const number = path === null ? -1 : data.boxes.findIndex((box) => box.path === path);
     if (number >= 0 && picture.at.has(number)) picture.boxes[picture.at.get(number)].shape.focus({preventScroll: true});
+    if (wasWhole && !isWhole()) fit(0.65);
   };
 }
 
@@ -45,11 +48,23 @@ function showBeside() {
   const now = element("now");
   if (now) now.textContent = nowWords(data.boxes[view.selected]);
   else if (isFree("details")) {
-    const top = element("details").scrollTop;
+    const [top, said] = [element("details").scrollTop, element("status").textContent];
     if (view.selected === null) clear();
     else showGroup(picture.boxes[picture.at.get(view.selected)]);
     element("details").scrollTop = top;
+    element("status").textContent = said;
   }
+  renumber();
+}
+
+// Buttons lead to the components that they name, whose numbers may have changed.
+function renumber() {
+  const numbers = new Map(data.boxes.map(({path}, number) => [path, number]));
+  document.querySelectorAll(".link").forEach((link) => {
+    link.number = numbers.get(link.title);
+    link.disabled = link.number === undefined;
+    link.classList.toggle("broken", !link.disabled && isBroken(link.number));
+  });
 }
 
 // Take a system of other components or connections.

@@ -27,7 +27,7 @@ const isBroken = (number) => troubles[number].length > 0 || data.boxes[number].m
   ["Error", "Unknown"].includes(data.boxes[number].state);
 const byName = new Intl.Collator("en", {numeric: true}).compare;
 const inListOrder = (numbers) => numbers.slice().sort((a, b) => isBroken(b) - isBroken(a) ||
-  byName(data.boxes[a].name, data.boxes[b].name) || a - b);
+  (data.boxes[b].state === "Error") - (data.boxes[a].state === "Error") || byName(data.boxes[a].name, data.boxes[b].name) || a - b);
 
 // An element with these attributes (functions are listeners) and children (what is no element becomes a text node).
 function make(tag, attributes, ...children) {
@@ -123,7 +123,6 @@ function connect({boxes, at}) {
   lines.forEach((edge) => namePorts(edge, boxes[edge.source], boxes[edge.target], arriving[edge.target]));
   return Array.from(lines.values());
 }
-
 function namePorts(edge, source, target, arriving) {
   const word = edge.service ? "services" : "data";
   const onlyOne = (ports) => (new Set(ports).size === 1 ? ports[0] : `${new Set(ports).size} ports`);
@@ -342,7 +341,8 @@ function showList() {
 function componentButton(number, words) {
   const {name, state, path} = data.boxes[number];
   const more = {class: isBroken(number) ? "link broken" : "link", title: path || ""};
-  return button(words || `${SYMBOLS[state] || ""} ${name}${troubles[number].length ? " \u26a0" : ""}`, () => select(number), more);
+  const listed = `${SYMBOLS[state] || ""} ${name}${troubles[number].length ? " \u26a0" : ""}`;
+  return Object.assign(button(words || listed, (event) => select(event.currentTarget.number), more), {number});
 }
 
 // ---- details
@@ -374,7 +374,7 @@ function showComponent(number) {
   const groups = Array.from(picture.shown).filter(([, group]) => group.members.includes(number));
   showDetails(name, ...[path, missing ? "not in the profile" : ""].filter(Boolean).map((line) => make("p", {}, line)),
               make("p", {id: "now"}, nowWords(data.boxes[number])),
-              button("Around this", () => change({around: number, hops: 1})),
+              button("Around this", () => change({around: view.selected, hops: 1})),
               ...groups.map(([key, group]) => button(`Fold ${short(group.name)}`, () => shut(key))), ...showFindings(troubles[number]),
               make("h3", {}, plural(connectionsOf[number].length, "connection")),
               ...connectionsOf[number].map((connection) => showConnection(connection, number)), ...showCommands(data.boxes[number]),
