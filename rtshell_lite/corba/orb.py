@@ -330,6 +330,7 @@ def own_servant(ref):
 
 struct = idl.struct
 items = idl.items
+enumerator = idl.enumerator
 
 
 def properties(nvlist, only=None):

@@ -120,20 +120,40 @@ class Flight:
         while True:
             await loop.sleep(SEEK)
             self._drop_dead(opened)
-            readers = await self.look()
+            readers = await self.find()
             if readers:
                 await opened.add(readers)
 
-    async def look(self):
+    async def find(self):
         """Readers for the ports of components that have come."""
-        found = await tree.at_each(self._tops, _components)
+        new = self._not_asked_yet(await self._list())
+        readers = []
+        for node, known in zip(new, await tree.on_nodes(new, _ports)):
+            if isinstance(known, errors.Error):
+                continue
+            self._due[orb.identity(node.ref)] = None
+            self.components[str(node.path)] = node.path
+            listed, about = known
+            for port in listed:
+                reader = await self._reader(port, about, _is_fast(listed, about))
+                if reader is not None:
+                    readers.append(reader)
+        self.readers += readers
+        return readers
+
+    async def _list(self):
+        """The Nodes of all components below the paths; which could not be listed is in `failures`."""
         self.failures = {}
         nodes = []
-        for top, part in zip(self._tops, found):
-            if isinstance(part, errors.Error):
-                self.failures[str(top)] = part
+        for top, listed in zip(self._tops, await tree.at_each(self._tops, _components)):
+            if isinstance(listed, errors.Error):
+                self.failures[str(top)] = listed
             else:
-                nodes += part
+                nodes += listed
+        return nodes
+
+    def _not_asked_yet(self, nodes):
+        """Those of the Nodes that are to be asked for their ports now."""
         now = time.monotonic()
         new = []
         for node in nodes:
@@ -142,16 +162,7 @@ class Flight:
             if due is not None and now >= due:
                 self._due[identity] = now + AGAIN
                 new.append(node)
-        readers = []
-        for node, known in zip(new, await tree.on_nodes(new, _ports)):
-            if not isinstance(known, errors.Error):
-                self._due[orb.identity(node.ref)] = None
-                self.components[str(node.path)] = node.path
-                listed, about = known
-                found = [await self._reader(port, about, _is_fast(listed, about)) for port in listed]
-                readers += [reader for reader in found if reader]
-        self.readers += readers
-        return readers
+        return new
 
     async def _reader(self, port, about, is_fast):
         """The Reader for a Port; None where it is not wanted, or read already."""

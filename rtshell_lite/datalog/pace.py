@@ -98,19 +98,21 @@ class Pace:
     async def _from(self, first, end):
         is_begin = True
         for entry in self._chosen.entries(self._log, first):
-            if is_begin and self._origin is not None:  # once more from the beginning
-                self._begun = max(self._due, self._begun + ROUND)
-                self._origin = self._begun, entry.received
-            if (
-                is_begin and first is not None
-            ):  # where a jump has led to is seen, and jumped from, while paused
-                self.position = entry.received
+            if is_begin:
+                self._begin_with(entry, first is not None)
             is_begin = False
             if not await self._wait_until_due(entry, end):
                 return
             self.position = entry.received
             self.count += 1
             yield entry
+
+    def _begin_with(self, entry, is_jump):
+        if self._origin is not None:  # once more from the beginning
+            self._begun = max(self._due, self._begun + ROUND)
+            self._origin = self._begun, entry.received
+        if is_jump:  # it is seen, and jumped from, while paused
+            self.position = entry.received
 
     async def _wait_until_due(self, entry, end):
         """Wait until an entry is due; False where somebody wants another one, or the end comes before."""

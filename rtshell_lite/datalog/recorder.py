@@ -96,7 +96,7 @@ class Recorder:
 
     The Bell `done` rings when `most` messages are written or writing has failed. `count` and `octets` say how
     many were written, `repeated` how many of these came twice in a row, with the same timestamp: OpenRTM-aist
-    2.1 repeats a `put` whose answer was lost; `failure` (OSError or None) why writing failed.
+    2.1 repeats a `put` whose answer was lost; `failure` (OSError, errors.Failed or None) why writing failed.
     """
 
     def __init__(self, channels, most=None, incidents=None):
@@ -138,7 +138,7 @@ class Recorder:
         return TICK
 
     async def close(self):
-        """Write what is left, and flush it to the disk. Raises OSError, the reason why writing failed."""
+        """Write what is left, and flush it to the disk. Raises OSError, errors.Failed: why writing failed."""
         if self.writer is None:
             return
         if self.failure is None:
@@ -159,7 +159,7 @@ class Recorder:
         """Run what uses the disk on a thread."""
         try:
             await loop.on_thread(function, *args)
-        except OSError as e:
+        except (OSError, errors.Failed) as e:
             self.failure = self.failure or e
 
     def attach(self, moment, name, media_type, data):

@@ -124,7 +124,7 @@ class _Recording:
         """Record until a limit is reached, or nothing more can come; returns the exit status."""
         readers = await self._wanted_readers()
         followed = flight.Flight(self._plan.tops, self._plan.choice, self._reader_below, readers)
-        await followed.look()
+        await followed.find()
         for failure in followed.failures.values():
             self._tally.add(failure)
         if self._tally.statuses and not readers and len(followed.failures) == len(self._plan.tops):
@@ -197,7 +197,7 @@ class _Recording:
         work = self._work
         try:
             await work.close()
-        except OSError as e:
+        except (OSError, errors.Failed) as e:
             notes.fail(e)
         watch.count(self._tally)
         dropped = sum(work.box.dropped.values())

@@ -70,6 +70,9 @@ class Parts:
             status = os.stat(path)
             self._parts.append(Part(path, status.st_size, int(status.st_mtime * 1e9)))
             self._number = number
+        if self._parts:
+            with open(self._parts[-1].name, "rb") as last:
+                writer.lock(last, self.name)  # nobody else goes on with it
 
     def _begin(self, begun, append=False):
         self._number += 1
@@ -108,9 +111,12 @@ class Parts:
 
     def _next(self):
         now = int(time.time() * 1e9)
-        self._writer.close()
         name = self._writer.name
-        self._parts.append(Part(name, os.path.getsize(name), now))
+        try:
+            self._writer.close()
+            self._parts.append(Part(name, os.path.getsize(name), now))
+        except (errors.Failed, FileNotFoundError) as e:
+            notes.note(e)  # somebody has taken it
         self._begin(now)
         for attachment in self.attached.values():
             self._writer.attach(*attachment)
@@ -172,7 +178,12 @@ class Parts:
 
     def _of(self, name, first, last):
         known = {(channel.name, channel.type_id): number for number, channel in enumerate(self.channels)}
-        with logfile.load(name) as log:
+        try:
+            log = logfile.load(name)
+        except FileNotFoundError:
+            notes.note(f"{text.printable(name)}: it is gone, and so is what the ring held in it")
+            return
+        with log:
             numbers = [known.get(channel[:2]) for channel in log.channels]
             start = log.since(first)
             if start is None:
@@ -304,8 +315,12 @@ class Incidents:
                 incident.writer.write(taken)
                 return
         incident.writer.write(taken)
-        incident.writer.close()
         self._pending.remove(incident)
+        try:
+            incident.writer.close()
+        except errors.Failed as e:
+            notes.fail(e)
+            return
         self._done(incident.name)
 
     def _free_name(self, incident):

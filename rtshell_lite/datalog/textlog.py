@@ -21,12 +21,12 @@ class Writer:
         self.name = name
         self._names = [channel.name for channel in channels]
         self._types = types
-        target = files.destination(name)
-        if files.is_special(target):
-            self._file = files.open_special(target)
+        self._target = files.destination(name)
+        if files.is_special(self._target):
+            self._file = files.open_special(self._target)
         else:
             flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
-            self._file = open(os.open(target, flags, 0o666), "ab")
+            self._file = open(os.open(self._target, flags, 0o666), "ab")
         try:
             writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
@@ -73,9 +73,10 @@ class Writer:
             os.fsync(self._file.fileno())
 
     def close(self):
-        """Flush to the disk, and close."""
+        """Flush to the disk, and close. Raises errors.Failed as writer.Writer does."""
         try:
             self._file.flush()
             self.sync()
+            writer.check_place(self._file, self._target, self.name)
         finally:
             self._file.close()

@@ -52,8 +52,8 @@ class Silence:
 
         return take
 
-    def look(self):
-        """What has happened, in words, since the last look."""
+    def causes(self):
+        """What has happened, in words, since it was asked last."""
         now = time.monotonic()
         for name, last in self._last.items():
             if last is not None and now - last > self._seconds:
@@ -111,8 +111,9 @@ class Comparison:
             self._happened.append(self.words)
         self._was[names] = is_so
 
-    def look(self):
-        happened, self._happened = self._happened, []
+    def causes(self):
+        happened = self._happened
+        self._happened = []
         return happened
 
 
@@ -134,8 +135,9 @@ class Report:
         if fields["event"] in self._events:
             self._happened.append("%s %s" % (self.words, fields["path"].rpartition("/")[2]))
 
-    def look(self):
-        happened, self._happened = self._happened, []
+    def causes(self):
+        happened = self._happened
+        self._happened = []
         return happened
 
 
@@ -232,7 +234,7 @@ class Triggers:
 
     def _causes(self):
         for condition in self._conditions:
-            yield from condition.look()
+            yield from condition.causes()
         if self._signals:
             self._signals = 0
             yield "SIGUSR1"

@@ -277,11 +277,16 @@ class Writer:
         self._synced = True
 
     def close(self):
-        """Write the summary, flush to the disk, and close."""
+        """Write the summary, flush to the disk, and close. Raises errors.Failed where the file has no name
+        any more.
+        """
+        if self._file.closed:
+            return
         try:
             if not self._failed:
                 self._close()
             self.sync()
+            check_place(self._file, self._target, self.name)
         finally:
             self._file.close()
             self._indexes.close()
@@ -334,6 +339,14 @@ def _check(name, channels, old):
 def _is_still(file, name):
     """Whether an open file still has that name."""
     return os.path.exists(name) and os.path.samestat(os.fstat(file.fileno()), os.stat(name))
+
+
+def check_place(file, path, name):
+    """Raise errors.Failed where a file that was written is not at its path any more; pipes and devices are
+    not looked at.
+    """
+    if stat.S_ISREG(os.fstat(file.fileno()).st_mode) and not _is_still(file, path):
+        raise errors.Failed(text.printable(name), "was moved or removed while it was recorded")
 
 
 def lock(file, name):

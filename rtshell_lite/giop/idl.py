@@ -104,3 +104,8 @@ def items(name):
     each with a name `_n` and a number `_v`.
     """
     return descriptors.items(_named(id_of(name)))
+
+
+def enumerator(name, word):
+    """The item of an enum (OpenRTM.PortStatus) that is called so (PORT_OK)."""
+    return next(item for item in items(name) if item._n == word)

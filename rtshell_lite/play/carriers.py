@@ -233,7 +233,7 @@ class OutPortCdr:
 
     async def get(self):
         status, data = await self._provider.fetch()
-        return _status("OpenRTM.PortStatus", status), data
+        return orb.enumerator("OpenRTM.PortStatus", status), data
 
 
 class DataPullService:
@@ -247,14 +247,10 @@ class DataPullService:
 
     async def pull(self):
         status, data = await self._provider.fetch()
-        return _status("RTC.PortStatus", status), data
+        return orb.enumerator("RTC.PortStatus", status), data
 
 
 _PROVIDERS = {"corba_cdr": OutPortCdr, "data_service": DataPullService}
-
-
-def _status(enum, name):
-    return next(item for item in orb.items(enum) if item._n == name)
 
 
 def _number(text, default):

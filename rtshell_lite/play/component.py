@@ -29,7 +29,7 @@ def nvlist(pairs):
 
 def code(name):
     """An RTC::ReturnCode_t: RTC_OK, RTC_ERROR, BAD_PARAMETER, PRECONDITION_NOT_MET."""
-    return next(item for item in orb.items("RTC.ReturnCode_t") if item._n == name)
+    return orb.enumerator("RTC.ReturnCode_t", name)
 
 
 class Context:

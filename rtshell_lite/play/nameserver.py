@@ -189,7 +189,7 @@ def _binding(name, is_context):
 
 
 def _why(word):
-    return next(item for item in orb.items("CosNaming.NamingContext.NotFoundReason") if item._n == word)
+    return orb.enumerator("CosNaming.NamingContext.NotFoundReason", word)
 
 
 def _check(name):

@@ -120,20 +120,7 @@ class Stage:
             if where not in self.components:
                 made = self._component(self._recording.scenes[0], where, _unknown(source))
                 self.components[where] = made
-            owner = self.components[where]
-            for at, port in enumerate(owner.ports):
-                if port.name != source.port:
-                    continue
-                if not isinstance(port, port_kinds.OutPort):
-                    port = owner.ports[at] = port_kinds.OutPort(
-                        owner, source.port, _properties("DataOutPort", {}, type_id)
-                    )
-                self.outs[number] = port
-                break
-            else:
-                port = port_kinds.OutPort(owner, source.port, _properties("DataOutPort", {}, type_id))
-                owner.ports.append(port)
-                self.outs[number] = port
+            self.outs[number] = _out_port(self.components[where], source.port, type_id)
 
     # ---- what changes ----
 
@@ -221,13 +208,11 @@ class Stage:
         elif report.event in ("APPEARED", "BACK"):
             self._come(report.path)
         elif report.kind == "RTC_STATUS" and state:
-            for handle, context in _handles(owner):
-                if str(handle) == report.subject:
-                    context.set_state(owner, state)
+            for context in _contexts_of(owner, report.subject):
+                context.set_state(owner, state)
         elif report.event in ("EC_STARTUP", "EC_SHUTDOWN"):
-            for handle, context in _handles(owner):
-                if str(handle) == report.subject:
-                    context.running = report.event == "EC_STARTUP"
+            for context in _contexts_of(owner, report.subject):
+                context.running = report.event == "EC_STARTUP"
         elif report.event == "CFG_ACTIVATE_SET" and report.subject in owner.configuration.sets:
             owner.configuration.active = report.subject
         elif report.event in ("PORT_CONNECT", "PORT_DISCONNECT") and following is not None:
@@ -283,6 +268,18 @@ class Stage:
             each.close()
 
 
+def _out_port(owner, name, type_id):
+    """The out port of a component with that name, made where it has none."""
+    made = port_kinds.OutPort(owner, name, _properties("DataOutPort", {}, type_id))
+    for place, port in enumerate(owner.ports):
+        if port.name == name:
+            if not isinstance(port, port_kinds.OutPort):
+                owner.ports[place] = made
+            return owner.ports[place]
+    owner.ports.append(made)
+    return made
+
+
 def _unknown(source):
     """A model.Component of which only a path with an out port is known."""
     context = model.ExecutionContext(id="0", kind="PERIODIC", rate=RATE)
@@ -317,6 +314,11 @@ def _handles(owner):
     """(handle, Context) of all contexts of a component."""
     yield from enumerate(owner.contexts)
     yield from enumerate(owner.participating, parts.FIRST_PARTICIPATING)
+
+
+def _contexts_of(owner, handle):
+    """The Contexts of a component that have this handle, a text: one, or none."""
+    return [context for number, context in _handles(owner) if str(number) == handle]
 
 
 def _take_part(context, member):

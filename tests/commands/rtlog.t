@@ -137,6 +137,13 @@ While somebody records to it nobody else does; reading it is fine:
   $ rtlog -d --json -f busy.rtlog | grep -o 'closed": [a-z]*'
   closed": true
 
+Who removes the log meanwhile is told what has become of it:
+
+  $ rtlog -q -f gone.rtlog Source0.rtc:number & until rtlog --json -f gone.rtlog 2>/dev/null | grep -q number; do :; done
+  $ rm gone.rtlog; kill $!; wait $!
+  rtlog: gone.rtlog: was moved or removed while it was recorded
+  [143]
+
 In the two other forms of rtshell: text, and simpkl, which is only read:
 
   $ rtlog -l text -i -e 2 -f t.log Source0.rtc:number.numbers; tr '\t' '|' < t.log | sed 's/data=[0-9]*/data=N/g; s/[0-9]\{5,\}/N/g'

@@ -130,6 +130,34 @@ class Ring(Case):
         self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
         self.assertLessEqual(abs(numbers[0] - at + 40), 1)
 
+    def test_a_part_that_somebody_has_taken_is_all_that_is_lost(self):
+        made = self.parts()
+        incidents = self.incidents()
+        self.run_for(5, made, incidents)
+        taken = sorted(glob.glob(self.name + "-0*"))[1:]  # the last is being written
+        self.assertGreater(len(taken), 1)
+        lost = [number for name in taken for number in self.numbers(name)]
+        for name in taken:
+            os.remove(name)
+        last = self.number
+        incidents.trigger("x")
+        self.run_for(4, made, incidents)
+        numbers = self.numbers(self.kept[0])
+        self.assertFalse(set(numbers) & set(lost))
+        later = [number for number in numbers if number >= last + 15]  # in the part that follows
+        self.assertEqual(later, list(range(last + 15, last + 15 + len(later))))
+        self.assertGreater(len(later), 3)
+        self.assertLess(numbers[0], lost[0])
+
+    def test_nobody_else_goes_on_with_a_ring(self):
+        made = self.parts()
+        self.run_for(3, made)
+        with self.assertRaisesRegex(errors.Failed, "another rtlog"):
+            self.parts()
+        self.run_for(1, made)
+        made.close()
+        self.parts()
+
     def test_late_triggers_and_values_are_kept(self):
         """A busy machine learns late of what has happened, and writes late what has come."""
         for make in (lambda: self.parts(), lambda: self.memory(4 + ring.LATE)):
@@ -244,7 +272,7 @@ class Conditions(unittest.TestCase):
         take = condition.wrap((name,), type, taken.append)
         for number in numbers:
             take(types.SimpleNamespace(data=struct.pack("<IIi", 0, 0, number), little=True))
-            count += len(list(condition.look()))
+            count += len(list(condition.causes()))
         self.assertEqual(len(taken), len(numbers))
         return count
 
@@ -283,9 +311,9 @@ class Conditions(unittest.TestCase):
     def test_events(self):
         (condition,) = triggers.parse(["error"])
         condition.hear({"event": "ACTIVE", "path": "/h/A.rtc"})
-        self.assertEqual(list(condition.look()), [])
+        self.assertEqual(list(condition.causes()), [])
         condition.hear({"event": "ERROR", "path": "/h/A.rtc"})
-        self.assertEqual((list(condition.look()), list(condition.look())), (["error A.rtc"], []))
+        self.assertEqual((list(condition.causes()), list(condition.causes())), (["error A.rtc"], []))
 
     def test_silence_is_noticed_once(self):
         clock = Clock()
@@ -293,15 +321,15 @@ class Conditions(unittest.TestCase):
             (condition,) = triggers.parse(["silent A.rtc:out 0.5"])
             take = condition.wrap(("/h/A.rtc:out",), None, lambda message: None)
             clock.now += 9
-            self.assertEqual(list(condition.look()), [])  # nothing has come at all
+            self.assertEqual(list(condition.causes()), [])  # nothing has come at all
             take(None)
             found = []
             for _ in range(5):
                 clock.now += 0.3
-                found.append(len(list(condition.look())))
+                found.append(len(list(condition.causes())))
             take(None)
             clock.now += 1
-            found.append(len(list(condition.look())))
+            found.append(len(list(condition.causes())))
         self.assertEqual(found, [0, 1, 0, 0, 0, 1])
 
 
