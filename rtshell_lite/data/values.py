@@ -34,6 +34,8 @@ def _sort(value):
         return "scalar"
     if isinstance(value, (list, tuple)):
         return "list"
+    if isinstance(value, dict):
+        return "dict"
     if isinstance(value, (marshal.Any, marshal.TypeCode, references.Reference)):
         return _SORTS[type(value)]
     members = vars(value)
@@ -278,8 +280,10 @@ def _flat(value, column):
         for i, element in enumerate(value):
             cells += _flat(element, f"{column}[{i}]")
         return cells
-    if sort in ("struct", "union"):
-        if sort == "struct":
+    if sort in ("struct", "union", "dict"):
+        if sort == "dict":
+            members = value
+        elif sort == "struct":
             members = vars(value)
         else:
             members = {"_d": value._d}

@@ -276,16 +276,3 @@ def _tame(value):
     if isinstance(value, list):
         return [_tame(part) for part in value]
     return values.json(value)
-
-
-def flat(value, column):
-    """[(column, scalar)] of a value of an unknown type."""
-    if isinstance(value, dict):
-        return [
-            cell
-            for name, part in value.items()
-            for cell in flat(part, column + "." + name if column else name)
-        ]
-    if isinstance(value, list):
-        return [cell for number, part in enumerate(value) for cell in flat(part, f"{column}[{number}]")]
-    return [(column, value.hex() if isinstance(value, bytes) else value)]

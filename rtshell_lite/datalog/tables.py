@@ -13,7 +13,6 @@ import tempfile
 
 from rtshell_lite import files
 from rtshell_lite.data import build_value, values
-from rtshell_lite.datalog import decode
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
     ARRAY,
@@ -135,7 +134,7 @@ class Table:
         """(function for the names, cells) of an entry whose type is not known, or that does not fit it."""
         if entry.data is not None:
             return lambda: ["hex"], [entry.data.hex()]
-        pairs = decode.flat(entry.value, "")
+        pairs = values.flat(entry.value)
         return lambda: [name for name, _ in pairs], [cell(_words(scalar)) for _, scalar in pairs]
 
     def _place_cells(self, head, names, found, key):
