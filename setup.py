@@ -82,14 +82,18 @@ class Starters(build_scripts):
     """Runs those modules; in a checkout that is installed as it is, the files themselves."""
 
     def run(self):
-        if {"develop", "editable_wheel"} & set(self.distribution.command_obj):
+        if "develop" in self.distribution.command_obj:
             return super().run()
+        is_checkout = "editable_wheel" in self.distribution.command_obj
         self.mkpath(self.build_dir)
         for path in COMMANDS:
             name = os.path.basename(path)
             made = os.path.join(self.build_dir, name)
+            starter = installation.STARTER.format(name=name)
+            if is_checkout:
+                starter = "import runpy\n\nrunpy.run_path(%r, run_name='__main__')\n" % os.path.abspath(path)
             with open(made, "w", newline="\n") as file:
-                file.write("#!%s\n%s" % (self.executable, installation.STARTER.format(name=name)))
+                file.write("#!%s\n%s" % (self.executable, starter))
             os.chmod(made, 0o755)
 
 

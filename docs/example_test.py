@@ -14,7 +14,7 @@ from rtshell_lite import api
 
 def supervise(home: str) -> List[str]:
     """Reset what is in Error below a directory and activate all; returns the paths of what was reset."""
-    reset = []  # type: List[str]
+    reset: List[str] = []
     for component in api.components(home):
         if component.state == "Error":
             component.reset(wait=5)

@@ -4,6 +4,10 @@ The first argument of most, called `where` elsewhere, is the object as the user 
 the terminal. The last says why, without naming a path.
 """
 
+TYPE_CHECKING = False  # checkers of types take it as True; importing typing would slow each command down
+if TYPE_CHECKING:
+    from typing import Any
+
 NO_USABLE_ADDRESS = "host name not known"  # or no address that the settings of omniORB let us use
 BAD_ENDPOINT = "this machine cannot be reached at the address that ORBendPoint names"
 
@@ -16,25 +20,25 @@ class Error(Exception):
     # completed (0: yes, 1: no, 2: maybe)
     exception = None  # type: object
 
-    def __str__(self):
+    def __str__(self) -> str:
         return str(self.__doc__).format(*self.args)
 
     @property
-    def where(self):
+    def where(self) -> str:
         """The object that the message begins with: a path, a file, a type; "" where it names none."""
         if str(self.__doc__).startswith("{}:"):
             return str(self.args[0])
         return ""
 
     @property
-    def why(self):
+    def why(self) -> str:
         """What the message says of `where`; all of it where that is ""."""
         if self.where:
             return str(self)[len(self.where) + 1 :].lstrip()
         return str(self)
 
 
-def split(values):
+def split(values: "list[Any]") -> "tuple[list[Any], list[Error]]":
     """(values that are not Errors, the Errors) of a mixed list."""
     good = [value for value in values if not isinstance(value, Error)]
     bad = [value for value in values if isinstance(value, Error)]
@@ -216,7 +220,7 @@ class Refused(Error):
     __slots__ = ("name",)  # 20,000 of them are kept when as many objects refuse
     status = 6
 
-    def __init__(self, where, why, name=""):
+    def __init__(self, where: str, why: str, name: str = "") -> None:
         """`name` is the CORBA exception's or return code's name,
         for callers that treat some of them otherwise.
         """
@@ -229,7 +233,7 @@ class Raised(Error):
 
     status = 6
 
-    def __init__(self, where, name, value, shown=""):
+    def __init__(self, where: str, name: str, value: object, shown: str = "") -> None:
         """`name` is that of an exception of the IDL, `value` has its members as attributes, `shown` them as
         text.
         """

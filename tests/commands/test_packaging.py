@@ -3,12 +3,14 @@
 import ast
 import glob
 import os
+import platform
 import re
 import subprocess
 import sys
 import unittest
 import zipfile
 
+import environments
 import invocations
 from robots import ROOT, TOOLS, WHEEL, Robot, names, read, run
 
@@ -199,6 +201,58 @@ class Installed(Robot):
                     environment={"PYTHONPATH": os.path.dirname(package)},
                 )
                 self.assertEqual(result, (0, "/\n", ""))
+
+
+def build_tools():
+    """The directory of setuptools and wheel that can install a checkout with this Python as it is, or None:
+    those with which tests/run has built the wheel, or this Python's own.
+    """
+    words = (
+        "import setuptools, sys, wheel; "
+        "print(setuptools.__path__[0]); sys.exit(int(setuptools.__version__.split('.')[0]) < 64)"
+    )
+    builder = os.path.join(ROOT, ".venv-tests", "build-" + platform.python_version(), "bin", "python")
+    for python in builder, sys.executable:
+        if os.path.exists(python):
+            status, out, _ = run([python, "-c", words])
+            if status == 0:
+                return os.path.dirname(out.strip())
+    return None
+
+
+class Editable(Robot):
+    """pip install -e, without a network: what is changed in the checkout is seen at once."""
+
+    def test_commands_and_modules_are_those_of_the_checkout(self):
+        tools = build_tools()
+        if tools is None:
+            self.skipTest("needs setuptools 64 and wheel for this Python")
+        checkout = os.path.join(self.directory, "it's {a} checkout")
+        os.mkdir(checkout)
+        for name in environments.SOURCES:
+            environments.copy(os.path.join(ROOT, name), os.path.join(checkout, name))
+        programs = os.path.join(self.directory, "venv", "bin")
+        subprocess.check_call([sys.executable, "-m", "venv", os.path.dirname(programs)])
+        python = os.path.join(programs, "python")
+        offline = ["--no-index", "--no-deps", "--no-build-isolation", "--disable-pip-version-check"]
+        installed = run([python, "-m", "pip", "install", "-q"] + offline + ["-e", checkout],
+                        environment={"PYTHONPATH": tools})
+        self.assertEqual(installed[0], 0, installed)
+        self.check_without_omniorb(lambda name: [os.path.join(programs, name)])
+        for path, old, new in (
+            ("bin/rtpwd", '"""Print the working directory', '"""Say the working directory'),
+            ("rtshell_lite/__init__.py", '__version__ = "', '__version__ = "7.'),
+        ):
+            path = os.path.join(checkout, path)
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            self.assertIn(old, text)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text.replace(old, new))
+        _, out, _ = run([os.path.join(programs, "rtpwd"), "--help"])
+        self.assertIn("Say the working directory", out)
+        _, out, _ = run([os.path.join(programs, "rtpwd"), "--version"])
+        self.assertEqual(out[:2], "7.")
 
 
 class WheelFile(Robot):
