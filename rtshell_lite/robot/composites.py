@@ -251,17 +251,30 @@ async def add(node, organisation, members):
 async def remove(node, organisation, members):
     """Remove Members, or hide their ports where they name some; lines that say what was done.
 
-    Raises Refused, and Failed for one that has died since `check`.
+    Raises what `_remove` raises, and Failed for one that has died since `check`.
     """
     going = [m for m in members if not m.ports]
     hidden = [f"{m.instance}.{port}" for m in members for port in m.ports]
     lines = await _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
     for m in going:
         await _must_live(node, organisation, m)
-        if not await orb.call(node.path, organisation.ref, "remove_member", to_wire(m.instance)):
-            raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
+        await _remove(node, organisation, m)
         lines.append(f"removed component {printable(m.instance)}")
     return lines
+
+
+async def _remove(node, organisation, m):
+    """Remove one Member. Raises Refused, and Failed where the composite lets it go, calls it, and fails."""
+    try:
+        is_removed = await orb.call(node.path, organisation.ref, "remove_member", to_wire(m.instance))
+    except errors.Refused as e:
+        now = await component.uncertain_if_refused(first_organisation(node))
+        if m.instance in [name for name, _ in now.members]:
+            raise
+        why = f"has let {printable(m.instance)} go, and then failed ({e.why}); whether that runs is not known"
+        raise errors.Failed(str(node.path), why)
+    if not is_removed:
+        raise errors.Refused(str(node.path), f"does not remove member {printable(m.instance)}")
 
 
 async def _must_live(node, organisation, m):

@@ -218,6 +218,12 @@ A composite that refuses or fails:
   $ ctl fail add_members 1 NO_PERMISSION; rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: CORBA.NO_PERMISSION
   [6]
+  $ rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc > nul; ctl @services fail start 1 UNKNOWN
+  $ rtcomp -r ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: has let MyServiceProvider0 go, and then failed (CORBA.UNKNOWN); whether that runs is not known
+  [1]
+  $ rtcat -l composite0.rtc | grep Provider
+  [1]
   $ ctl fail remove_member 1 HANG; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
   [4]
