@@ -5,6 +5,7 @@ them. Shared libraries in a wheel are found as in site-packages: beside the modu
 """
 
 import compileall
+import fnmatch
 import os
 import re
 import sys
@@ -12,15 +13,17 @@ import sysconfig
 import zipfile
 import zlib
 
-from rtshell_lite import errors
+from rtshell_lite import compiled, errors
 from rtshell_lite.files import create, umask
 from rtshell_lite.shell import installation
 
 LARGEST = 64 << 20  # octets of what is in a wheel
 
 # Relative to the command, so that the whole directory can be moved or copied to the robot.
-FIND_LIBRARY = """import os, sys  # these two lines were added by --unpack
+FIND_LIBRARY = """import os, sys  # these four lines were added by --unpack
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), "lib"))
+from rtshell_lite import compiled
+compiled.find()
 """
 
 
@@ -46,9 +49,27 @@ def unpack(directory, wheels):
         _check_tags(path)
         files.add_wheel(path)
     files.write()
+    lib = os.path.join(files.directory, "lib")
     # else 20 ms a command in a read-only directory
-    compileall.compile_dir(os.path.join(files.directory, "lib"), quiet=2)
+    compileall.compile_dir(lib, quiet=2)
+    together = Files(files.directory)
+    together.add("lib/" + compiled.NAME, compiled.join(_modules(lib)))
+    together.write()
     return os.path.join(files.directory, "bin")
+
+
+def _modules(lib):
+    """For compiled.join: each of our modules that were laid out."""
+    for where, _, names in os.walk(os.path.join(lib, "rtshell_lite")):
+        for name in fnmatch.filter(names, "*.py"):
+            path = os.path.join(where, name)
+            place = os.path.relpath(path, lib)
+            module = place[: -len(".py")].replace(os.sep, ".")
+            if name == "__init__.py":
+                module = module.rpartition(".")[0]
+            with open(path, "rb") as file:
+                code = compile(file.read(), path, "exec", dont_inherit=True)
+                yield module, place, os.fstat(file.fileno()), code
 
 
 class Files:

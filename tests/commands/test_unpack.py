@@ -54,13 +54,14 @@ class Unpacked(Robot):
         link = os.path.join(self.directory, "rtpwd")
         os.symlink(os.path.join(moved, "bin", "rtpwd"), link)
         self.assertEqual(run([link]), (0, "/\n", ""))
-        before = files(moved, r"\.pyc$")
+        kept = r"\.pyc$|\.compiled$"
+        before = files(moved, kept)
         again = run(
             [self.python, "-m", "rtshell_lite", "--unpack", moved],
             environment={"PYTHONPATH": os.path.join(moved, "lib")},
         )
         self.assertEqual(again, (0, "export PATH=%s/bin:$PATH\n" % moved, ""))
-        self.assertEqual(files(moved, r"\.pyc$"), before)
+        self.assertEqual(files(moved, kept), before)
 
     def test_checkout_and_wheel_lay_out_the_same_but_for_tools(self):
         place = self.unpack()
@@ -70,7 +71,36 @@ class Unpacked(Robot):
             0,
         )
         tools = "|".join(map(re.escape, TOOLS))
-        self.assertEqual(files(place, r"dist-info|\.pyc$"), files(other, r"\.pyc$|\.idl$|" + tools))
+        self.assertEqual(
+            sorted(files(place, r"dist-info|\.pyc$")), sorted(files(other, r"\.pyc$|\.idl$|" + tools))
+        )
+
+    def test_modules_come_from_one_compiled_file(self):
+        """But for what has changed since, and where it is damaged."""
+        place = self.unpack()
+        lib = os.path.join(place, "lib")
+        (name,) = [name for name in os.listdir(lib) if name.endswith(".compiled")]
+        program = (
+            "import sys; sys.path.insert(0, %r); from rtshell_lite import compiled; compiled.find(); "
+            "from rtshell_lite import path, text; "
+            "print(path.__loader__.__module__, text.__loader__.__module__, path.__file__)" % lib
+        )
+
+        def loaders():
+            status, out, err = run([self.python, "-c", program])
+            self.assertEqual((status, err), (0, ""))
+            return out.split(" ", 2)
+
+        file = os.path.join(lib, "rtshell_lite", "path.py")
+        ours, Pythons = "rtshell_lite.compiled", "_frozen_importlib_external"
+        self.assertEqual(loaders(), [ours, ours, file + "\n"])
+        with open(os.path.join(lib, "rtshell_lite", "text.py"), "a") as changed:
+            changed.write("\n")
+        self.assertEqual(loaders(), [ours, Pythons, file + "\n"])
+        with open(os.path.join(lib, name), "r+b") as damaged:
+            damaged.truncate(100)
+        self.assertEqual(loaders(), [Pythons, Pythons, file + "\n"])
+        self.assertEqual(run([os.path.join(place, "bin", "rtpwd")]), (0, "/\n", ""))
 
     @unittest.skipUnless(
         OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index"

@@ -31,7 +31,7 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 READERS = 1000
-ROUNDS = 200 if running.THOROUGH else 12
+ROUNDS = 400 if running.THOROUGH else 12  # Python takes memory by the MiB, the last time after 150
 PROMPT = 0.1  # seconds within which an interrupted reader is free
 PATIENCE = 8  # seconds, the timeout of what hangs; what does not wait for it must be done in half that time
 # of a server that a thousand readers wait for

@@ -12,7 +12,7 @@ PART = 5  # a short run takes one in PART of its tests
 ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
-ORDER = """__init__ bytecode start errors notes text records files path idl_stubs giop net corba options
+ORDER = """__init__ compiled bytecode start errors notes text records files path idl_stubs giop net corba options
            robot data xmlprofile datalog events system play views mount top doctor shell api cli anywhere __main__ commands bin""".split()  # noqa: E501
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "anywhere.py", "cli.py", "options.py", "system/reports.py")

@@ -1,0 +1,82 @@
+"""All modules that --unpack laid out, in one compiled file: Python reads it faster than a file for each.
+
+A module whose own file has changed since is imported from that.
+"""
+
+import marshal
+import os
+import sys
+from _frozen_importlib import ModuleSpec  # importlib itself takes long
+from _frozen_importlib_external import MAGIC_NUMBER, _LoaderBasics as Loader
+from _imp import _fix_co_filename as fix_file_name
+
+NAME = "rtshell_lite.%s.compiled" % sys.implementation.cache_tag
+_LIB = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def find():
+    """Import modules from the file from now on, if there is one that this Python made."""
+    try:
+        file = os.open(os.path.join(_LIB, NAME), os.O_RDONLY | os.O_CLOEXEC)
+    except OSError:
+        return
+    try:
+        length = int.from_bytes(os.read(file, 4), "little")
+        version, index = marshal.loads(os.read(file, length))
+    except (EOFError, ValueError, TypeError):  # damaged, or made by another Python
+        return
+    finally:
+        os.close(file)
+    if version == MAGIC_NUMBER:
+        sys.meta_path.insert(0, _Finder(index, 4 + length))
+
+
+def join(modules):
+    """The content of the file, of (name, its file below the directory, status of that, code)."""
+    index = {}
+    codes = []
+    offset = 0
+    for name, place, status, code in modules:
+        codes.append(marshal.dumps(code))
+        index[name] = place, int(status.st_mtime), status.st_size, offset, len(codes[-1])
+        offset += len(codes[-1])
+    head = marshal.dumps((MAGIC_NUMBER, index))
+    return len(head).to_bytes(4, "little") + head + b"".join(codes)
+
+
+class _Finder(Loader):
+    """Finds and loads the modules of the file."""
+
+    def __init__(self, index, start):
+        self._index = index
+        self._start = start
+
+    def find_spec(self, name, path=None, target=None):
+        if name not in self._index:
+            return None
+        place, mtime, size, _, _ = self._index[name]
+        origin = os.path.join(_LIB, place)
+        try:
+            status = os.stat(origin)
+        except OSError:
+            return None
+        if (int(status.st_mtime), status.st_size) != (mtime, size):
+            return None
+        spec = ModuleSpec(name, self, origin=origin)  # type: ignore
+        if place.endswith("__init__.py"):
+            spec.submodule_search_locations = [os.path.dirname(origin)]
+        return spec
+
+    def exec_module(self, module):
+        module.__file__ = module.__spec__.origin
+        super().exec_module(module)
+
+    def get_code(self, name):
+        place, _, _, offset, length = self._index[name]
+        file = os.open(os.path.join(_LIB, NAME), os.O_RDONLY | os.O_CLOEXEC)
+        try:
+            code = marshal.loads(os.pread(file, length, self._start + offset))
+        finally:
+            os.close(file)
+        fix_file_name(code, os.path.join(_LIB, place))
+        return code
