@@ -11,24 +11,28 @@ from _frozen_importlib_external import MAGIC_NUMBER, _LoaderBasics as Loader
 from _imp import _fix_co_filename as fix_file_name
 
 NAME = "rtshell_lite.%s.compiled" % sys.implementation.cache_tag
+_BEGIN = 16  # octets: MAGIC_NUMBER, the length of the index (4), and that of the file (8)
 _LIB = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def find():
-    """Import modules from the file from now on, if there is one that this Python made."""
+    """Import modules from the file from now on, if there is one that this Python made, and it is whole."""
     try:
-        file = os.open(os.path.join(_LIB, NAME), os.O_RDONLY | os.O_CLOEXEC)
+        file = os.open(os.path.join(_LIB, NAME), os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     except OSError:
         return
     try:
-        length = int.from_bytes(os.read(file, 4), "little")
-        version, index = marshal.loads(os.read(file, length))
-    except (EOFError, ValueError, TypeError):  # damaged, or made by another Python
+        begin = os.read(file, _BEGIN)
+        length = int.from_bytes(begin[4:8], "little")
+        size = int.from_bytes(begin[8:], "little")
+        if begin[:4] != MAGIC_NUMBER or os.fstat(file).st_size != size:
+            return
+        index = marshal.loads(os.read(file, length))
+    except (OSError, EOFError, ValueError, TypeError):  # damaged, or no file
         return
     finally:
         os.close(file)
-    if version == MAGIC_NUMBER:
-        sys.meta_path.insert(0, _Finder(index, 4 + length))
+    sys.meta_path.insert(0, _Finder(index, _BEGIN + length))
 
 
 def join(modules):
@@ -40,8 +44,10 @@ def join(modules):
         codes.append(marshal.dumps(code))
         index[name] = place, int(status.st_mtime), status.st_size, offset, len(codes[-1])
         offset += len(codes[-1])
-    head = marshal.dumps((MAGIC_NUMBER, index))
-    return len(head).to_bytes(4, "little") + head + b"".join(codes)
+    head = marshal.dumps(index)
+    size = _BEGIN + len(head) + offset
+    begin = MAGIC_NUMBER + len(head).to_bytes(4, "little") + size.to_bytes(8, "little")
+    return begin + head + b"".join(codes)
 
 
 class _Finder(Loader):

@@ -5,7 +5,6 @@ them. Shared libraries in a wheel are found as in site-packages: beside the modu
 """
 
 import compileall
-import fnmatch
 import os
 import re
 import sys
@@ -53,23 +52,24 @@ def unpack(directory, wheels):
     # else 20 ms a command in a read-only directory
     compileall.compile_dir(lib, quiet=2)
     together = Files(files.directory)
-    together.add("lib/" + compiled.NAME, compiled.join(_modules(lib)))
+    together.add("lib/" + compiled.NAME, compiled.join(_modules(lib, files.contents)))
     together.write()
     return os.path.join(files.directory, "bin")
 
 
-def _modules(lib):
-    """For compiled.join: each of our modules that were laid out."""
-    for where, _, names in os.walk(os.path.join(lib, "rtshell_lite")):
-        for name in fnmatch.filter(names, "*.py"):
-            path = os.path.join(where, name)
-            place = os.path.relpath(path, lib)
-            module = place[: -len(".py")].replace(os.sep, ".")
-            if name == "__init__.py":
-                module = module.rpartition(".")[0]
-            with open(path, "rb") as file:
-                code = compile(file.read(), path, "exec", dont_inherit=True)
-                yield module, place, os.fstat(file.fileno()), code
+def _modules(lib, names):
+    """For compiled.join: each of our modules among what was laid out."""
+    for name in sorted(names):
+        if not (name.startswith("lib/rtshell_lite/") and name.endswith(".py")):
+            continue
+        place = name[len("lib/") :]
+        module = place[: -len(".py")].replace("/", ".")
+        if module.endswith(".__init__"):
+            module = module.rpartition(".")[0]
+        path = os.path.join(lib, place)
+        with open(path, "rb") as file:
+            code = compile(file.read(), path, "exec", dont_inherit=True)
+            yield module, place, os.fstat(file.fileno()), code
 
 
 class Files:

@@ -97,10 +97,30 @@ class Unpacked(Robot):
         with open(os.path.join(lib, "rtshell_lite", "text.py"), "a") as changed:
             changed.write("\n")
         self.assertEqual(loaders(), [ours, Pythons, file + "\n"])
-        with open(os.path.join(lib, name), "r+b") as damaged:
-            damaged.truncate(100)
-        self.assertEqual(loaders(), [Pythons, Pythons, file + "\n"])
+        compiled = os.path.join(lib, name)
+        with open(compiled, "rb") as whole:
+            content = whole.read()
+        index = 16 + int.from_bytes(content[4:8], "little")
+        for size in (0, 10, 16, 100, index, len(content) // 2, len(content) - 1):
+            with open(compiled, "wb") as torn:
+                torn.write(content[:size])
+            self.assertEqual(loaders(), [Pythons, Pythons, file + "\n"], size)
         self.assertEqual(run([os.path.join(place, "bin", "rtpwd")]), (0, "/\n", ""))
+        os.unlink(compiled)
+        for make, remove in ((os.mkfifo, os.unlink), (os.mkdir, os.rmdir)):
+            make(compiled)
+            self.assertEqual(loaders(), [Pythons, Pythons, file + "\n"], make)
+            remove(compiled)
+
+    def test_what_others_put_beside_our_modules_is_left_alone(self):
+        place = self.unpack()
+        package = os.path.join(place, "lib", "rtshell_lite")
+        with open(os.path.join(package, "odd.py"), "w") as odd:
+            odd.write("def (")
+        lock = os.path.join(package, ".#lock.py")
+        os.symlink("nowhere", lock)
+        self.addCleanup(os.unlink, lock)
+        self.assertEqual(self.unpack(), place)
 
     @unittest.skipUnless(
         OMNIORB_WHEEL, "no omniORBpy wheel was given: there is none for this Python, or no index"
