@@ -269,7 +269,7 @@ async def _remove(node, organisation, m):
         is_removed = await orb.call(node.path, organisation.ref, "remove_member", to_wire(m.instance))
     except errors.Refused as e:
         now = await component.uncertain_if_refused(first_organisation(node))
-        if m.instance in [name for name, _ in now.members]:
+        if m.instance in [name for name, _ in now.members] or _lost(now, m.instance):
             raise
         why = f"has let {printable(m.instance)} go, and then failed ({e.why}); whether that runs is not known"
         raise errors.Failed(str(node.path), why)

@@ -224,6 +224,12 @@ A composite that refuses or fails:
   [1]
   $ rtcat -l composite0.rtc | grep Provider
   [1]
+  $ rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc > nul
+  $ ctl fail remove_member 1 NO_PERMISSION; ctl @services fail get_sdo_id 4 NO_PERMISSION
+  $ rtcomp -r ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: CORBA.NO_PERMISSION
+  [6]
+  $ rtcomp -r ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
   $ ctl fail remove_member 1 HANG; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
   [4]
