@@ -345,6 +345,7 @@ class Keeper(presence.Presence):
         finally:
             for kept in due:
                 kept.is_busy = False
+            self.bell.ring()  # some may have been seen meanwhile
         for kept, outcome in zip(due, outcomes):
             if outcome.status == apply.DONE:
                 self.happened(kept, "was not there", "created", begun)

@@ -19,6 +19,11 @@ A component that is deleted is created, and all is as it was:
   ConsoleIn0.rtc: restored connection one
   ConsoleIn0.rtc: Active
 
+Its manager lists it late, when it has been seen already:
+
+  $ ctl @manager delay get_components 1; rtmgr -d ConsoleIn0 manager.mgr; soon 'grep -c ConsoleIn0.*created out | grep 2'
+  $ soon 'said out | grep ConsoleIn0 | tail -1 | grep Active'; ctl @manager delay get_components 0; soon 'rtcheck a.xml'
+
 A member that a composite has lost:
 
   $ rtcomp -r Motor0.rtc composite0.rtc; soon 'grep restored.members out'
