@@ -136,7 +136,10 @@ def destination(name):
             raise errors.Failed(
                 printable(name), "a link that somebody else has put there; remove it or write elsewhere"
             )
-        name = os.path.join(folder, os.readlink(name))
+        following = os.path.join(folder, os.readlink(name))
+        if is_special(name) and not os.path.lexists(following):
+            return name  # of /proc, as /dev/stdout in a pipeline: there is nothing but the link
+        name = following
     raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), name)
 
 

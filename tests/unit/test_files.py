@@ -265,6 +265,17 @@ class Endless(Case):
             with self.subTest(number), self.assertRaisesRegex(errors.Failed, "nobody reads"):
                 way(fifo)
 
+    @unittest.skipUnless(os.path.isdir("/proc/self/fd"), "/proc is of Linux")
+    def test_stdout_of_a_pipeline_can_be_named(self):
+        reading, writing = os.pipe()
+        self.addCleanup(os.close, reading)
+        self.addCleanup(os.close, writing)
+        link = self.path("link")
+        os.symlink("/proc/self/fd/%d" % writing, link)
+        with files.open_special(files.destination(link)) as file:
+            file.write(b"x")
+        self.assertEqual(os.read(reading, 9), b"x")
+
     def test_a_fifo_that_somebody_reads_gets_it(self):
         fifo = self.fifo()
         taken = []
