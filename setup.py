@@ -44,7 +44,7 @@ def without_words(path, is_command=False):
     before = tokenize.NAME if is_command else tokenize.INDENT
     for token, after, last in zip(code, code[1:], code[2:]):
         is_statement = before == tokenize.INDENT and after.type == tokenize.NEWLINE
-        is_only_one = last.type in (tokenize.DEDENT, tokenize.ENDMARKER)
+        is_only_one = last.type == tokenize.DEDENT
         if token.type == tokenize.STRING and is_statement and not is_only_one:
             words.append(token)
         before = token.type

@@ -28,7 +28,8 @@ def dumped(source):
     tree = ast.parse(source)
     for node in ast.walk(tree):
         if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
-            if ast.get_docstring(node) is not None and len(node.body) > 1:
+            is_body = len(node.body) > 1 or isinstance(node, ast.Module)
+            if ast.get_docstring(node) is not None and is_body:
                 del node.body[0]
     return ast.dump(tree, include_attributes=True)
 
