@@ -175,12 +175,12 @@ class Keeper(presence.Presence):
         """
         batch = set()
         for kept in waiting:
-            losers = kept.losers
-            if any(other.is_busy for other in losers):
+            takers = kept.takers
+            if any(other.is_busy for other in takers):
                 continue
-            for other in losers:
+            for other in takers:
                 other.changed = other.changed | {"contexts"}
-            batch.update(losers, [kept])
+            batch.update(takers, [kept])
         return [kept for kept in self.followed if kept in batch]
 
     async def _mend(self, batch):

@@ -83,8 +83,8 @@ class KeptComponent(presence.Followed):
         return self.is_there and bool(self.changed) and not self.is_busy and not self.is_paused
 
     @property
-    def losers(self):
-        """The Kepts of the composites and contexts that have lost it, if it is one that is back."""
+    def takers(self):
+        """The Kepts of the composites and contexts that are to take it again, if it is one that is back."""
         if WHOLE not in self.changed:
             return []
         return [other for other in self.drivers if other.is_usable and not other.is_paused]

@@ -256,6 +256,15 @@ class Browsers(Served):
         self.assertEqual([each for each in page.requests() if not each.startswith(self.address)], [])
         page.close()
 
+    def come_and_go(self, page, name):
+        """A component comes, is on the page, and its process ends; its name stays until the test ends."""
+        world = World("these", "ConsoleIn:" + name)
+        try:
+            page.wait(NAMES + ".includes('%s')" % name)
+        finally:
+            world.close()
+        self.addCleanup(self.rt, "rtdel", name + ".rtc")
+
     def test_it_shows_what_changes(self):
         self.start("--serve", "127.0.0.1:0")
         page = self.open()
@@ -294,12 +303,7 @@ class Browsers(Served):
             "details').open]"
         )
         before = page.run(where)
-        world = World("these", "ConsoleIn:More0")
-        try:
-            page.wait(NAMES + ".includes('More0')")
-        finally:
-            world.close()
-        self.addCleanup(self.rt, "rtdel", "More0.rtc")
+        self.come_and_go(page, "More0")
         page.wait((BOX % "More0") + ".getAttribute('class').includes('Unknown')")
         self.assertEqual(page.run("document.activeElement.querySelector('.name').textContent"), "Sensor0")
         self.assertEqual(page.run("document.querySelector('#details h2').textContent"), "Controller0")
@@ -317,12 +321,7 @@ class Browsers(Served):
         page.wait(far + ".className === 'link broken'")
         self.rt("rtreset", "Controller0.rtc")
         page.wait(far + ".className === 'link'")
-        world = World("these", "ConsoleIn:Another0")
-        try:
-            page.wait(NAMES + ".includes('Another0')")
-        finally:
-            world.close()
-        self.addCleanup(self.rt, "rtdel", "Another0.rtc")
+        self.come_and_go(page, "Another0")
         self.assertEqual(page.run("document.activeElement.textContent"), "Controller0:out")
         page.run(far + ".click()")
         self.assertEqual(page.run("document.querySelector('#details h2').textContent"), "Controller0")

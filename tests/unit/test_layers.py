@@ -1,4 +1,5 @@
 """The order of packages and other rules, checked in the source."""
+
 import ast
 import functools
 import os
@@ -12,22 +13,41 @@ PART = 5  # a short run takes one in PART of its tests
 ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
-ORDER = """__init__ compiled bytecode start errors notes text records files path idl_stubs giop net corba options
-           robot data xmlprofile datalog events system play views mount top doctor shell api cli anywhere __main__ commands bin""".split()  # noqa: E501
+ORDER = """
+    __init__ compiled bytecode start errors notes text records files path idl_stubs giop net corba
+    options robot data xmlprofile datalog events system play views mount top doctor shell api cli
+    anywhere __main__ commands bin
+""".split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "anywhere.py", "cli.py", "options.py", "system/reports.py")
-CATCH_ALL = ("cli.py", "api.py", "net/loop.py", "corba/omniorb.py", "corba/iiop/server.py", "mount/attempt.py",  # noqa: E501
-             "mount/server.py")
+CATCH_ALL = (
+    "cli.py",
+    "api.py",
+    "net/loop.py",
+    "corba/omniorb.py",
+    "corba/iiop/server.py",
+    "mount/attempt.py",
+    "mount/server.py",
+)
 DOORS = ("cli.py", "api.py", "shell/prompt.py")  # where a loop is entered
-THREADS = ("net/loop.py", "corba/omniorb.py", "corba/answers.py")  # which may import threading; the last has data of each thread  # noqa: E501
+THREADS = (
+    "net/loop.py",
+    "corba/omniorb.py",
+    "corba/answers.py",
+)  # which may import threading; the last has data of each thread
 
 
 def below(directory):
     """Our Python files below a directory: paths relative to the root, generated files aside."""
     found = []
     for where, directories, names in os.walk(os.path.join(ROOT, directory)):
-        directories[:] = [name for name in directories if name not in ("__pycache__", "idl_stubs", "data") or
-                          name == "data" and where.endswith("rtshell_lite")]
+        directories[:] = [
+            name
+            for name in directories
+            if name not in ("__pycache__", "idl_stubs", "data")
+            or name == "data"
+            and where.endswith("rtshell_lite")
+        ]
         for path in [os.path.join(where, name) for name in names]:
             if path.endswith(".py") or directory == "bin" and not os.path.basename(path).startswith("."):
                 found.append(os.path.relpath(path, ROOT))
@@ -58,14 +78,18 @@ def place(path):
 
 def is_in(path, names):
     """Whether a path is one of these files of rtshell_lite, or in one of these packages."""
-    inner = path[len("rtshell_lite/"):] if path.startswith("rtshell_lite/") else path
+    inner = path[len("rtshell_lite/") :] if path.startswith("rtshell_lite/") else path
     return inner in names or inner.startswith(tuple(name + "/" for name in names))
 
 
 def imports(tree):
     """(dotted name, whether it is inside a function) of all imports of a module."""
-    inner = {node for function in walk(tree) if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef))
-             for node in walk(function)}
+    inner = {
+        node
+        for function in walk(tree)
+        if isinstance(function, (ast.FunctionDef, ast.AsyncFunctionDef))
+        for node in walk(function)
+    }
     for node in walk(tree):
         if isinstance(node, ast.Import):
             yield from ((name.name, node in inner) for name in node.names)
@@ -78,7 +102,9 @@ class Layers(unittest.TestCase):
     def setUpClass(cls):
         cls.paths = below("rtshell_lite") + below("bin")
         cls.trees = {path: parsed(path) for path in cls.paths}
-        cls.arrows = [(path, dotted, inside) for path in cls.paths for dotted, inside in imports(cls.trees[path])]  # noqa: E501
+        cls.arrows = [
+            (path, dotted, inside) for path in cls.paths for dotted, inside in imports(cls.trees[path])
+        ]
 
     def target(self, dotted):
         """The file of ours that an import names, or None."""
@@ -87,15 +113,26 @@ class Layers(unittest.TestCase):
             return None
         if "idl_stubs" in parts:
             return "rtshell_lite/idl_stubs/__init__.py"
-        names = ["/".join(parts[:size]) + end for size in range(len(parts), 0, -1) for end in (".py", "/__init__.py")]  # noqa: E501
+        names = [
+            "/".join(parts[:size]) + end
+            for size in range(len(parts), 0, -1)
+            for end in (".py", "/__init__.py")
+        ]
         return next(name for name in names if name in self.trees)
 
     def test_every_file_has_its_place(self):
-        self.assertEqual([path for path in self.paths if place(path) is None], [], "to be put into a package, or into ORDER")  # noqa: E501
+        self.assertEqual(
+            [path for path in self.paths if place(path) is None],
+            [],
+            "to be put into a package, or into ORDER",
+        )
 
     def test_imports_go_down(self):
-        wrong = [(path, dotted) for path, dotted, _ in self.arrows
-                 if self.target(dotted) and place(self.target(dotted)) > place(path)]
+        wrong = [
+            (path, dotted)
+            for path, dotted, _ in self.arrows
+            if self.target(dotted) and place(self.target(dotted)) > place(path)
+        ]
         self.assertEqual(wrong, [])
 
     def test_no_circles(self):
@@ -109,27 +146,47 @@ class Layers(unittest.TestCase):
                 del targets[name]
 
     def test_a_package_is_a_docstring(self):
-        wrong = [path for path, tree in self.trees.items()
-                 if path.endswith("/__init__.py") and place(path) and not (len(tree.body) == 1 and ast.get_docstring(tree))]  # noqa: E501
+        wrong = [
+            path
+            for path, tree in self.trees.items()
+            if path.endswith("/__init__.py")
+            and place(path)
+            and not (len(tree.body) == 1 and ast.get_docstring(tree))
+        ]
         self.assertEqual(wrong, [])
 
     def test_omniorb_and_stubs_have_one_home(self):
-        wrong = [(path, dotted) for path, dotted, _ in self.arrows
-                 if (dotted.split(".")[0] in OMNIORB or ".idl_stubs" in dotted) and not is_in(path, ["corba", "giop"])]  # noqa: E501
+        wrong = [
+            (path, dotted)
+            for path, dotted, _ in self.arrows
+            if (dotted.split(".")[0] in OMNIORB or ".idl_stubs" in dotted)
+            and not is_in(path, ["corba", "giop"])
+        ]
         self.assertEqual(wrong, [])
 
-    @unittest.skipUnless(hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules")  # noqa: E501
+    @unittest.skipUnless(
+        hasattr(sys, "stdlib_module_names"), "Python before 3.10 does not list its own modules"
+    )
     def test_nothing_foreign(self):
         known = set(sys.stdlib_module_names) | OMNIORB | {"rtshell_lite"}
-        self.assertEqual([(path, dotted) for path, dotted, _ in self.arrows if dotted.split(".")[0] not in known], [])  # noqa: E501
+        self.assertEqual(
+            [(path, dotted) for path, dotted, _ in self.arrows if dotted.split(".")[0] not in known], []
+        )
 
     def test_a_command_imports_at_its_top_what_needs_no_omniorb(self):
-        wrong = [(path, dotted) for path, dotted, inside in self.arrows if path.startswith("bin") and not inside  # noqa: E501
-                 and is_in(self.target(dotted) or "", ["corba", "robot"])]
+        wrong = [
+            (path, dotted)
+            for path, dotted, inside in self.arrows
+            if path.startswith("bin")
+            and not inside
+            and is_in(self.target(dotted) or "", ["corba", "robot"])
+        ]
         self.assertEqual(wrong, [], "to be imported inside run()")
 
     def test_few_files_print(self):
-        wrong = [(path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)]  # noqa: E501
+        wrong = [
+            (path, calls(tree, {"print"})) for path, tree in self.trees.items() if not is_in(path, PRINTING)
+        ]
         self.assertEqual([(path, lines) for path, lines in wrong if lines], [])
 
 
@@ -142,20 +199,43 @@ class OneColour(unittest.TestCase):
 
     def uses(self, module, attribute):
         """(path, line) of each use of an attribute of a module."""
-        return [(path, node.lineno) for path, tree in self.trees.items() for node in walk(tree)
-                if isinstance(node, ast.Attribute) and node.attr == attribute and isinstance(node.value, ast.Name)  # noqa: E501
-                and node.value.id == module]
+        return [
+            (path, node.lineno)
+            for path, tree in self.trees.items()
+            for node in walk(tree)
+            if isinstance(node, ast.Attribute)
+            and node.attr == attribute
+            and isinstance(node.value, ast.Name)
+            and node.value.id == module
+        ]
 
     def test_nobody_sleeps(self):
         self.assertEqual(self.uses("time", "sleep"), [])
 
     def test_threads_have_few_homes(self):
-        wrong = [(path, dotted) for path, tree in self.trees.items() for dotted, _ in imports(tree)
-                 if dotted.split(".")[0] in ("threading", "queue", "asyncio", "concurrent") and not is_in(path, THREADS)]  # noqa: E501
+        wrong = [
+            (path, dotted)
+            for path, tree in self.trees.items()
+            for dotted, _ in imports(tree)
+            if dotted.split(".")[0] in ("threading", "queue", "asyncio", "concurrent")
+            and not is_in(path, THREADS)
+        ]
         self.assertEqual(wrong, [])
         started = [path for path, _ in self.uses("loop", "start_thread")]
-        self.assertLessEqual(set(started), {"rtshell_lite/" + path for path in (
-            "cli.py", "api.py", "corba/hosts.py", "corba/omniorb.py", "doctor/limits.py", "datalog/recorder.py")})  # noqa: E501
+        self.assertLessEqual(
+            set(started),
+            {
+                "rtshell_lite/" + path
+                for path in (
+                    "cli.py",
+                    "api.py",
+                    "corba/hosts.py",
+                    "corba/omniorb.py",
+                    "doctor/limits.py",
+                    "datalog/recorder.py",
+                )
+            },
+        )
 
     def test_loops_have_few_doors(self):
         wrong = [(path, line) for path, line in self.uses("loop", "run") if not is_in(path, DOORS)]
@@ -165,7 +245,11 @@ class OneColour(unittest.TestCase):
         """Calling a coroutine function of the same file without `await` does nothing."""
         wrong = []
         for path, tree in self.trees.items():
-            own = {node.name for node in walk(tree) if isinstance(node, ast.AsyncFunctionDef) and not node.decorator_list}  # noqa: E501
+            own = {
+                node.name
+                for node in walk(tree)
+                if isinstance(node, ast.AsyncFunctionDef) and not node.decorator_list
+            }
             own -= {node.name for node in walk(tree) if isinstance(node, ast.FunctionDef)}
             for node in walk(tree):
                 value = node.value if isinstance(node, ast.Expr) else None
@@ -208,7 +292,11 @@ class PlainCode(unittest.TestCase):
                     yield "%s:%d" % (path, node.lineno), list(inner_nodes(node))
 
     def test_a_statement_has_one_choice(self):
-        wrong = [place for place, nodes in self.statements() if sum(isinstance(node, ast.IfExp) for node in nodes) > 1]  # noqa: E501
+        wrong = [
+            place
+            for place, nodes in self.statements()
+            if sum(isinstance(node, ast.IfExp) for node in nodes) > 1
+        ]
         self.assertEqual(wrong, [])
 
     def test_filters_are_not_nested(self):
@@ -226,7 +314,11 @@ class PlainCode(unittest.TestCase):
         for path in self.paths:
             long = {number for number, line in enumerate(source(path).splitlines(), 1) if len(line) > WIDTH}
             for node in walk(parsed(path)):
-                if isinstance(node, ast.JoinedStr) or isinstance(node, ast.Constant) and isinstance(node.value, str):  # noqa: E501
+                if (
+                    isinstance(node, ast.JoinedStr)
+                    or isinstance(node, ast.Constant)
+                    and isinstance(node.value, str)
+                ):
                     long -= set(range(node.lineno, node.end_lineno + 1))
             wrong += ["%s:%d" % (path, number) for number in sorted(long)]
         self.assertEqual(wrong, [])
@@ -235,7 +327,11 @@ class PlainCode(unittest.TestCase):
 class Rules(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        paths = [path for directory in ("rtshell_lite", "bin", "mock_components", "tests") for path in below(directory)]  # noqa: E501
+        paths = [
+            path
+            for directory in ("rtshell_lite", "bin", "mock_components", "tests")
+            for path in below(directory)
+        ]
         cls.trees = {path: parsed(path) for path in paths}
 
     def check(self, faults):
@@ -251,9 +347,14 @@ class Rules(unittest.TestCase):
             for node in walk(tree):
                 if isinstance(node, ast.Call) and any(word.arg == "shell" for word in node.keywords):
                     yield node.lineno
-                elif isinstance(node, ast.Attribute) and node.attr in ("system", "popen") and \
-                        isinstance(node.value, ast.Name) and node.value.id == "os":
+                elif (
+                    isinstance(node, ast.Attribute)
+                    and node.attr in ("system", "popen")
+                    and isinstance(node.value, ast.Name)
+                    and node.value.id == "os"
+                ):
                     yield node.lineno
+
         self.check(faults)
 
     def test_exceptions_are_named(self):
@@ -261,22 +362,37 @@ class Rules(unittest.TestCase):
             for node in walk(tree):
                 if isinstance(node, ast.ExceptHandler):
                     catch_all = node.type is not None and names(node.type) & {"Exception", "BaseException"}
-                    free = path.startswith(("tests", "mock_components")) or is_in(path, CATCH_ALL) or raises_again(node)  # noqa: E501
+                    free = (
+                        path.startswith(("tests", "mock_components"))
+                        or is_in(path, CATCH_ALL)
+                        or raises_again(node)
+                    )
                     if node.type is None or catch_all and not free:
                         yield node.lineno
+
         self.check(faults)
 
     @unittest.skipIf(sys.version_info < (3, 8), "this Python does not know newer syntax")
     def test_syntax_of_3_6(self):
         for path in self.trees:
             ast.parse(source(path), path, feature_version=(3, 6))
-        self.check(lambda path, tree: [node.lineno for node in walk(tree) if isinstance(node, ast.JoinedStr)
-                                       and any(isinstance(inner, ast.Await) for inner in ast.walk(node))])
+        self.check(
+            lambda path, tree: [
+                node.lineno
+                for node in walk(tree)
+                if isinstance(node, ast.JoinedStr)
+                and any(isinstance(inner, ast.Await) for inner in ast.walk(node))
+            ]
+        )
 
 
 def own_name(function):
     """`name` of a call of name(…) or self.name(…), else None."""
-    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self":  # noqa: E501
+    if (
+        isinstance(function, ast.Attribute)
+        and isinstance(function.value, ast.Name)
+        and function.value.id == "self"
+    ):
         return function.attr
     return getattr(function, "id", None)
 
@@ -293,8 +409,11 @@ def names(node):
 
 def calls(tree, functions):
     """Lines where one of these plain names is called."""
-    return [node.lineno for node in walk(tree)
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions]
+    return [
+        node.lineno
+        for node in walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions
+    ]
 
 
 if __name__ == "__main__":
