@@ -183,7 +183,7 @@ A component that breaks down while it is asked:
   [4]
   $ ctl state ConsoleIn0
   INACTIVE
-  $ ctl fail activate_component 1 DIE; rtact ConsoleIn0.rtc ConsoleOut0.rtc
+  $ ctl fail activate_component 1 DIE; ctl fail activate_component 2 DIE; rtact ConsoleIn0.rtc ConsoleOut0.rtc
   rtact: /localhost:\$PORT/test.host_cxt/ConsoleIn0.rtc: connection (lost|refused|refused; its process is gone \(zombie\)) (re)
   rtact: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc: connection (lost|refused|refused; its process is gone \(zombie\)) (re)
   [4]
