@@ -1,4 +1,4 @@
-"""Every failure a command can report: the docstring is the message, `status` the exit status.
+"""Every failure a command can report: `message` is what it prints, `status` the exit status.
 
 The first argument of most, called `where` elsewhere, is the object as the user knows it: a path escaped for
 the terminal. The last says why, without naming a path.
@@ -13,20 +13,19 @@ BAD_ENDPOINT = "this machine cannot be reached at the address that ORBendPoint n
 
 
 class Error(Exception):
-    """{}"""
-
+    message = "{}"
     status = 1
     # of the system exception that an operation of a user's IDL raised: its name, whether the operation was
     # completed (0: yes, 1: no, 2: maybe)
     exception = None  # type: object
 
     def __str__(self) -> str:
-        return str(self.__doc__).format(*self.args)
+        return self.message.format(*self.args)
 
     @property
     def where(self) -> str:
         """The object that the message begins with: a path, a file, a type; "" where it names none."""
-        if str(self.__doc__).startswith("{}:"):
+        if self.message.startswith("{}:"):
             return str(self.args[0])
         return ""
 
@@ -46,27 +45,27 @@ def split(values: "list[Any]") -> "tuple[list[Any], list[Error]]":
 
 
 class Failed(Error):
-    """{}: {}"""
+    message = "{}: {}"
 
 
 class Shortage(Error):
-    """out of {} here: {}"""  # files, threads, ports, memory; why
+    message = "out of {} here: {}"  # files, threads, ports, memory; why
 
 
 class BadProfile(Error):
-    """{}:{}:{}: {}"""  # file, line, column, what is wrong there
+    message = "{}:{}:{}: {}"  # file, line, column, what is wrong there
 
 
 class BadIdl(Error):
-    """{}:{}:{}: {}"""  # file, line, column, what is wrong there
+    message = "{}:{}:{}: {}"  # file, line, column, what is wrong there
 
 
 class BadType(Error):
-    """{}: {}"""  # type, why it cannot be used
+    message = "{}: {}"  # type, why it cannot be used
 
 
 class MissingOmniORB(Error):
-    __doc__ = (
+    message = (
         "omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the "
         "package index (jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package "
         "repository"
@@ -74,149 +73,140 @@ class MissingOmniORB(Error):
 
 
 class OnlyOmniORB(Error):
-    __doc__ = (
+    message = (
         "{}: only omniORB knows that, and omniORBpy is not installed "
         "(package jeteve-omniorb; salome-omniorb for Python 3.7)"
     )
 
 
 class IncompletePython(Error):
-    __doc__ = (
+    message = (
         "this Python lacks its module {}, which is needed for that; "
         "a whole one has it (Debian: python3, not python3-minimal)"
     )
 
 
 class NoXml(Error):
-    __doc__ = (
+    message = (
         "this Python lacks its module {}, which XML needs; rtcryo --yaml writes YAML, which all commands "
         "read (Debian: python3 is whole, python3-minimal is not)"
     )
 
 
 class Usage(Error):
-    """{} (see --help)"""
-
+    message = "{} (see --help)"
     status = 2
 
 
 class BadPath(Error):
-    """{}: {}"""  # as it was typed, what is wrong with it
-
+    message = "{}: {}"  # as it was typed, what is wrong with it
     status = 2
 
 
 class BadValue(Error):
-    """{}: {}"""  # type and field, why the value does not fit
-
+    message = "{}: {}"  # type and field, why the value does not fit
     status = 2
 
 
 class BadLine(Error):
-    """{}"""  # of rtsh
-
+    message = "{}"  # of rtsh
     status = 2
 
 
 class NotFound(Error):
-    """{}: no such path"""
-
+    message = "{}: no such path"
     status = 3
 
 
 class Misspelt(NotFound):
-    """{}: no such path; did you mean {}?"""
+    message = "{}: no such path; did you mean {}?"
 
 
 class NoPattern(NotFound):
-    """{}: no such path; to look for a pattern: {}"""
+    message = "{}: no such path; to look for a pattern: {}"
 
 
 class NoEntry(NotFound):
-    """{}: no such path; did you mean the name server {}?"""
+    message = "{}: no such path; did you mean the name server {}?"
 
 
 class NoServer(NotFound):
-    """{}: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone"""
+    message = (
+        "{}: no such path: it begins with no name server; RTSHELL_FIND=1 finds a component by its name alone"
+    )
 
 
 class Ambiguous(Error):
-    """{}: {}; which one?"""  # what was typed, what it may mean
-
+    message = "{}: {}; which one?"  # what was typed, what it may mean
     status = 3
 
 
 class NoSuch(Error):
-    """{}: no such {}: {}"""
-
+    message = "{}: no such {}: {}"
     status = 3
 
 
 class Unsupported(Error):
-    """{}: {}"""  # what the object, or this program, cannot do
-
+    message = "{}: {}"  # what the object, or this program, cannot do
     status = 6
 
 
 class WrongKind(Error):
-    """{}: not a {} (it is a {})"""
-
+    message = "{}: not a {} (it is a {})"
     status = 3
 
 
 class Unreachable(Error):
-    """{}: {}"""
-
+    message = "{}: {}"
     status = 4
 
 
 class ConnectionLost(Unreachable):
-    """{}: connection lost"""
+    message = "{}: connection lost"
 
 
 class Garbled(Unreachable):
-    """{}: garbled answer ({})"""  # what is in it that must not be used
+    message = "{}: garbled answer ({})"  # what is in it that must not be used
 
 
 class LostMember(Unreachable):
-    """{}: {}"""  # a port that a composite exports: the process of its member is gone
+    message = "{}: {}"  # a port that a composite exports: the process of its member is gone
 
 
 class Silent(Unreachable):
-    """{}: {}"""
+    message = "{}: {}"
 
 
 class Late(Unreachable):
-    """{}: {}"""  # it answers, but what was asked for has not come to be in time
+    message = "{}: {}"  # it answers, but what was asked for has not come to be in time
 
 
 class ConnectionRefused(Unreachable):
-    """{}: connection refused"""
+    message = "{}: connection refused"
 
 
 class ProcessGone(ConnectionRefused):
-    """{}: connection refused; its process is gone (zombie)"""
+    message = "{}: connection refused; its process is gone (zombie)"
 
 
 class MaybeGone(ConnectionRefused):
-    """{}: connection refused; its process is gone, or a firewall refuses"""
+    message = "{}: connection refused; its process is gone, or a firewall refuses"
 
 
 class NoNameServer(ConnectionRefused):
-    """{}: connection refused; is the name server running?"""
+    message = "{}: connection refused; is the name server running?"
 
 
 class NoManager(ConnectionRefused):
-    """{}: connection refused; is the manager running?"""
+    message = "{}: connection refused; is the manager running?"
 
 
 class BadData(Unreachable):
-    """{}: {}"""  # type, why the bytes are no value of it
+    message = "{}: {}"  # type, why the bytes are no value of it
 
 
 class Refused(Error):
-    """{}: {}"""
-
+    message = "{}: {}"
     __slots__ = ("name",)  # 20,000 of them are kept when as many objects refuse
     status = 6
 
@@ -229,8 +219,7 @@ class Refused(Error):
 
 
 class Raised(Error):
-    """{}: {}"""
-
+    message = "{}: {}"
     status = 6
 
     def __init__(self, where: str, name: str, value: object, shown: str = "") -> None:
@@ -243,41 +232,37 @@ class Raised(Error):
 
 
 class Mismatch(Refused):
-    """{}: {}"""  # what is asked for does not go together; no peer was asked
-
+    message = "{}: {}"  # what is asked for does not go together; no peer was asked
     __slots__ = ()
     status = 2
 
 
 class LeftAlone(Error):
-    """{}: left: {}"""  # a name of what may live, and why that is not known
+    message = "{}: left: {}"  # a name of what may live, and why that is not known
 
 
 class Gone(Unreachable):
-    """{}: zombie (the name is bound, but its object is gone)"""
+    message = "{}: zombie (the name is bound, but its object is gone)"
 
 
 class Uncertain(Unreachable):
-    """{}: {}; whether it has been done is not known"""
+    message = "{}: {}; whether it has been done is not known"
 
 
 class MayBeDone(Unreachable):
-    """{}: {}; it may have been done, or be going on"""
+    message = "{}: {}; it may have been done, or be going on"
 
 
 class Unread(Error):
-    """{}: {}"""
-
+    message = "{}: {}"
     status = 5
 
 
 class NotTried(Error):
-    """{}: not tried: {}"""
-
+    message = "{}: not tried: {}"
     status = 5
 
 
 class Partial(Error):
-    """{} of {} failed"""
-
+    message = "{} of {} failed"
     status = 5

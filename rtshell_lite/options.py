@@ -190,8 +190,10 @@ def _begins_as_number(word):
 
 
 def parser(arguments, doc, prog):
-    """The parser of the command called `prog`, whose file has these `arguments` and this docstring."""
-    summary, _, details = doc.strip().partition("\n\n")
+    """The parser of the command called `prog`, whose file has these `arguments` and this docstring, or None
+    under PYTHONOPTIMIZE=2.
+    """
+    summary, _, details = (doc or "").strip().partition("\n\n")
     if details:
         details += "\n\n"
     parser = Parser(

@@ -138,7 +138,7 @@ def _uses(doc, prog):
     stop   …`.
     """
     uses = {}
-    for line in doc.partition("\nexamples:")[0].split("\n"):
+    for line in (doc or "").partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
         if line.startswith(f"  {prog} PATH "):
             names = []

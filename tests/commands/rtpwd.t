@@ -26,6 +26,16 @@ The directory is spelt in one way, and cannot harm a terminal:
   rtpwd: robot: a working directory (RTCSH_CWD) starts with /
   [2]
 
+Without docstrings a command lacks the words of its help, and nothing else; failures are reported as ever:
+
+  $ PYTHONOPTIMIZE=2 rtpwd
+  /
+  $ RTCSH_CWD=robot PYTHONOPTIMIZE=2 rtpwd
+  rtpwd: robot: a working directory (RTCSH_CWD) starts with /
+  [2]
+  $ PYTHONOPTIMIZE=2 rtpwd --help | head -n 1
+  usage: rtpwd [--json] [-v] [-q] [--timeout SECONDS] [--version] [-h]
+
 JSON:
 
   $ RTCSH_CWD='/robot/"a.cxt' rtpwd --json
