@@ -15,7 +15,7 @@ robot/lookup.py finds what is meant.
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.records import Record, item
+from rtshell_lite.records import Record, cached, item
 from rtshell_lite.text import is_plain, printable, typed, unescaped
 
 DEFAULT_PORT = 2809
@@ -29,6 +29,8 @@ KINDS = (".rtc", ".mgr", "_cxt", ".cxt")  # of the names of components, managers
 # after its groups: the address, and the rest with the key
 CORBALOC = r"corbaloc:(?:iiop)?:(?:1\.[0-9]@)?(\[[^\]]*\](?::\d+)?|[^/:]+(?::\d+)?)(?:/(.+))?\Z"
 ANY = ("*", "**")
+_ABSOLUTE = ("/",) + REFERENCES
+_NO_HOST = REFERENCES + SCHEMES
 # OpenRTM's own begin so
 _OPENRTM = ("rtcname", "rtcloc")
 _OPENRTM_PATH = r"(rtcname|rtcloc)(?:\.iiop)?(\.\w+)?://"
@@ -130,7 +132,7 @@ def parse(text, cwd=None):
     """
     wanted = elements(text)
     if not is_absolute(text):
-        wanted = elements(_working_directory(cwd)) + wanted
+        wanted = _elements_above(_typed_directory() if cwd is None else cwd) + wanted
     directory = wanted[-1] in ("", ".", "..")
     resolved = []  # type: list
     for element in wanted:
@@ -153,17 +155,31 @@ def parse(text, cwd=None):
     return Path(server, names, port, directory)
 
 
-def _working_directory(cwd):
-    if cwd is None:
-        cwd = os.environ.get("RTCSH_CWD") or "/"
+def working_directory():
+    """The Path of $RTCSH_CWD, where relative paths start. Raises BadPath."""
+    return _parsed_directory(_typed_directory())
+
+
+def _typed_directory():
+    return os.environ.get("RTCSH_CWD") or "/"
+
+
+@cached(10)
+def _parsed_directory(cwd):
+    return parse(".", cwd)
+
+
+@cached(10)
+def _elements_above(cwd):
+    """The elements of a working directory: all relative paths of a command begin with the same ones."""
     if not is_absolute(cwd):
         raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
-    return cwd
+    return elements(cwd)
 
 
 def is_absolute(text):
     """Whether a path as typed does not start at the working directory."""
-    return text.startswith(("/",) + REFERENCES) or _openrtm(text) is not None
+    return text.startswith(_ABSOLUTE) or _openrtm(text) is not None
 
 
 def _openrtm(text):
@@ -197,13 +213,14 @@ def elements(text):
 
 def _elements(text):
     """The elements between the slashes, still escaped; the first one is empty for an absolute path."""
-    if text.lstrip("/").startswith(SCHEMES):
-        server, _, rest = text.lstrip("/").partition("#")
+    bare = text.lstrip("/")
+    if bare.startswith(SCHEMES):
+        server, _, rest = bare.partition("#")
         if not rest:
             return [server]
         return [server] + _cut(rest, "/")
-    if text.lstrip("/").startswith(REFERENCES):
-        return _reference(text.lstrip("/"))
+    if bare.startswith(REFERENCES):
+        return _reference(bare)
     return _cut(text, "/")
 
 
@@ -280,7 +297,7 @@ def _is_hexadecimal(text):
 def _server(element, text):
     """A server address; its colons belong to it."""
     address = _unescaped(element, text)
-    if address.startswith(REFERENCES + SCHEMES):
+    if address.startswith(_NO_HOST):
         return address
     if address.partition(":")[0] in PROTOCOLS:
         return address
@@ -309,6 +326,7 @@ def _why_no_server(address):
     return f"{address} is not a name server (host or host:tcpport)"
 
 
+@cached(100)
 def split_address(address):
     """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`;
     the port is None where it is not a TCP port.

@@ -28,6 +28,7 @@ from rtshell_lite.path import (
     is_absolute,
     parse,
     split_address,
+    working_directory,
 )
 from rtshell_lite.robot import tree
 from rtshell_lite.text import listed, printable
@@ -86,7 +87,7 @@ def _is_no_server(server):
 
 async def _relative(word, may_be_server):
     """The Path of a word that starts neither at the root nor with a reference."""
-    above = parse(".")
+    above = working_directory()
     first, *rest = elements(word or ".")
     is_from_root = _is_address(first) or may_be_server is not None and may_be_server(first, rest)
     is_to_find = is_found_by_name() and first not in ("", ".", "..")
@@ -105,7 +106,7 @@ def is_found_by_name():
     """Whether a lone name is to be found wherever it is."""
     if os.environ.get("RTSHELL_FIND", "") not in ("", "0"):
         return True
-    return parse(".") == EVERYWHERE
+    return working_directory() == EVERYWHERE
 
 
 async def _is_here(word, first, rest):
