@@ -22,6 +22,7 @@ class Request:
     """An orb.Call on its way; in the end, resume(value, None) or resume(None, error) is called.
 
     ref        whom it is sent to: another object than at first where that has forwarded it
+    endpoint   (host, port) of the process that is asked
     name       of its operation
     is_oneway  nobody answers it
     is_idempotent  it changes nothing, as far as its name shows
@@ -36,6 +37,7 @@ class Request:
         "call",
         "resume",
         "ref",
+        "endpoint",
         "name",
         "operation",
         "is_oneway",
@@ -52,7 +54,7 @@ class Request:
     def __init__(self, call, resume):
         self.call = call
         self.resume = resume
-        self.ref = call.ref
+        self._aim(call.ref)
         timeout = session.current().timeout
         if isinstance(call.operation, operations.Schema):
             self._of_schema(call, timeout)
@@ -68,10 +70,9 @@ class Request:
         self._spent = 0.0
         self._mode = messages.KEY
 
-    @property
-    def endpoint(self):
-        """(host, port) of the process that is asked."""
-        return self.ref.address[1:3]
+    def _aim(self, ref):
+        self.ref = ref
+        self.endpoint = ref.address[1:3]
 
     def _of_schema(self, call, timeout):
         self.name = call.operation.name
@@ -171,9 +172,10 @@ class Request:
             descriptor = idl.descriptor(interface)
         else:
             descriptor = _OBJECT
-        self.ref, _ = operations.reader(descriptor, little)(data, at)
-        if self.ref is None:
+        ref, _ = operations.reader(descriptor, little)(data, at)
+        if ref is None:
             raise ValueError("forwarded to nobody")
+        self._aim(ref)
 
     def _user_exception(self, data, at, little):
         """The errors.Error for an exception of the IDL."""
