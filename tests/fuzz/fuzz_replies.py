@@ -12,7 +12,6 @@ import json
 import os
 import re
 import signal
-import socket
 import struct
 import subprocess
 import sys
@@ -20,6 +19,7 @@ import threading
 import time
 
 import fuzz
+import listening
 import relay
 import tools
 from mock_components import giop  # which fuzz makes findable
@@ -76,7 +76,7 @@ WORDS = [
 
 # ---- serving ----
 
-class Robot:
+class Robot(listening.Listener):
     """A port behind which all recorded objects live; `changed` is {(operation, number): message}."""
 
     def __init__(self, recorded, changed):
@@ -84,23 +84,9 @@ class Robot:
         self.changed = changed
         self.counts = {}
         self.lock = threading.Lock()
-        self.connections = []
-        self.listener = socket.socket()
-        self.listener.bind(("127.0.0.1", 0))
-        self.listener.listen(64)
-        self.port = self.listener.getsockname()[1]
-        threading.Thread(target=self._accept, daemon=True).start()
+        super().__init__()
 
-    def _accept(self):
-        while True:
-            try:
-                connection = self.listener.accept()[0]
-            except OSError:  # closed
-                return
-            self.connections.append(connection)
-            threading.Thread(target=self._converse, args=(connection,), daemon=True).start()
-
-    def _converse(self, connection):
+    def talk(self, connection):
         try:
             while True:  # a question that cannot be read ends it
                 request = giop.read_request(connection)
@@ -108,8 +94,8 @@ class Robot:
                     connection.sendall(giop.harmless_answer(request))
                 elif request.expects_reply:
                     connection.sendall(self._answer(request))
-        except (EOFError, OSError, struct.error, IndexError, ValueError):
-            connection.close()
+        except (struct.error, IndexError, ValueError):
+            pass
 
     def _answer(self, request):
         with self.lock:
@@ -121,14 +107,6 @@ class Robot:
             message[:12] + struct.pack("<I", request.id) + message[16:] if message[:4] == b"GIOP" else message
         )
         return relay.HOST.sub(lambda _: b"127.0.0.1\0" + struct.pack("<H", self.port), message)
-
-    def close(self):
-        for each in [self.listener] + self.connections:
-            try:
-                each.shutdown(socket.SHUT_RDWR)  # wakes up the thread that waits
-            except OSError:
-                pass
-            each.close()
 
 
 def asked(request):

@@ -4,6 +4,7 @@ import struct
 import threading
 import unittest
 
+from mock_components import giop
 from rtshell_lite.corba import session
 from rtshell_lite.corba.iiop import server
 from rtshell_lite.giop import descriptors, idl, ior, messages, requests
@@ -43,53 +44,48 @@ class Observer:
         self.heard.append((kind._n, hint))
 
 
-def request(
-    key,
-    operation,
-    body=b"",
-    number=1,
-    minor=2,
-    order="<",
-    is_answered=True,
-    contexts=b"",
-    kind=requests.REQUEST,
-):
+def request(key, operation, body=b"", number=1, minor=2, order="<", is_answered=True, contexts=b"",
+            kind=requests.REQUEST):
     """A Request, or a LocateRequest, as octets. `contexts`: octets of one service context, which is ignored.
     """
-    def aligned(data, size):
-        return data + b"\xee" * (-len(data) % size)  # padding is what happens to be in memory
+    out = bytearray(messages.HEADER)
 
-    def octets(data):
-        return struct.pack(order + "I", len(data)) + data
+    def align(size):
+        out.extend(b"\xee" * (-len(out) % size))  # padding is what happens to be in memory
 
-    known = struct.pack(order + "I", 0)
-    if contexts:
-        known = struct.pack(order + "II", 1, 7) + octets(contexts)
+    def put(value):
+        align(4)
+        out.extend(struct.pack(order + "I", value))
+
+    def put_octets(data):
+        put(len(data))
+        out.extend(data)
+
+    def put_contexts():
+        put(bool(contexts))
+        if contexts:
+            put(7)
+            put_octets(contexts)
+
     asks = kind == requests.REQUEST
-    head = bytes(12)
     if asks and minor < 2:
-        head = aligned(head + known, 4)
-    head += struct.pack(order + "I", number)
-    if asks and minor < 2:
-        head += bytes([is_answered])
-    elif asks:
-        head += bytes([3 * is_answered])
-    if asks and minor > 0:
-        head += b"\xee" * 3
-    if minor == 2:
-        head += struct.pack(order + "H", 0)
-    head = aligned(head, 4) + octets(key)
+        put_contexts()
+    put(number)
     if asks:
-        head = aligned(head, 4) + octets(operation.encode() + b"\0")
+        out.append(3 * is_answered if minor == 2 else is_answered)
+    if minor == 2:
+        align(4)
+        out.extend(struct.pack(order + "H", 0))
+    put_octets(key)
+    if asks:
+        put_octets(operation.encode() + b"\0")
     if asks and minor < 2:
-        head = aligned(head, 4) + octets(b"who")
+        put_octets(b"who")
     elif asks:
-        head = aligned(head, 4) + known
-    if body and minor < 2:
-        head = aligned(head, 4)
-    elif body and asks:
-        head = aligned(head, 8)
-    return messages.whole(kind, head[12:] + body, minor, order)
+        put_contexts()
+    if body:
+        align(4 if minor < 2 or not asks else 8)
+    return messages.whole(kind, bytes(out[messages.HEADER:]) + body, minor, order)
 
 
 def block(data, order="<"):
@@ -117,22 +113,16 @@ class Client:
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port), LIMIT)
-        self.data = b""
 
     def send(self, *messages):
         self.socket.sendall(b"".join(messages))
 
     def answer(self):
         """The next message, or b"" at the end."""
-        while len(self.data) < 12 or len(self.data) < 12 + messages.size(self.data):
-            piece = self.socket.recv(65536)
-            if not piece:
-                return b""
-            self.data += piece
-        size = 12 + messages.size(self.data)
-        found = self.data[:size]
-        self.data = self.data[size:]
-        return found
+        try:
+            return b"".join(giop.read_message(self.socket))
+        except EOFError:
+            return b""
 
     def ask(self, *messages):
         self.send(*messages)
@@ -140,7 +130,7 @@ class Client:
 
     def last_words(self):
         """All that still comes until the connection is closed."""
-        found = self.data
+        found = b""
         while True:
             try:
                 piece = self.socket.recv(65536)

@@ -1,12 +1,9 @@
 """Processes, in threads of this one, that answer in GIOP what a test has given them."""
-import contextlib
-import socket
 import struct
-import threading
 import unittest
-
 from unittest import mock
 
+import listening
 from rtshell_lite.corba import orb, session
 from rtshell_lite.corba.iiop import client
 from rtshell_lite.giop import messages
@@ -15,37 +12,23 @@ from rtshell_lite.net import loop
 CLOSE = messages.whole(messages.CLOSE)
 
 
-class Peer:
+class Peer(listening.Listener):
     """A process that answers each message with the next of some octets; what is None closes the connection.
     `last` came last.
     """
 
     def __init__(self, *answers):
-        self.listening = socket.socket()
-        self.listening.bind(("127.0.0.1", 0))
-        self.listening.listen(5)
         self.answers = list(answers)
         self.asked = 0
-        self.port = self.listening.getsockname()[1]
-        threading.Thread(target=self._serve, daemon=True).start()
+        super().__init__()
 
-    def _serve(self):
-        while True:
-            try:
-                self.connection, _ = self.listening.accept()
-            except OSError:
-                return
-            with self.connection as connection, contextlib.suppress(ConnectionError):
-                for self.last in iter(lambda: connection.recv(65536), b""):
-                    self.asked += 1
-                    answer = self.answers.pop(0) if self.answers else b""
-                    connection.sendall(answer or b"")
-                    if answer is None or answer.endswith(CLOSE):
-                        break
-
-    def close(self):
-        self.listening.shutdown(socket.SHUT_RDWR)  # or the thread that accepts keeps it open
-        self.listening.close()
+    def talk(self, connection):
+        for self.last in iter(lambda: connection.recv(65536), b""):
+            self.asked += 1
+            answer = self.answers.pop(0) if self.answers else b""
+            connection.sendall(answer or b"")
+            if answer is None or answer.endswith(CLOSE):
+                break
 
 
 def answer(number, body=b"\0", status=0, minor=2, order="<"):
@@ -55,56 +38,37 @@ def answer(number, body=b"\0", status=0, minor=2, order="<"):
     return messages.whole(messages.REPLY, head + body, minor, order)
 
 
-class Script:
-    """A process that reads the requests of one connection after the other, and answers them as a function
-    says.
+class Script(listening.Listener):
+    """A process that reads the requests of its connections, and answers them as a function says.
 
     `play(requests)` gets the (number, operation) pairs that have come so far and returns octets to send, or
     None to wait for more.
     """
 
     def __init__(self, play):
-        self.listening = socket.socket()
-        self.listening.bind(("127.0.0.1", 0))
-        self.listening.listen(5)
         self.play = play
         self.most = 0
-        self.connections = 0
-        self.ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % self.listening.getsockname()[1])
-        threading.Thread(target=self._serve, daemon=True).start()
+        super().__init__()
+        self.ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % self.port)
 
-    def _serve(self):
-        while True:
-            try:
-                connection, _ = self.listening.accept()
-            except OSError:
-                return
-            self.connections += 1
-            threading.Thread(target=self._talk, args=(connection,), daemon=True).start()
-
-    def _talk(self, connection):
+    def talk(self, connection):
         data = b""
         pending = []
-        with connection, contextlib.suppress(ConnectionError):
-            while True:
-                piece = connection.recv(65536)
-                data += piece
-                while len(data) >= 12 and len(data) >= 12 + messages.size(data):
-                    size = 12 + messages.size(data)
-                    pending.append(
-                        (messages.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent")
-                    )
-                    data = data[size:]
-                self.most = max(self.most, len(pending))
-                reply = self.play(pending)
-                if reply:
-                    connection.sendall(reply)
-                if not piece or reply == b"":
-                    return
-
-    def close(self):
-        self.listening.shutdown(socket.SHUT_RDWR)
-        self.listening.close()
+        while True:
+            piece = connection.recv(65536)
+            data += piece
+            while len(data) >= 12 and len(data) >= 12 + messages.size(data):
+                size = 12 + messages.size(data)
+                pending.append(
+                    (messages.number(data), b"_is_a" if b"_is_a" in data[:size] else b"_non_existent")
+                )
+                data = data[size:]
+            self.most = max(self.most, len(pending))
+            reply = self.play(pending)
+            if reply:
+                connection.sendall(reply)
+            if not piece or reply == b"":
+                return
 
 
 class Calls(unittest.TestCase):

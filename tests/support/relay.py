@@ -6,9 +6,24 @@ import socket
 import struct
 import threading
 
+import listening
 from mock_components import giop
 
 HOST = re.compile(rb"127\.0\.0\.1\0(..)", re.DOTALL)  # of a reference; the port follows
+
+
+class Front(listening.Listener):
+    """The port of a relay in front of another port."""
+
+    def __init__(self, relay, behind):
+        self.relay = relay
+        self.behind = behind
+        super().__init__()
+
+    def talk(self, client):
+        with socket.create_connection(("127.0.0.1", self.behind)) as server:
+            while self.relay.pass_on(client, server):
+                pass
 
 
 class Relay:
@@ -26,12 +41,8 @@ class Relay:
         """The port in front of another one."""
         with self._lock:
             if port not in self.fronts:
-                listener = socket.socket()
-                listener.bind(("127.0.0.1", 0))
-                listener.listen(64)
-                self.fronts[port] = listener.getsockname()[1]
+                self.fronts[port] = Front(self, port).port
                 self._real[self.fronts[port]] = port
-                threading.Thread(target=self._accept, args=(listener, port), daemon=True).start()
             return self.fronts[port]
 
     def refused(self, message):
@@ -45,33 +56,22 @@ class Relay:
         """The octets that are sent for a reply, given whole."""
         raise NotImplementedError
 
-    def _accept(self, listener, port):
-        while True:
-            threading.Thread(target=self._pass_on, args=(listener.accept()[0], port), daemon=True).start()
-
-    def _pass_on(self, client, port):
-        server = socket.create_connection(("127.0.0.1", port))
-        try:
-            while True:
-                header, payload = giop.read_message(client)
-                refused = self.refused(header + payload)
-                if refused:
-                    client.sendall(refused)
-                    continue
-                server.sendall(self.asked(HOST.sub(self._behind, header + payload)))
-                if header[7] != giop.REQUEST:
-                    client.sendall(b"".join(giop.read_message(server)))
-                    continue
-                request = giop.parse_request(header + payload)
-                if request.expects_reply:
-                    client.sendall(self.passed(request, HOST.sub(self._to_front, _whole(server))))
-                    if self.closes:
-                        return
-        except (EOFError, OSError):
-            pass
-        finally:
-            client.close()
-            server.close()
+    def pass_on(self, client, server):
+        """Pass on a message of a client, and the answer to it; returns whether more may follow."""
+        header, payload = giop.read_message(client)
+        refused = self.refused(header + payload)
+        if refused:
+            client.sendall(refused)
+            return True
+        server.sendall(self.asked(HOST.sub(self._behind, header + payload)))
+        if header[7] != giop.REQUEST:
+            client.sendall(b"".join(giop.read_message(server)))
+            return True
+        request = giop.parse_request(header + payload)
+        if not request.expects_reply:
+            return True
+        client.sendall(self.passed(request, HOST.sub(self._to_front, _whole(server))))
+        return not self.closes
 
     def _to_front(self, host):
         port, = struct.unpack("<H", host.group(1))

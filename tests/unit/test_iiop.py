@@ -163,7 +163,7 @@ class Calls(giop_peers.Calls):
         ref = client.narrow(client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x"), "RTC.RTObject")
         self.wait_for(orb.call("w", ref, "exit"))
         connection, = connections._idle[ref.address[1:3]]
-        self.peer.connection.shutdown(socket.SHUT_RDWR)
+        self.peer.connections[-1].shutdown(socket.SHUT_RDWR)
         select.select([connection.wanted()[0]], [], [], 5)
         self.assertEqual(str(self.wait_for(orb.call("w", ref, "exit"))), "RTC_OK")
 
@@ -172,7 +172,7 @@ class Calls(giop_peers.Calls):
         endpoint = ("127.0.0.1", self.peer.port)
         connections._sweep()
         connection, = connections._idle[endpoint]
-        self.peer.connection.shutdown(socket.SHUT_RDWR)
+        self.peer.connections[-1].shutdown(socket.SHUT_RDWR)
         select.select([connection.wanted()[0]], [], [], 5)
         connections._sweep()
         self.assertNotIn(endpoint, connections._idle)

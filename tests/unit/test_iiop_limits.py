@@ -23,23 +23,22 @@ from rtshell_lite.giop import marshal, messages, operations
 class Slowly(Script):
     """Answers one request each tenth of a second."""
 
-    def _talk(self, connection):
+    def talk(self, connection):
         data = b""
         pending = []
         connection.settimeout(0.1)
-        with connection:
-            while True:
-                try:
-                    piece = connection.recv(65536)
-                    if not piece:
-                        return
-                    data += piece
-                except socket.timeout:
-                    if pending:
-                        connection.sendall(self.play(pending.pop(0)))
-                while len(data) >= messages.HEADER and len(data) >= messages.HEADER + messages.size(data):
-                    pending.append(messages.number(data))
-                    data = data[messages.HEADER + messages.size(data):]
+        while True:
+            try:
+                piece = connection.recv(65536)
+                if not piece:
+                    return
+                data += piece
+            except socket.timeout:
+                if pending:
+                    connection.sendall(self.play(pending.pop(0)))
+            while len(data) >= messages.HEADER and len(data) >= messages.HEADER + messages.size(data):
+                pending.append(messages.number(data))
+                data = data[messages.HEADER + messages.size(data):]
 
 
 class Time(Calls):
