@@ -226,9 +226,9 @@ def parser(arguments, doc, prog):
         "--version",
         action=_Version,
         nargs=0,
-        help="show the version, with -v those of Python and the ORB; exit",
+        help="show the version, with -v also those of Python and the ORB, and exit",
     )
-    parser.add_argument("-h", "--help", action="help", help="show this and exit")
+    parser.add_argument("-h", "--help", action="help", help="show this help and exit")
     return parser
 
 
@@ -346,7 +346,7 @@ def execution_context(parser):
         "--exec_context",
         type=int,
         metavar="N",
-        help="only in the execution context N, counted from 0 over its own, then those of others (see rtec)",
+        help="only in execution context N, as rtec numbers them: from 0, the component's own first",
     )
 
 
@@ -380,13 +380,16 @@ def dry_run(parser):
 
 def json_output(parser):
     """--json."""
-    parser.add_argument("--json", action="store_true", help="one JSON object a line")
+    parser.add_argument("--json", action="store_true", help="print JSON, one object a line")
 
 
 def null(parser):
     """-0."""
     parser.add_argument(
-        "-0", "--null", action="store_true", help="full paths, each ended by a NUL byte (for xargs -0)"
+        "-0",
+        "--null",
+        action="store_true",
+        help="print full paths, each followed by a NUL byte (for xargs -0)",
     )
 
 
@@ -413,7 +416,16 @@ def moves(parser, *names):
         action="append",
         default=[],
         metavar="OLD=NEW",
-        help="where things are now (see rtresurrect); may be repeated",
+        help="read OLD in the paths of the file as NEW, as rtresurrect --help explains; may be repeated",
+    )
+
+
+def strict_path(parser):
+    """--strict-path: args.strict_path."""
+    parser.add_argument(
+        "--strict-path",
+        action="store_true",
+        help="an end of a connection is a component only if path, id and instance name agree",
     )
 
 
@@ -547,7 +559,7 @@ def types(parser, *path_options):
         default=[],
         dest="python_path",
         metavar="DIR",
-        help="where Python modules are; may be repeated",
+        help="directory with Python modules; may be repeated",
     )
     idl(parser, "data types")
 
@@ -563,7 +575,7 @@ def idl(parser, what):
         action="append",
         default=[],
         metavar="DIR",
-        help="where #include of IDL files looks; may be repeated",
+        help="directory for #include in IDL files; may be repeated",
     )
 
 

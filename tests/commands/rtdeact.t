@@ -84,7 +84,7 @@ Usage:
   $ rtdeact --help | grep -A 2 '^examples'
   examples:
     rtdeact ConsoleIn0.rtc ConsoleOut0.rtc     stop both
-    rtdeact --wait 5 Motor0.rtc                … and wait until it is Inactive
+    rtdeact --wait 5 Motor0.rtc                wait until it is Inactive
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 

@@ -304,7 +304,7 @@ Help holds what the command is for, its examples, and the exit statuses.
     rtls                               the working directory
     rtls -l localhost                  states and ports of what is there
     rtls -R /                          everything on all name servers
-    rtls -l | awk '$1 == "Error"'      components in trouble
+    rtls -l | awk '$1 == "Error"'      components in Error
 
   exit status:
     0 done, 1 the answer is no or local work failed, 2 wrong usage,
