@@ -27,6 +27,9 @@ TABLE = {
     "silent_loggers": (True, True, True, False, False, False),
     # answers the removal of an observer only when its heart would have beaten once more
     "heart_stops_late": (False, False, True, False, False, False),
+    # a thread of its own removes an observer that cannot be reached: two reports of connections that fail
+    # meanwhile wait for each other, and the component hangs
+    "lost_observer_hangs": (False, False, True, False, False, False),
     "component_key": (None, "{}/{}", "{}.{}", "{}.{}", None, None),
     # ports
     "port_prefix": (True, True, True, True, True, False),

@@ -15,6 +15,7 @@ LOGGER = "IDL:OpenRTM/Logger:1.0"
 
 LEVELS = ["SILENT", "ERROR", "WARN", "INFO", "NORMAL", "DEBUG", "TRACE", "VERBOSE", "PARANOID"]
 CONNECT_LIMIT = 2000        # milliseconds that a dead observer may cost the component
+REMOVAL = 0.2               # seconds until an observer that cannot be reached is removed
 
 
 class Consumer:
@@ -53,6 +54,9 @@ class Observer(Consumer):
 
     def __init__(self, component, profile):
         self.last = {}              # hint -> time of the last event of a kind that must not come too often
+        self.lock = threading.Lock()
+        self.failed = 0             # reports of connections
+        self.is_lost = False
         super().__init__(component, profile, self.module.ComponentObserver)
 
     def configure(self, properties):
@@ -98,9 +102,28 @@ class Observer(Consumer):
         try:
             self.reference.update_status(getattr(self.module, kind), hint)
         except CORBA.SystemException:
-            self.component.observers.drop(self)
+            self._lost(hint)
             return False
         return True
+
+    def _lost(self, hint):
+        """A report has failed: the observer is dropped."""
+        if not self.component.flavour.lost_observer_hangs:
+            self.component.observers.drop(self)
+            return
+        about_connection = hint.startswith(("CONNECT:", "DISCONNECT:"))
+        with self.lock:
+            self.failed += about_connection
+            is_first = not self.is_lost
+            self.is_lost = True
+        if is_first:
+            self.component.process.thread(self._remove)
+        if about_connection and self.failed > 1:
+            self.component.hang()
+
+    def _remove(self):
+        time.sleep(REMOVAL)
+        self.component.observers.drop(self)
 
 
 class FsmObserver(Observer):

@@ -1,11 +1,9 @@
 """Ports: profiles, connecting and disconnecting. No lock is held during a call to another port."""
 import threading
-import time
 
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
 
-from .counting import FOR_EVER
 from .idl import RTC
 from .properties import get, nvlist
 
@@ -135,7 +133,7 @@ class Port(stubs.skeleton("RTC.PortService")):
             return RTC.BAD_PARAMETER, profile
         if len(mine) > 1:
             if self.flavour.self_deadlock:
-                self._hang()
+                self.component.hang()
             return RTC.BAD_PARAMETER, profile
         code = self._refuse_double(profile) or self.publish(profile)
         following = profile.ports[mine[0] + 1:]
@@ -162,11 +160,6 @@ class Port(stubs.skeleton("RTC.PortService")):
 
     def rewrite(self, profile):
         """Change a connector's profile before it is passed to the next port."""
-
-    def _hang(self):
-        """The component no longer answers."""
-        self.process.ledger.hang(self.component.instance_name, FOR_EVER)
-        time.sleep(FOR_EVER)
 
     def _others(self, ports):
         return [port for port in ports if not self.reference._is_equivalent(port)]
@@ -212,7 +205,7 @@ class Port(stubs.skeleton("RTC.PortService")):
         if profile is None:
             return RTC.BAD_PARAMETER
         if self.haunted:
-            self._hang()
+            self.component.hang()
         index = next(i for i, port in enumerate(profile.ports) if self.reference._is_equivalent(port))
         code = RTC.RTC_OK
         if profile.ports[index + 1:]:

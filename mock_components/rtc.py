@@ -5,6 +5,7 @@ from omniORB import CORBA
 from rtshell_lite.corba import stubs
 
 from . import configuration, context, dataport, naming, observers, serviceport
+from .counting import FOR_EVER
 from .idl import RTC, SDOPackage
 from .properties import nvlist
 
@@ -261,6 +262,11 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
     def report(self, kind, hint):
         """Report to the observers."""
         self.observers.report(kind, hint)
+
+    def hang(self):
+        """Answer no more."""
+        self.process.ledger.hang(self.instance_name, FOR_EVER)
+        time.sleep(FOR_EVER)
 
     # callbacks: what contexts call, and the part of it that components have their own way of doing
 

@@ -101,7 +101,7 @@ class Flight:
 
     make(port, about, is_fast): an awaitable for the reading.Reader of a Port; `about`: what else is known of
     it; `is_fast`: its component must not call us in its own cycle; raises errors.Error. `readers` is the list
-    of Readers, which grows and shrinks; `components` are the Paths of all that were seen.
+    of Readers, which grows and shrinks; `components` are all that were seen, with their ports.
     """
 
     def __init__(self, tops, choice, make, readers):
@@ -109,7 +109,7 @@ class Flight:
         self._choice = choice
         self._make = make
         self.readers = readers
-        self.components = {}  # Paths by their text
+        self.components = {}  # {path as text: (Node, its Ports)}, the newest object of that name
         self.failures = {}  # by path: why it could not be listed
         self._due = {}  # by identity of a component: when it is asked again; None: not
         self._gone = set()  # identities of ports that are gone
@@ -132,8 +132,8 @@ class Flight:
             if isinstance(known, errors.Error):
                 continue
             self._due[orb.identity(node.ref)] = None
-            self.components[str(node.path)] = node.path
             listed, about = known
+            self.components[str(node.path)] = node, listed
             for port in listed:
                 reader = await self._reader(port, about, _is_fast(listed, about))
                 if reader is not None:

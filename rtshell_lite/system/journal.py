@@ -1,7 +1,7 @@
 """What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the
 whole system.
 
-Events come as in rtwatch, logs as in rtvlog. The profile is an attachment, as rtcryo writes it, with another
+Events come as in rtwatch, but connections from events/connections.py, and logs as in rtvlog. The profile is an attachment, as rtcryo writes it, with another
 one for what details.py keeps: at the start, and after changes.
 """
 
@@ -9,7 +9,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.datalog import schemas
-from rtshell_lite.events import observer, watch
+from rtshell_lite.events import connections, watch
 from rtshell_lite.net import loop
 from rtshell_lite.xmlprofile import rtsprofile
 
@@ -48,24 +48,28 @@ class Journal:
         self._work = work
         self._events = work.channels.add_json("/events", schemas.of_events())
         self._logs = work.channels.add_json("/logs", _RECORDS)
-        known = set()
-        kinds = set(watch.KINDS) - {"HEARTBEAT"}
-        # components of C++ would report each value that is sent
-        async with watch.Watch(watch.Events(kinds, observer.NO_VALUES), self._note) as events:
+        kinds = set(watch.KINDS) - {"HEARTBEAT", "PORT_EVENT"}  # see events/connections.py
+        async with watch.Watch(watch.Events(kinds), self._note) as events:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
-                if self._door is not None:
-                    logs.listen(self._door)
-                while True:
-                    new = []
-                    for text, path in flight.components.items():
-                        if text not in known:
-                            new.append(path)
-                    known |= {str(path) for path in new}
-                    if new:
-                        await self._begin(new, events, logs)
-                    self._take(events, logs)
-                    await self._describe()
-                    await loop.sleep(TICK)
+                async with loop.Group() as others:
+                    others.start(connections.follow(flight.components, self._put_port))
+                    await self._follow(flight, events, logs)
+
+    async def _follow(self, flight, events, logs):
+        known = set()
+        if self._door is not None:
+            logs.listen(self._door)
+        while True:
+            new = []
+            for text, (node, _) in flight.components.items():
+                if text not in known:
+                    new.append(node.path)
+            known |= {str(path) for path in new}
+            if new:
+                await self._begin(new, events, logs)
+            self._take(events, logs)
+            await self._describe()
+            await loop.sleep(TICK)
 
     async def _begin(self, paths, events, logs):
         for path in paths:
@@ -78,13 +82,15 @@ class Journal:
 
     def _take(self, events, logs):
         for watched, event in events.taken():
-            if event.event not in ("PORT_SEND", "PORT_RECEIVE"):
-                self.put(watched.where, event.kind, event.subject, event.event)
+            self.put(watched.where, event.kind, event.subject, event.event)
         for watched, record in logs.taken():
             fields = dict(record._asdict(), path=watched.where)
             if record.level in ("ERROR", "FATAL"):
                 fields["mark"] = f"{watched.name}: {record.message[:80]}"
             self._work.put_json(self._logs, fields)
+
+    def _put_port(self, where, port, event):
+        self.put(where, "PORT_EVENT", port, event)
 
     def put(self, where, kind, subject, event):
         """Record an event of a component."""

@@ -2,6 +2,7 @@ rtlog when things go wrong: a file is always left whole, and nothing is left in 
 
 world: senders 200 1000
 world: these ConsoleOut ConsoleIn
+world: sources 2 100 8 --flavour cpp2 --context cpp2.host_cxt/%n.rtc
 alone: kills and time
 once: it is the peers that differ here
 
@@ -33,6 +34,16 @@ kill -9 costs what was on its way; the file can be read, played, appended to:
 The component drops the connection of the killed one when it sends next:
 
   $ until [ -z "$(ctl connectors Source0:number)" ]; do :; done
+
+It leaves nothing that can hang a component when it drops these connections. (An observer of its ports would, in C++ 2.1.)
+
+  $ cd() { RTCSH_CWD=/localhost:$PORT/$1; export RTCSH_CWD; }; observed() { ctl @sources observers Source0 | grep -c Observer; }
+  $ cd cpp2.host_cxt; rtlog -q -f o.mcap --events . & pid=$!; until [ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number; do :; done
+  $ kill -KILL $pid; wait $pid 2>/dev/null
+  [137]
+  $ until [ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]; do :; done; rtls -l; cd test.host_cxt
+  Active  2/0  0/0  2/0  0/0  Source0.rtc
+  Active  2/0  0/0  2/0  0/0  Source1.rtc
 
 Files that cannot be written:
 

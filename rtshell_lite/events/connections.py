@@ -1,0 +1,82 @@
+"""The connections of components as events, asked for again and again, for who records what they send.
+
+Observers of ports would report them, but the process of such an observer must not end before the component
+has let it go: C++ 2.1 hangs for good if it drops connections then, and those that a recorder reads by are
+dropped as soon as it is killed. Protocol rule 5.4.
+"""
+
+import time
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
+from rtshell_lite.robot import ports
+from rtshell_lite.text import from_wire
+
+LOOK = 2.0  # seconds between two looks
+# seconds until a component that did not answer is asked again: a question about a connection may wait there
+# for as long as the far end hangs
+AGAIN = 60.0
+
+
+async def follow(components, put):
+    """Look again and again, until it is cancelled. `components`: a dict that grows and changes, {path as
+    text: (Node, its Ports)}. put(path as text, subject, event) is called with what has changed: the name
+    of a port, and PORT_CONNECT or PORT_DISCONNECT.
+    """
+    followed = {}  # type: dict
+    while True:
+        await loop.sleep(LOOK)
+        for where, (node, listed) in components.items():
+            if where not in followed or followed[where].node is not node:
+                followed[where] = _Followed(node, listed)
+        now = time.monotonic()
+        due = [each for each in followed.values() if now >= each.due]
+
+        async def look(each):
+            for change in await each.changes():
+                put(each.where, *change)
+
+        for each, failure in zip(due, await session.each(due, look, lambda each: each.place)):
+            if isinstance(failure, errors.Silent):
+                each.due = time.monotonic() + AGAIN
+
+
+class _Followed:
+    """The ports of one component, and their connections as they were last seen; in ports are not asked, as
+    the far ends have the same.
+    """
+
+    def __init__(self, node, listed):
+        self.node = node
+        self.where = str(node.path)
+        self.place = node.endpoint, self.where
+        self.due = 0.0
+        self._ports = [port for port in listed if port.type != "DataInPort"]
+        # {name of a port: {id of a connector: whether it is a tool's, which are no part of the system}}
+        self._seen = {port.name: _known(port.connectors) for port in self._ports}
+
+    async def changes(self):
+        """[(name of a port, event)] since the last look. Raises what remote calls raise."""
+        changes = []
+        for port in self._ports:
+            before = self._seen[port.name]
+            now = {}
+            for profile in await orb.call(self.where, port.ref, "get_connector_profiles"):
+                connector_id = from_wire(profile.connector_id)
+                if connector_id in before:
+                    now[connector_id] = before[connector_id]
+                else:
+                    now.update(_known([ports.connector(profile, self.node.path)]))
+            self._seen[port.name] = now
+            changes += [(port.name, "PORT_DISCONNECT") for _ in _system(before) - _system(now)]
+            changes += [(port.name, "PORT_CONNECT") for _ in _system(now) - _system(before)]
+        return changes
+
+
+def _known(connectors):
+    return {connector.id: ports.is_of_tool(connector) for connector in connectors}
+
+
+def _system(seen):
+    return {connector_id for connector_id, of_tool in seen.items() if not of_tool}
