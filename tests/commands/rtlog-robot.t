@@ -93,6 +93,16 @@ A recorder that stood still lets components go, which would have waited for it:
   [143]
   $ soon '[ -z "$(ctl @senders3 connectors Source0:number)" ]'
 
+Connections come and go; those of tools are no part of the system:
+
+  $ rtlog -q -f j.mcap --events . & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'
+  $ rtprint -n 1 Source0.rtc:number > nul; rtcon Source0.rtc:number ConsoleOut0.rtc:in; events() { rtlog --json -f j.mcap | grep PORT_ | sed 's/.*"value": //'; }
+  $ soon 'events | grep _CONNECT'; rtdis Source0.rtc:number ConsoleOut0.rtc:in; soon 'events | grep _DISCONNECT'; kill $pid; wait $pid
+  [143]
+  $ events
+  {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+
 What cannot be:
 
   $ rtlog -t 1 -f c.mcap ./nothing
