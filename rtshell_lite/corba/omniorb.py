@@ -142,7 +142,7 @@ def from_text(where, text):
 
 def to_text(ref):
     """The stringified IOR of a reference, on any thread."""
-    return start().object_to_string(ref)
+    return (_started or start()).object_to_string(ref)
 
 
 def address(ref):
@@ -178,10 +178,9 @@ async def invoke(call):
     if queues is None:
         here.make_bell()
         queues = here.peers = {}
-    endpoint = address(call.ref)[1:3]
-    queue = queues.get(endpoint)
+    queue = queues.get(call.endpoint)
     if queue is None:
-        queue = queues[endpoint] = _Queue(here, endpoint)
+        queue = queues[call.endpoint] = _Queue(here, call.endpoint)
     item = _Item(call, queue)
     queue.add(item)
     try:
@@ -362,7 +361,7 @@ def _made(item):
 
         omniORB.setClientCallTimeout(ref, int(_milliseconds(item.seconds)))
     try:
-        if not failures.may_repeat(operation) and address(ref)[1:3] in _of_one_reply:
+        if not failures.may_repeat(operation) and call.endpoint in _of_one_reply:
             _use_up_connections(ref)
         if isinstance(operation, Schema):
             return _by_schema(item)
@@ -370,7 +369,7 @@ def _made(item):
             return answers.invoke(where, ref, operation, args)
         except CORBA.COMM_FAILURE as e:
             if not item.queue.has_answered:
-                _check_version(str(where), address(ref)[1:3])
+                _check_version(str(where), call.endpoint)
             return _asked_again(e, item)
     except CORBA.Exception as e:
         error = _error(str(where), e, item.seconds, ref)
@@ -422,7 +421,7 @@ def _asked_again(failure, item):
         except CORBA.COMM_FAILURE as e:
             failure = e
         else:
-            _of_one_reply.add(address(call.ref)[1:3])
+            _of_one_reply.add(call.endpoint)
             return answer
     raise failure
 

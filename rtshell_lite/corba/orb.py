@@ -185,10 +185,11 @@ def reference_at(ref, host, port):
 
 class Call:
     """A call of `operation` of `ref`; `where`, a Path or text, names the object in errors,
-    `seconds` may be a longer deadline, `part` what of its result is needed.
+    `seconds` may be a longer deadline, `part` what of its result is needed. Its `endpoint` is that of the
+    process that is asked.
     """
 
-    __slots__ = ("where", "ref", "operation", "args", "seconds", "part")
+    __slots__ = ("where", "ref", "operation", "args", "seconds", "part", "endpoint")
 
     def __init__(self, where, ref, operation, args, seconds, part=None):
         self.where = where
@@ -197,6 +198,7 @@ class Call:
         self.args = args
         self.seconds = seconds
         self.part = part
+        self.endpoint = _orb.address(ref)[1:3]
 
 
 async def call(where, ref, operation, *args, seconds=None, part=None):
@@ -214,7 +216,8 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
     """
     if ref is None:
         raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
-    here = _orb.address(ref)[1:3]
+    asked = Call(where, ref, operation, args, seconds, part)
+    here = asked.endpoint
     place = loop.current().running.place
     now = session.current()
     if now.is_over():
@@ -230,9 +233,9 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
         raise errors.Silent(str(where), silence)
     try:
         if now.slots is None:
-            return await _orb.invoke(Call(where, ref, operation, args, seconds, part))
+            return await _orb.invoke(asked)
         async with now.slots:
-            return await _orb.invoke(Call(where, ref, operation, args, seconds, part))
+            return await _orb.invoke(asked)
     except errors.Silent as e:
         if is_elsewhere:
             raise errors.Unreachable(*e.args)

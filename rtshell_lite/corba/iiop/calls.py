@@ -54,7 +54,8 @@ class Request:
     def __init__(self, call, resume):
         self.call = call
         self.resume = resume
-        self._aim(call.ref)
+        self.ref = call.ref
+        self.endpoint = call.endpoint
         timeout = session.current().timeout
         if isinstance(call.operation, operations.Schema):
             self._of_schema(call, timeout)
@@ -69,10 +70,6 @@ class Request:
         self._forwards = 0
         self._spent = 0.0
         self._mode = messages.KEY
-
-    def _aim(self, ref):
-        self.ref = ref
-        self.endpoint = ref.address[1:3]
 
     def _of_schema(self, call, timeout):
         self.name = call.operation.name
@@ -172,10 +169,10 @@ class Request:
             descriptor = idl.descriptor(interface)
         else:
             descriptor = _OBJECT
-        ref, _ = operations.reader(descriptor, little)(data, at)
-        if ref is None:
+        self.ref, _ = operations.reader(descriptor, little)(data, at)
+        if self.ref is None:
             raise ValueError("forwarded to nobody")
-        self._aim(ref)
+        self.endpoint = self.ref.address[1:3]
 
     def _user_exception(self, data, at, little):
         """The errors.Error for an exception of the IDL."""
