@@ -56,6 +56,8 @@ class Script(listening.Listener):
         pending = []
         while True:
             piece = connection.recv(65536)
+            if not piece:
+                return
             data += piece
             while len(data) >= 12 and len(data) >= 12 + messages.size(data):
                 size = 12 + messages.size(data)
@@ -67,7 +69,7 @@ class Script(listening.Listener):
             reply = self.play(pending)
             if reply:
                 connection.sendall(reply)
-            if not piece or reply == b"":
+            if reply == b"":
                 return
 
 
