@@ -27,6 +27,8 @@ BOTH = "each ORB reads names in its own way"
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
 USAGE = {"rtinject": {70}}   # the value does not fit the type of these ports
+# what these print to what is no terminal has to come as it is, to be given back
+AS_IT_IS = ("A getstructure", "A get p", "A get_sdo_id --limit 2")
 READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 EACH = 2                # strings that each command line meets
 # what colours, clears and moves, and lets no line wrap; rtlog -p ends its line with a return, so that the
@@ -113,13 +115,13 @@ class Case:
 
     def problems(self):
         ran = self.ran
-        said = (ran.out + ran.err).decode("utf-8", "backslashreplace")
+        is_raw = self.line in AS_IT_IS and not self.on_terminal
+        said = (b"" if is_raw else ran.out) + ran.err
+        said = said.decode("utf-8", "backslashreplace")
         if self.on_terminal:
             said = OWN.sub("", said.replace("\r\n", "\n"))
         if self.command == "rtmgr":
             said = said.replace("instance name:\t", "")  # as rtshell writes it
-        if self.line in ("A getstructure", "A get p") and not self.on_terminal:
-            said = said[:0]  # which has to come as it is, to be given back
         if (
             ran.status in USAGE.get(self.command, {2, 70})
             or ran.status > 128
