@@ -329,7 +329,7 @@ def _step(value, step, path):
         if sort == "list":
             there = f"{len(value)} elements"
         else:
-            there = "it is no sequence"
+            there = "it is not a sequence"
     elif sort == "struct":
         if name in vars(value):
             return vars(value)[name]

@@ -34,7 +34,7 @@ _CHUNK_PLACE = struct.Struct("<QQQQ")
 
 
 class Damaged(Exception):
-    """These octets are no whole record of their kind."""
+    """These octets are not a whole record of their kind."""
 
 
 # ---- octets to records ----

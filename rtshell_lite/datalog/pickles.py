@@ -239,7 +239,7 @@ def _fill(target, values):
         raise Refused("a key without a value")
     for key, value in zip(values[::2], values[1::2]):
         if type(key) is not str:  # anything else could be made to hash for ever
-            raise Refused("a key that is no text")
+            raise Refused("a key that is not text")
         target[key] = value
     return target
 

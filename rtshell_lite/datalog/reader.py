@@ -115,7 +115,7 @@ class Log:
     def notes(self):
         """What is wrong with the file, in words."""
         if self.torn:
-            yield "the last %d octets are no whole record and are left out" % self.torn
+            yield "the last %d octets are not a whole record and are left out" % self.torn
         elif not self.closed:
             yield "recording has not ended regularly, or goes on"
         if self.damaged:

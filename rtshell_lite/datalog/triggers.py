@@ -17,7 +17,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 LOOK = 0.05  # seconds between two looks
-NO_PORT = "no port is called so yet"
+NO_PORT = "no port has this name yet"
 EVENTS = {"error": ("ERROR",), "death": ("DIED",), "disconnect": ("PORT_DISCONNECT",)}
 _OPERATORS = {
     "<": operator.lt,

@@ -298,7 +298,7 @@ async def _is_context(where, ref):
         )
     if not is_context:
         raise _Stop(
-            where, "its object NameService is no naming context", remedies.words("correct or restart")
+            where, "its object NameService is not a naming context", remedies.words("correct or restart")
         )
 
 

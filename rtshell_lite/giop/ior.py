@@ -210,7 +210,7 @@ def _start(type_id):
             raise ValueError
         type_id.decode("utf-8")
     except ValueError:
-        raise BadReference("a reference whose type is no text")
+        raise BadReference("a reference whose type is not text")
     return struct.pack("<L", size) + type_id + _PADDING[size & 3]
 
 

@@ -164,7 +164,7 @@ class _Reader:
                 label = 0
             cases.append((descriptors.label(switch, label), self.text(), self.typecode(known, depth)))
         if not -1 <= default < len(cases):
-            raise Fault("a union whose default is no case of it")
+            raise Fault("a union whose default is not one of its cases")
         described = tuple(descriptors.Case(case) for case in cases)
         return (
             UNION,

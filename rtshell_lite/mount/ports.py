@@ -134,7 +134,7 @@ class ConnectionsDirectory(Directory):
         if not isinstance(other, PortDirectory):
             raise errors.BadValue(
                 where,
-                f"{line(target).strip()} is no port of this mount; a link's target starts where the link is",
+                f"{line(target).strip()} is not a port of this mount; a link's target starts at the link",
             )
         await connectors.connect([await self.above.fresh(), await other.fresh()], meant(name, where))
         return self.child(name, (Connection,))

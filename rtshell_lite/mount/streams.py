@@ -28,7 +28,7 @@ async def data_type(port):
     except errors.NoSuch:
         name = printable(port.properties.get("dataport.data_type", "")) or "no type"
         raise errors.Unsupported(
-            ports.label(port), f"{name} is no standard data type; rtprint and rtinject take others (--idl)"
+            ports.label(port), f"{name} is not a standard data type; rtprint and rtinject take others (--idl)"
         )
 
 

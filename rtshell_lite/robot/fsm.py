@@ -19,7 +19,7 @@ async def of(node):
     ]
     if not services:
         raise errors.NoSuch(
-            str(node.path), "SDO service", "ExtendedFsmService (it is no state machine of FSM4RTC)"
+            str(node.path), "SDO service", "ExtendedFsmService (it is not a state machine of FSM4RTC)"
         )
     return Machine(str(node.path), orb.narrow(services[0], "RTC.ExtendedFsmService"))
 

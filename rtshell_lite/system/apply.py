@@ -14,7 +14,7 @@ from rtshell_lite.robot import tree
 from rtshell_lite.system import placements, steps
 
 DONE = "done"
-ALREADY = "already so"
+ALREADY = "already done"
 FAILED = "failed"
 UNTRIED = "not tried"
 UNSURE = "uncertain"  # a call was lost, and the look after it, too

@@ -193,7 +193,7 @@ def _contradictions(action, conditions):
         if len(texts) > 1:
             yield where + " contradicts ".join(texts)
     for time in sorted(time for time in times if time < 0):
-        yield where + "%dms is no time" % time
+        yield where + "%dms is not a time" % time
 
 
 def _circles(actions):

@@ -23,7 +23,7 @@ async def of_steps(args, outcomes, carry_out):
 
 def _report(args, outcomes):
     tally = notes.Tally()
-    counts = collections.OrderedDict((status, 0) for status in ("done", "already so"))
+    counts = collections.OrderedDict((status, 0) for status in ("done", "already done"))
     for outcome in outcomes:
         counts[outcome.status] = counts.get(outcome.status, 0) + 1
         if args.json:
@@ -31,9 +31,9 @@ def _report(args, outcomes):
         elif args.dry_run and outcome.pending and not outcome.likely:
             print(outcome.step.command)
         if not outcome.failed:
-            is_good = outcome.status in ("done", "already so") or args.dry_run and outcome.pending
+            is_good = outcome.status in ("done", "already done") or args.dry_run and outcome.pending
             tally.done += is_good and not args.rollback
-            if outcome.status != "already so":
+            if outcome.status != "already done":
                 if outcome.error:
                     why = " because of " + outcome.error.where
                 else:

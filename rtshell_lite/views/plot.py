@@ -58,7 +58,7 @@ class Field:
         if end is not None:
             last = int(end)
         if not isinstance(value, (list, tuple, bytes)):
-            raise errors.NoSuch(self.path, "field", f"[{first}] (it is no sequence)")
+            raise errors.NoSuch(self.path, "field", f"[{first}] (it is not a sequence)")
         for number, element in enumerate(value[first:last], first):
             self._take(element, f"{name}[{number}]", place + 1, found)
 

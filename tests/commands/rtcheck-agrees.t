@@ -28,7 +28,7 @@ A component without configuration, whose active set files call "default" neverth
   $ rtcryo --all -q /localhost:$PORT/test.host_cxt/Sensor0.rtc | sed '/<rts:ConfigurationSets/d' > bare.xml
   $ ctl @these2 fail get_configuration 1 NO_IMPLEMENT; rtcheck -s inactive bare.xml
   $ ctl @these2 fail get_configuration 1 NO_IMPLEMENT; rtresurrect -v bare.xml
-  rtresurrect: 3 already so
+  rtresurrect: 3 already done
   $ sed 's/activeConfigurationSet="default"/activeConfigurationSet="fast"/' bare.xml > fast.xml
   $ rtcheck -s inactive fast.xml
   Wrong configuration set is active on /localhost:$PORT/test.host_cxt/Sensor0.rtc (Active set: default)

@@ -31,7 +31,7 @@ One with other properties is another connection:
   [1]
   $ rtresurrect robot.rtsys; rtteardown robot.rtsys; ctl connectors ConsoleIn0:out
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected with another id (flushing); rtdis removes that
-  rtresurrect: 6 already so, 1 failed
+  rtresurrect: 6 already done, 1 failed
   flushing outin
 
 A port that is connected alone, at the start of its component, gets a new id each time:

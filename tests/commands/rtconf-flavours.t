@@ -48,7 +48,7 @@ A value that is no number is taken by all, and read back as it is:
 
   $ each rtconf ConfigSample0.rtc -s mode1 set int_param0 many
   cpp11:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: int_param0: many is no number, as the present value is (-999)
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: int_param0: many is not a number, as the present value is (-999)
   $ each rtconf ConfigSample0.rtc -s mode1 get int_param0
   cpp11:
   many

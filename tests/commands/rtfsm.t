@@ -87,7 +87,7 @@ What goes wrong. A machine that says RTC_OK and changes nothing, and one that re
 A component without the service, or none, or none that answers:
 
   $ rtfsm ConsoleIn0.rtc getstate
-  rtfsm: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such SDO service: ExtendedFsmService (it is no state machine of FSM4RTC)
+  rtfsm: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such SDO service: ExtendedFsmService (it is not a state machine of FSM4RTC)
   [3]
   $ rtfsm Microwav0.rtc getstate
   rtfsm: /localhost:$PORT/test.host_cxt/Microwav0.rtc: no such path; did you mean Microwave0.rtc?

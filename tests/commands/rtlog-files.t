@@ -143,12 +143,12 @@ MCAP that somebody else wrote, with a type in the words of ROS, and with message
   $ head -c 1000 other.mcap > torn.mcap; rtlog -d -f torn.mcap 2>&1 | grep 'INCOMPLETE\|torn'
   Name: torn.mcap
   State: INCOMPLETE, whole up to octet 952
-  rtlog: torn.mcap: the last 48 octets are no whole record and are left out
+  rtlog: torn.mcap: the last 48 octets are not a whole record and are left out
 
 For others it is made whole in a copy, or in place:
 
   $ rtlog --mend torn.mcap
-  rtlog: torn.mcap: the last 48 octets are no whole record and are left out
+  rtlog: torn.mcap: the last 48 octets are not a whole record and are left out
   $ rtlog -d --json -f torn-mended.mcap | grep -o '"closed.*damaged": 0\|"entries": [0-9]*, "file'
   "closed": true, "damaged": 0
   "entries": 7, "file

@@ -91,7 +91,7 @@ Files:
 
   $ printf '#!/bin/sh\nrtact Motor0.rtc\n' > start.sh; : > empty
   $ rtstart start.sh
-  rtstart: start.sh:1:1: a script, no RtsProfile: #!/bin/sh
+  rtstart: start.sh:1:1: a script, not an RtsProfile: #!/bin/sh
   [1]
   $ rtcheck empty
   rtcheck: empty:1:1: the file is empty

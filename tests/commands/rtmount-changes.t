@@ -116,7 +116,7 @@ A connection with several ends has a link to each of the others; what cannot be 
   $TMP/m/localhost:$PORT/test.host_cxt/ConsoleOut0.rtc/ports/nonsense: no such path
   $ link ../../../../ConsoleOut0.rtc
   ln: ConsoleIn0.rtc/ports/out/connections/x: Invalid argument
-  $TMP/m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc/ports/out/connections/x: ../../../../ConsoleOut0.rtc is no port of this mount; a link's target starts where the link is
+  $TMP/m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc/ports/out/connections/x: ../../../../ConsoleOut0.rtc is not a port of this mount; a link's target starts at the link
   $ link /etc/passwd
   ln: ConsoleIn0.rtc/ports/out/connections/x: Invalid argument
   $TMP/m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc/ports/out/connections/x: /etc/passwd leads out of the mount at $TMP/m

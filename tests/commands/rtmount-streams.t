@@ -76,9 +76,9 @@ A type that is not known:
 
   $ cat Arm0.rtc/ports/status/value || why
   cat: read error: Operation not supported
-  /localhost:$PORT/test.host_cxt/Arm0.rtc:status: IDL:Arm/Status:1.0 is no standard data type; rtprint and rtinject take others (--idl)
+  /localhost:$PORT/test.host_cxt/Arm0.rtc:status: IDL:Arm/Status:1.0 is not a standard data type; rtprint and rtinject take others (--idl)
   $ echo Active >Arm0.rtc/state; echo 1 2>&- >Arm0.rtc/ports/command/value || why
-  /localhost:$PORT/test.host_cxt/Arm0.rtc:command: IDL:Arm/Status:1.0 is no standard data type; rtprint and rtinject take others (--idl)
+  /localhost:$PORT/test.host_cxt/Arm0.rtc:command: IDL:Arm/Status:1.0 is not a standard data type; rtprint and rtinject take others (--idl)
 
 Events and logs:
 

@@ -129,7 +129,7 @@ What is not there:
   rtplot: data[: not a field; one is written data.joints[0:3]
   [2]
   $ rtplot -f other.mcap numbers.data[3]
-  rtplot: data[3]: no such field: [3] (it is no sequence)
+  rtplot: data[3]: no such field: [3] (it is not a sequence)
   [3]
   $ rtplot -f none
   rtplot: none: No such file or directory

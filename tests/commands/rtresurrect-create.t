@@ -19,7 +19,7 @@ world: two
   rtresurrect: /localhost:$PORT/test.host_cxt/Sensor0.rtc: no such path
   rtresurrect: /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc: no such path
   rtresurrect: /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc: no such path
-  rtresurrect: 6 already so, 6 failed, 24 not tried
+  rtresurrect: 6 already done, 6 failed, 24 not tried
   [5]
   $ rtresurrect --create a.xml 2>&1 | head -2
   rtresurrect: /localhost:$PORT/test.host_cxt/Arm.rtc: is not there, and nothing names a manager to create it (see --manager)
@@ -56,15 +56,15 @@ The manager is given, and then does it; by hand with the commands of --dry-run, 
   rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/Motor0.rtc: done
   rtresurrect: connection two of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/Sensor0.rtc:in: done
   rtresurrect: connection one of /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc:Long to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long: done
-  rtresurrect: 12 done, 24 already so
+  rtresurrect: 12 done, 24 already done
   $ same; rtresurrect --create --manager manager.mgr -v a.xml
-  rtresurrect: 36 already so
+  rtresurrect: 36 already done
 
 If anything fails, --rollback deletes them again:
 
   $ gone; ctl @two fail connect 1 UNKNOWN; rtresurrect --create --manager manager.mgr --rollback a.xml; rtls
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/Sensor0.rtc:in: CORBA.UNKNOWN
-  rtresurrect: 22 already so, 9 undone, 4 not tried, 1 failed
+  rtresurrect: 22 already done, 9 undone, 4 not tried, 1 failed
   ConsoleIn0.rtc
   ConsoleOut0.rtc
   manager.mgr/
@@ -82,7 +82,7 @@ The profile can name the manager: by paths below it, or with the property MANAGE
   rtresurrect: configuration set mode1 of /localhost:$PORT/test.host_cxt/manager.mgr/ConfigSample0.rtc: done
   rtresurrect: connection two of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/manager.mgr/Sensor0.rtc:in: done
   rtresurrect: connection one of /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc:Long to /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long: done
-  rtresurrect: 7 done, 18 already so, 2 failed, 10 not tried
+  rtresurrect: 7 done, 18 already done, 2 failed, 10 not tried
   $ sed 's,\(instanceName="Arm".*\),\1<rtsExt:Properties rtsExt:name="MANAGER" rtsExt:value="old/test.host_cxt/manager.mgr"/>,' a.xml > c.xml
   $ rtresurrect --create -v -m old=localhost:$PORT --manager manager.mgr c.xml 2>&1 | grep -c done; same
   6
@@ -91,7 +91,7 @@ A manager that is not one, or cannot create; one that binds its components elsew
 
   $ gone; rtresurrect --create --manager ConsoleIn0.rtc a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not a manager (it is a component)
-  rtresurrect: 6 already so, 6 failed, 24 not tried
+  rtresurrect: 6 already done, 6 failed, 24 not tried
   [5]
   $ rtresurrect -q --create --manager corbaloc:: a.xml
   rtresurrect: corbaloc::: not corbaloc:iiop:HOST[:PORT][/KEY]
@@ -104,7 +104,7 @@ A manager that is not one, or cannot create; one that binds its components elsew
   rtresurrect: configuration set default of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
   rtresurrect: active configuration set default of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
   rtresurrect: rate of execution context 0 of /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried because of /localhost:$PORT/test.host_cxt/manager.mgr
-  rtresurrect: 9 done, 20 already so, 1 failed, 6 not tried
+  rtresurrect: 9 done, 20 already done, 1 failed, 6 not tried
   $ sed "s,test.host_cxt/SequenceOut,other.host_cxt/SequenceOut," a.xml > far.xml; gone; rtresurrect -q --create --manager manager.mgr far.xml; rtls
   rtresurrect: /localhost:$PORT/other.host_cxt/SequenceOutComponent0.rtc: /localhost:$PORT/test.host_cxt/manager.mgr made it, but it is not bound here; deleted again
   Arm.rtc
@@ -132,7 +132,7 @@ One that gives a name of its own to what it makes: that is not left behind.
   $ ctl slave 1 misname; rtresurrect --create --manager manager.mgr -v one.xml
   rtresurrect: component /localhost:$PORT/test.host_cxt/ConfigSample0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
   rtresurrect: configuration set mode1 of /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: done
-  rtresurrect: 2 done, 6 already so
+  rtresurrect: 2 done, 6 already done
 
 --manager alone means nothing:
 

@@ -29,11 +29,11 @@ A connection that a component refuses: what else can be done is done, and the se
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: refused by the component (BAD_PARAMETER)
-  rtresurrect: 2 done, 20 already so, 1 failed
+  rtresurrect: 2 done, 20 already done, 1 failed
   [5]
   $ rtresurrect -v a.xml
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
-  rtresurrect: 1 done, 22 already so
+  rtresurrect: 1 done, 22 already done
 
 One that dies meanwhile: nothing more is asked of it, and no half of a connection stays. It is started again; the next time all
 is completed:
@@ -43,21 +43,21 @@ is completed:
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc
-  rtresurrect: 1 done, 19 already so, 1 failed, 2 not tried
+  rtresurrect: 1 done, 19 already done, 1 failed, 2 not tried
   [5]
   $ ctl connectors ConsoleIn0:out
   0 outin
   $ mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample; rtresurrect -v a.xml; rtcheck -s inactive a.xml
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
-  rtresurrect: 2 done, 21 already so
+  rtresurrect: 2 done, 21 already done
 
 One that has died before, whose end of the connections the others still have: it is removed first.
 
   $ kill-mock these2; mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample; rtresurrect -v a.xml
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
-  rtresurrect: 2 done, 21 already so
+  rtresurrect: 2 done, 21 already done
 
 One that falls silent costs one timeout, and one look after it:
 
@@ -67,18 +67,18 @@ One that falls silent costs one timeout, and one look after it:
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
-  rtresurrect: 3 done, 19 already so, 1 failed
+  rtresurrect: 3 done, 19 already done, 1 failed
   [5]
   $ rtresurrect a.xml; rtteardown a.xml; hang these3; within 0.4-3 rtresurrect --timeout 0.5 a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no answer within 0.5s
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no answer within 0.5s
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc: no answer within 0.5s
-  rtresurrect: 1 done, 6 already so, 3 failed, 13 not tried
+  rtresurrect: 1 done, 6 already done, 3 failed, 13 not tried
   [5]
   $ resume these3; rtresurrect -v a.xml
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
-  rtresurrect: 2 done, 21 already so
+  rtresurrect: 2 done, 21 already done
 
 At Ctrl-C it reports what has been done, and what may have been:
 
@@ -86,7 +86,7 @@ At Ctrl-C it reports what has been done, and what may have been:
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: interrupted while it was done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
-  rtresurrect: 1 done, 20 already so, 1 uncertain, 1 not tried
+  rtresurrect: 1 done, 20 already done, 1 uncertain, 1 not tried
   [130]
   $ ctl @these3 reset; rtresurrect a.xml; rtcheck -s inactive a.xml
 
@@ -96,7 +96,7 @@ With --rollback it undoes all, what was being done, too, as soon as that has com
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: undone
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
-  rtresurrect: 20 already so, 2 undone, 1 not tried
+  rtresurrect: 20 already done, 2 undone, 1 not tried
   [124]
   $ ctl @these3 reset; rtteardown --dry-run a.xml; rtresurrect a.xml; rtcheck -s inactive a.xml
 
@@ -111,7 +111,7 @@ The configuration set that was active before is active again:
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused by the component (BAD_PARAMETER)
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
-  rtresurrect: 19 already so, 2 undone, 1 failed, 1 not tried
+  rtresurrect: 19 already done, 2 undone, 1 failed, 1 not tried
   +default
   +mode0*
   +mode1
@@ -128,7 +128,7 @@ Hostile names and values are restored, or told, and do nothing to the terminal:
 
   $ rtcryo -q --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.xml; rtcryo -q -y --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.yaml
   $ rtresurrect -v h.xml 2>&1 | tail -1; rtteardown -v h.yaml 2>&1 | tail -1; rtresurrect -v h.yaml 2>&1 | LC_ALL=C grep -c '[[:cntrl:]]'
-  rtresurrect: 9 already so
+  rtresurrect: 9 already done
   rtteardown: 1 done
   0
   [1]

@@ -12,7 +12,7 @@ A name server and contexts; each OLD means whole elements, and the longest that 
 
   $ rtresurrect -v --map localhost:$PORT=localhost:$PORT2 --map old.host_cxt/arm.cxt=new.host_cxt a.xml
   rtresurrect: connection one of /localhost:$PORT2/new.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT2/new.host_cxt/ConsoleOut0.rtc:in: done
-  rtresurrect: 1 done, 6 already so
+  rtresurrect: 1 done, 6 already done
   $ rtteardown -v --map /localhost:$PORT/old.host_cxt/arm.cxt/=localhost:$PORT2/new.host_cxt a.xml
   rtteardown: connection one of /localhost:$PORT2/new.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT2/new.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: 1 done
@@ -23,7 +23,7 @@ Single components, which may have other names there:
 
   $ N=localhost:$PORT2/old.host_cxt/arm.cxt; rtresurrect --map $O/ConsoleIn0.rtc=$N/Left.rtc -m /localhost:$PORT=localhost:$PORT2 -m ConsoleOut0.rtc=Right.rtc -v a.xml
   rtresurrect: connection one of /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out to /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: done
-  rtresurrect: 1 done, 6 already so
+  rtresurrect: 1 done, 6 already done
   $ rtls -l /$N
   Inactive  1/1  0/0  1/1  0/0  Left.rtc
   Inactive  1/1  1/1  0/0  0/0  Right.rtc

@@ -18,7 +18,7 @@ It keeps the ports that it exports, and connections of them that the file has as
   $ rtresurrect -v $M b.xml
   rtresurrect: configuration set default of /localhost:$PORT/b.host_cxt/composite0.rtc: done
   rtresurrect: connection one of /localhost:$PORT/b.host_cxt/composite0.rtc:Motor9.out to /localhost:$PORT/b.host_cxt/ConsoleOut0.rtc:in: done
-  rtresurrect: 2 done, 19 already so
+  rtresurrect: 2 done, 19 already done
   $ rtresurrect $M a.xml
   $ rtconf -l $B/composite0.rtc
   -default*

@@ -17,7 +17,7 @@ All is already as the file says, and nothing is done:
 
   $ rtresurrect -y a.yaml; rtresurrect --xml - < a.xml; rtresurrect < a.yaml
   $ ctl reset; rtresurrect -v a.xml; calls | grep -E ' (connect|disconnect|notify.*|set_.*|activate_.*)$'
-  rtresurrect: 49 already so
+  rtresurrect: 49 already done
   [1]
 
 Tear it down and change it; --dry-run prints the commands that restore it, and does nothing:
@@ -52,7 +52,7 @@ What rtresurrect does, step by step:
   rtresurrect: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: connection three of /localhost:$PORT/test.host_cxt/Motor0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
-  rtresurrect: 7 done, 42 already so
+  rtresurrect: 7 done, 42 already done
   $ rtcryo --all localhost:$PORT localhost:$PORT2 | grep -v Date= > b; grep -v Date= a.xml | cmp - b
   $ rtresurrect a.yaml; rtcheck -s inactive a.yaml
 
@@ -73,7 +73,7 @@ with -v:
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:2.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:2.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
-  rtresurrect: 36 already so, 3 failed, 10 not tried
+  rtresurrect: 36 already done, 3 failed, 10 not tried
   [3]
 
 So it is with --rollback: all or nothing, and checked before the first change. Without it:
@@ -92,7 +92,7 @@ So it is with --rollback: all or nothing, and checked before the first change. W
   rtresurrect: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   rtresurrect: connection three of /localhost:$PORT/test.host_cxt/Motor0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   rtresurrect: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
-  rtresurrect: 1 done, 36 already so, 3 failed, 9 not tried
+  rtresurrect: 1 done, 36 already done, 3 failed, 9 not tried
   [5]
 
 That is no failure for those which the file does not require:
@@ -112,7 +112,7 @@ That is no failure for those which the file does not require:
   rtresurrect: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   rtresurrect: connection three of /localhost:$PORT/test.host_cxt/Motor0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   rtresurrect: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
-  rtresurrect: 1 done, 36 already so, 3 failed, 9 not tried
+  rtresurrect: 1 done, 36 already done, 3 failed, 9 not tried
 
 Sets and parameters that are not there do not stop it:
 
@@ -122,12 +122,12 @@ Sets and parameters that are not there do not stop it:
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration parameter: int_param9 in set default
   rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
-  rtresurrect: 3 done, 41 already so, 3 failed, 3 not tried
+  rtresurrect: 3 done, 41 already done, 3 failed, 3 not tried
   -999
   $ sed 's/activeConfigurationSet="mode1"/activeConfigurationSet="mode9"/' a.xml | rtresurrect
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9
-  rtresurrect: 44 already so, 2 failed, 3 not tried
+  rtresurrect: 44 already done, 2 failed, 3 not tried
   [5]
 
 Ports that are missing or do not match, ids that are taken, other connections in the way:
@@ -135,28 +135,28 @@ Ports that are missing or do not match, ids that are taken, other connections in
   $ rtdis Motor0.rtc; sed 's/portName="ConsoleOut1.in"/portName="ConsoleOut1.on"/' a.xml | rtresurrect
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such port: on (its ports: in)
-  rtresurrect: 44 already so, 2 failed, 3 not tried
+  rtresurrect: 44 already done, 2 failed, 3 not tried
   [5]
   $ sed 's/Motor0.out/Motor0.in/' a.xml | rtresurrect
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/Motor0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: each is a DataInPort; a connection needs an in port and an out port
-  rtresurrect: 1 done, 43 already so, 2 failed, 3 not tried
+  rtresurrect: 1 done, 43 already done, 2 failed, 3 not tried
   [5]
   $ rtdis ConsoleIn0.rtc; rtcon -i one ConsoleIn0.rtc:out ConsoleOut1.rtc:in; rtcon -i mine ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtresurrect a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection one joins other ports; rtdis removes it
-  rtresurrect: 2 done, 42 already so, 2 failed, 3 not tried
+  rtresurrect: 2 done, 42 already done, 2 failed, 3 not tried
   [5]
   $ rtdis ConsoleIn0.rtc; rtcon -i one -p 'my key=$y' ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtresurrect a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: is connected with my key=$y, not $x; rtdis removes that
-  rtresurrect: 44 already so, 2 failed, 3 not tried
+  rtresurrect: 44 already done, 2 failed, 3 not tried
   [5]
   $ rtdis ConsoleIn0.rtc; rtcon -i mine ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtresurrect a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected with another id (mine); rtdis removes that
-  rtresurrect: 44 already so, 2 failed, 3 not tried
+  rtresurrect: 44 already done, 2 failed, 3 not tried
   [5]
   $ rtdis ConsoleIn0.rtc
 
@@ -166,9 +166,9 @@ Files that contradict themselves; --strict-path takes nothing for what is only c
   $ rtresurrect --strict-path path.xml; rtresurrect -v path.xml 2>&1 | grep done
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: connection one: the file has no component for its end ConsoleIn0.out
-  rtresurrect: 44 already so, 2 failed, 3 not tried
+  rtresurrect: 44 already done, 2 failed, 3 not tried
   rtresurrect: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
-  rtresurrect: 1 done, 44 already so, 1 failed, 3 not tried
+  rtresurrect: 1 done, 44 already done, 1 failed, 3 not tried
   $ sed 's/ConsoleOut1.rtc" rts:active/ConsoleOut0.rtc" rts:active/' a.xml | rtresurrect
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: the file has two components here
   [1]

@@ -25,7 +25,7 @@ Doing it; other connections stay, and a second time nothing is left to do:
   rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 3 done
-  rtteardown: 3 already so
+  rtteardown: 3 already done
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "already", "step": "disconnect"}
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in", "required": true, "result": "already", "step": "disconnect"}
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "required": true, "result": "already", "step": "disconnect"}
@@ -58,7 +58,7 @@ One that fails is reported, the others are removed; with --rollback these are ma
   [5]
   $ ctl @services reset; rtteardown -v a.xml
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
-  rtteardown: 1 done, 2 already so
+  rtteardown: 1 done, 2 already done
 
 Where one end is dead, the others are freed:
 
@@ -66,13 +66,13 @@ Where one end is dead, the others are freed:
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: connection refused; its process is gone (zombie)
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
-  rtteardown: 2 done, 1 already so
+  rtteardown: 2 done, 1 already done
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   $ rtresurrect -q a.xml 2>/dev/null; rtdel -z ConsoleOut1.rtc; rtteardown -v a.xml
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
-  rtteardown: 2 done, 1 already so
+  rtteardown: 2 done, 1 already done
 
 A port that its component has not got any more, and components of which none is there any more, are no failure either:
 
@@ -81,7 +81,7 @@ A port that its component has not got any more, and components of which none is 
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no such port: old (its ports: in)
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:old: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
-  rtteardown: 2 done, 1 already so
+  rtteardown: 2 done, 1 already done
   $ sed 's/ConsoleIn/AwayIn/g; s/ConsoleOut/AwayOut/g; s/MyService[CP][a-z]*0/&9/g' a.xml > c.xml; rtteardown c.xml
   rtteardown: /localhost:$PORT/test.host_cxt/AwayIn0.rtc: no such path
   rtteardown: /localhost:$PORT/test.host_cxt/AwayOut0.rtc: no such path
@@ -97,11 +97,11 @@ What is silent cannot be freed:
   rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no answer within 0.5s
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc
-  rtteardown: 1 done, 1 already so, 2 failed, 1 not tried
+  rtteardown: 1 done, 1 already done, 2 failed, 1 not tried
   [5]
   $ resume services; rtteardown -qv a.xml
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
-  rtteardown: 1 done, 2 already so
+  rtteardown: 1 done, 2 already done
 
 Where nothing is at all, the file is not of this system; nor is a map that fits nothing in it:
 

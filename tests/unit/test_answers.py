@@ -59,7 +59,7 @@ class Commands(unittest.TestCase):
 
     def test_a_reference_that_ends_omniorb_costs_its_own_line(self):
         for mode, why in (
-            ("bad-type", "a reference whose type is no text"),
+            ("bad-type", "a reference whose type is not text"),
             ("bad-profiles", "a reference of 10000 profiles"),
             ("bad-body", "an unusable reference"),
         ):
@@ -165,7 +165,7 @@ class References(unittest.TestCase):
 
     def test_invalid_references_are_refused(self):
         for type_id in (b"IDL:\xff:1.0\0", b"no end", b"a\0b\0", b"x" * 2000 + b"\0", b"\xed\xa0\x80\0"):
-            with self.subTest(type_id), self.assertRaisesRegex(ValueError, "whose type is no text"):
+            with self.subTest(type_id), self.assertRaisesRegex(ValueError, "whose type is not text"):
                 ior.octets(type_id, [self.PROFILE])
         with self.assertRaisesRegex(ValueError, "of 10000 profiles"):
             ior.octets(TYPE, [self.PROFILE] * 10000)

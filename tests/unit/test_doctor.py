@@ -241,7 +241,7 @@ class NameServers(unittest.TestCase):
         self.assertEqual(self.stopped(servers._is_there, refused), "answers with CORBA.NO_PERMISSION")
         self.assertEqual(self.stopped(servers._is_context, refused), "is there, but does not report what "
                                                                      "it is (CORBA.NO_PERMISSION)")
-        self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is no naming "
+        self.assertEqual(self.stopped(servers._is_context, False), "its object NameService is not a naming "
                                                                    "context")
 
 

@@ -152,8 +152,8 @@ class Making(unittest.TestCase):
         self.refused("/h/A.rtc in execution context 0: After B's action within 0ms contradicts "
                      "Sync to B within 5ms", "AB",
                      after("A", "B"), after("A", "B", sync=True, timeout=5))
-        self.refused("/h/A.rtc in execution context 0: -2ms is no time; /h/B.rtc in execution context 0: "
-                     "-1ms is no time",
+        self.refused("/h/A.rtc in execution context 0: -2ms is not a time; /h/B.rtc in execution context 0: "
+                     "-1ms is not a time",
                      "AB", wait("A", -2), after("B", "A", timeout=-1))
 
     def test_said_twice(self):

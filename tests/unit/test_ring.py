@@ -294,10 +294,10 @@ class Conditions(unittest.TestCase):
     def test_one_that_can_never_be_true_is_reported(self):
         for words, why in (
             ("A.rtc:out.data > 5", None),
-            ("B.rtc:out.data > 5", "no port is called so yet"),
+            ("B.rtc:out.data > 5", "no port has this name yet"),
             ("A.rtc:out.nothing > 5", "nothing: no such field"),
             ("silent A.rtc:out 5", None),
-            ("silent B.rtc:out 5", "no port is called so yet"),
+            ("silent B.rtc:out 5", "no port has this name yet"),
         ):
             (condition,) = triggers.parse([words])
             type = datatypes.Types().named("TimedLong")

@@ -164,7 +164,7 @@ class Text(unittest.TestCase):
         self.assertEqual(values.text(values.field(value, "data")), "(position=(x=1.0, y=2.0), heading=3.0)")
         self.assertEqual(values.field(made("RTC.TimedLongSeq({time}, [1,2,3])"), "data[2]"), 3)
         for path, reason in (("data.z", "data.z: no such field: z (there are position, heading)"),
-                             ("data[0]", "data[0]: no such field: [0] (it is no sequence)"),
+                             ("data[0]", "data[0]: no such field: [0] (it is not a sequence)"),
                              ("tm.sec.x", "tm.sec.x: no such field: x (a plain value has no fields)"),
                              ("data..x", "data..x: not a field; one is written data.points[0].x")):
             with self.assertRaises(errors.Error) as caught:
