@@ -209,7 +209,7 @@ class Provider:
         if state == "Error":
             remedy = f"rtreset {path}, then {remedy}"
         return errors.Refused(
-            where, f"the component is {state}, and serves while it is Active only: {remedy} first"
+            where, f"the component is {state}, and serves only while it is Active: {remedy} first"
         )
 
     def _wrong_idl(self):

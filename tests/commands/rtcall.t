@@ -94,10 +94,10 @@ Its operations and attributes, as IDL:
 A provider serves while its component is Active only:
 
   $ rtcall Robot0.rtc:svc say hello $IDL
-  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm say: the component is Inactive, and serves while it is Active only: rtact /localhost:$PORT/test.host_cxt/Robot0.rtc first
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm say: the component is Inactive, and serves only while it is Active: rtact /localhost:$PORT/test.host_cxt/Robot0.rtc first
   [6]
   $ rtcall Robot0.rtc:svc beep hello $IDL
-  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm beep: the component is Inactive, and serves while it is Active only: rtact /localhost:$PORT/test.host_cxt/Robot0.rtc first
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm beep: the component is Inactive, and serves only while it is Active: rtact /localhost:$PORT/test.host_cxt/Robot0.rtc first
   [6]
   $ rtact --wait Robot0.rtc
   $ rtcall Robot0.rtc:svc say hello $IDL

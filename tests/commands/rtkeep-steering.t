@@ -44,7 +44,8 @@ What is paused is not mended, until it is resumed; that takes back what a person
   ERROR
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0; soon 'rtcheck a.xml'
-  $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'; rtkeep status --json | grep -o '"by_hand": .".*hand"'; rtkeep resume; soon 'rtcheck a.xml'
+  $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'; rtkeep status | said | head -n 1; rtkeep status --json | grep -o '"by_hand": .".*hand"'; rtkeep resume; soon 'rtcheck a.xml'
+  a.xml: pid N, since T; all is as the file says, but for what is left alone
   "by_hand": ["was made Inactive by hand"
   $ rtkeep stop Motor0; soon '! rtcheck a.xml'; rtkeep status | grep Motor0 | said; rtkeep resume
     Motor0.rtc         paused  Inactive  T    deactivated on request

@@ -48,6 +48,6 @@ What fails is the write's failure:
   $ test -e sey
   [1]
   $ echo Inactive >../../../../state; echo '"late"' 2>/dev/null >say; why
-  /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm say: the component is Inactive, and serves while it is Active only: rtact /localhost:$PORT/test.host_cxt/Robot0.rtc first
+  /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm say: the component is Inactive, and serves only while it is Active: rtact /localhost:$PORT/test.host_cxt/Robot0.rtc first
   $ PATH=$tools rtcat -ll ../../../../../Robot0.rtc:svc 2>&1 | grep -i connect
   [1]
