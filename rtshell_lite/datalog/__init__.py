@@ -15,6 +15,7 @@ Appending cuts off the summary, or a torn end.
 
 Modules: mcap.py is the format, without I/O, and schemas.py describes types in it; writer.py and reader.py use
 both, mend.py completes files. recording.py and flight.py connect to ports, recorder.py feeds a writer,
-textlog.py or ring.py, whose incidents triggers.py reports; simpkl.py reads rtshell's logs with pickles.py;
-decode.py says what entries mean, tables.py exports them, play.py sends them when pace.py says so.
+textlog.py or ring.py, of which incidents.py keeps what triggers.py reports; simpkl.py reads rtshell's logs
+with pickles.py; decode.py says what entries mean, tables.py exports them, play.py sends them when pace.py
+says so.
 """

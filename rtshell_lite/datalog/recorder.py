@@ -100,8 +100,8 @@ class Recorder:
     """
 
     def __init__(self, channels, most=None, incidents=None):
-        """`channels`: Channels, which may grow until a message of theirs comes; `incidents`: ring.Incidents,
-        to be made of what is written, or None.
+        """`channels`: Channels, which may grow until a message of theirs comes; `incidents`: the
+        incidents.Incidents to be made of what is written, or None.
         """
         self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
         self.channels = channels

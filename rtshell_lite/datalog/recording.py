@@ -86,7 +86,8 @@ def default_name():
 class Plan:
     """What is recorded: `wanted` ports (port_arguments.Targets), and those below `tops` (Paths) that a
     flight.Choice takes. `properties` are those of the connections; `pull`: values are fetched. A `journal` of
-    events (see system/journal.py), and triggers.Triggers with the ring.Incidents that they make, or None.
+    events (see system/journal.py), and triggers.Triggers with the incidents.Incidents that they make, or
+    None.
     """
 
     def __init__(self, wanted, tops, choice, properties, pull):

@@ -176,7 +176,7 @@ SIGNAL = getattr(_signal, "SIGUSR1", None)  # not every system has it
 
 
 class Triggers:
-    """The conditions of a recording, which have ring.Incidents made of what comes, and of SIGUSR1, until
+    """The conditions of a recording, which have incidents.Incidents made of what comes, and of SIGUSR1, until
     `close`.
     """
 

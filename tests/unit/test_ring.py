@@ -9,7 +9,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes, reading
-from rtshell_lite.datalog import logfile, recorder, ring, triggers
+from rtshell_lite.datalog import incidents, logfile, recorder, ring, triggers
 from rtshell_lite.net import loop
 from test_datalog import CHANNELS, START, Case
 
@@ -46,7 +46,7 @@ class Ring(Case):
         return ring.Memory(CHANNELS, span, size)
 
     def incidents(self, before=4, after=2):
-        return ring.Incidents(self.name + ".mcap", before, after, self.kept.append)
+        return incidents.Incidents(self.name + ".mcap", before, after, self.kept.append)
 
     def run_for(self, seconds, made, incidents=None, step=0.1):
         """Write a message every `step` seconds, and let the Incidents do their work."""
@@ -124,7 +124,7 @@ class Ring(Case):
         self.run_for(10, made, incidents)
         incidents.trigger("x")
         at = self.number
-        with mock.patch.object(ring, "SLICE", 200):
+        with mock.patch("rtshell_lite.datalog.incidents.SLICE", 200):
             self.run_for(30, made, incidents)
         numbers = self.numbers(self.kept[0])
         self.assertEqual(numbers, list(range(numbers[0], numbers[-1] + 1)))
