@@ -124,7 +124,7 @@ class Commands(unittest.TestCase):
     """The docstring of each command."""
 
     def test_readme(self):
-        rows = re.findall(r"^\| (`rt.*?) \|", read("README.md"), re.MULTILINE)
+        rows = re.findall(r"^\| (`rt\w+`.*?) \|", read("README.md"), re.MULTILINE)
         self.assertEqual(sorted(name.strip("`") for row in rows for name in row.split(", ")), names("bin"),
                          "each command has one row in README.md, in the table of commands")
 
@@ -200,7 +200,8 @@ class Japanese(unittest.TestCase):
         return [word for row in rows for word in row.split(", ")]
 
     def test_tables(self):
-        for english, japanese in ("Environment", "環境変数"), ("Exit status", "終了ステータス"):
+        titles = ("Paths", "パス"), ("Environment", "環境変数"), ("Exit status", "終了ステータス")
+        for english, japanese in titles:
             self.assertEqual(self.firsts("README.ja.md", japanese), self.firsts("README.md", english))
 
     def test_code(self):
