@@ -34,6 +34,7 @@ _COROUTINE = 0x280  # flag of the code of coroutines and asynchronous generators
 PATIENCE = 0.2  # seconds until a signal strikes a task that awaits nothing
 SPARE = 0.1  # seconds that a thread waits for more work
 FOREVER = 3600.0  # seconds of one poll, which has a limit
+ROUNDS = 4  # that tasks go on, as they wake each other, until a look at what has come
 
 _here = Local()  # its `loop` is the one that runs on this thread
 
@@ -651,9 +652,12 @@ class Loop:
         ready = self.ready
         try:
             while True:
-                for _ in range(len(ready)):
-                    task = self.running = ready.popleft()
-                    task.go_on()
+                for _ in range(ROUNDS):
+                    for _ in range(len(ready)):
+                        task = self.running = ready.popleft()
+                        task.go_on()
+                    if not ready or is_over():
+                        break
                 self.running = None
                 if is_over():
                     return
