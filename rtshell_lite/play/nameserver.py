@@ -215,11 +215,12 @@ def parsed(text):
     found = [["", None]]
     letters = iter(text)
     for letter in letters:
+        part = found[-1]
         if letter == "/":
             found.append(["", None])
             continue
-        if letter == "." and found[-1][1] is None:
-            found[-1][1] = ""
+        if letter == "." and part[1] is None:
+            part[1] = ""
             continue
         if letter == ".":
             raise invalid
@@ -227,7 +228,10 @@ def parsed(text):
             letter = next(letters, "")
             if not letter or letter not in _SPECIAL:
                 raise invalid
-        found[-1][int(found[-1][1] is not None)] += letter
+        if part[1] is None:
+            part[0] += letter
+        else:
+            part[1] += letter
     pairs = [(id, kind or "") for id, kind in found]
     is_empty = any(not id and kind is None for id, kind in found)
     is_cut = any(id and kind == "" for id, kind in found)

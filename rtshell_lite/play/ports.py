@@ -34,11 +34,12 @@ class Port:
 
     def profile(self):
         """Its RTC::PortProfile."""
-        polarities = dict(zip(("Provided", "Required"), orb.items("RTC.PortInterfacePolarity")))
-        interfaces = [
-            orb.struct("RTC.PortInterfaceProfile")(wire(instance), wire(kind), polarities[polarity])
-            for instance, kind, polarity in self.interfaces
-        ]
+        describe = orb.struct("RTC.PortInterfaceProfile")
+        provided, required = orb.items("RTC.PortInterfacePolarity")
+        polarities = {"Provided": provided, "Required": required}
+        interfaces = []
+        for instance, kind, polarity in self.interfaces:
+            interfaces.append(describe(wire(instance), wire(kind), polarities[polarity]))
         return orb.struct("RTC.PortProfile")(
             wire(f"{self.component.instance_name}.{self.name}"),
             interfaces,
@@ -47,6 +48,10 @@ class Port:
             self.component.reference,
             nvlist(self.properties.items()),
         )
+
+    def is_busy(self):
+        """Whether values wait to be sent."""
+        return any(carrier.is_busy() for carrier in self.carriers.values())
 
     def close(self):
         """End all that is connected here, without a word to others."""
@@ -79,8 +84,7 @@ class Port:
 
     async def connect(self, profile):
         profile = _plain(profile)
-        wrong = not profile.ports or None in profile.ports or len(profile.ports) > MOST_ENDS
-        if wrong or not any(orb.same(end, self.reference) for end in profile.ports):
+        if not _is_possible(profile) or not self._places(profile):
             return code("BAD_PARAMETER"), profile
         if profile.connector_id in self.connectors:
             return code("PRECONDITION_NOT_MET"), profile
@@ -96,8 +100,10 @@ class Port:
 
     async def notify_connect(self, profile):
         profile = _plain(profile)
-        places = [at for at, end in enumerate(profile.ports) if orb.same(end, self.reference)]
-        if len(places) != 1 or None in profile.ports or len(profile.ports) > MOST_ENDS:
+        places = []
+        if _is_possible(profile):
+            places = self._places(profile)
+        if len(places) != 1:
             return code("BAD_PARAMETER"), profile
         name = profile.connector_id
         if not name or name in self.connectors or name in self.coming or self._is_double(profile):
@@ -134,14 +140,20 @@ class Port:
             self.carriers[profile.connector_id] = carrier
         return result, profile
 
+    def _places(self, profile):
+        """The numbers of the ports of a ConnectorProfile that are this one."""
+        return [at for at, end in enumerate(profile.ports) if orb.same(end, self.reference)]
+
     def _is_double(self, profile):
         """Whether another connector joins it with one of these ports."""
-        if dict(orb.properties(profile.properties)).get("dataport.allow_dup_connection", "").upper() == "YES":
+        given = dict(orb.properties(profile.properties))
+        if given.get("dataport.allow_dup_connection", "").upper() == "YES":
             return False
         others = {orb.identity(end) for end in profile.ports if not orb.same(end, self.reference)}
-        return any(
-            orb.identity(end) in others for known in self.connectors.values() for end in known.ports if end
-        )
+        for known in self.connectors.values():
+            if others.intersection(orb.identity(end) for end in known.ports if end):
+                return True
+        return False
 
     def begin(self, profile):
         """A carrier for a new connector, or None where it carries nothing. Raises _Refusal."""
@@ -171,8 +183,8 @@ class Port:
         if connector_id in self.carriers:
             await self.carriers[connector_id].finish()
         self.forget(connector_id)
-        places = [at for at, end in enumerate(profile.ports) if orb.same(end, self.reference)]
-        following = profile.ports[places[0] + 1 :]
+        place = self._places(profile)[0]
+        following = profile.ports[place + 1 :]
         if not following:
             return code("RTC_OK")
         try:
@@ -255,6 +267,11 @@ class ServicePort(Port):
 
 
 KINDS = {"DataOutPort": OutPort, "DataInPort": InPort, "CorbaPort": ServicePort}
+
+
+def _is_possible(profile):
+    """Whether the ports of a ConnectorProfile can be connected."""
+    return None not in profile.ports and len(profile.ports) <= MOST_ENDS
 
 
 def _plain(profile):

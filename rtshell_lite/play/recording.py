@@ -147,26 +147,27 @@ def dicts_in(known, key):
 
 def pairs_in(known, key):
     """The (name, value) texts of a list in a dict of JSON."""
-    value = known.get(key)
-    if not isinstance(value, list):
-        return []
-    return [
-        (each[0], each[1])
-        for each in value
-        if isinstance(each, list) and len(each) == 2 and all(isinstance(word, str) for word in each)
-    ]
+    return _texts_in(known, key, 2)
 
 
 def interfaces_in(known):
     """The (instance, type, polarity) texts of the interfaces of a port in a dict of JSON."""
-    value = known.get("interfaces")
+    found = []
+    for interface in _texts_in(known, "interfaces", 3):
+        if interface[2] in ("Provided", "Required"):
+            found.append(interface)
+    return found[: ports.MOST_PARTS]
+
+
+def _texts_in(known, key, count):
+    """Tuples of the lists of so many texts that are in a list in a dict of JSON."""
+    value = known.get(key)
     if not isinstance(value, list):
         return []
-    return [
-        tuple(each)
-        for each in value[: ports.MOST_PARTS]
-        if isinstance(each, list)
-        and len(each) == 3
-        and all(isinstance(word, str) for word in each)
-        and each[2] in ("Provided", "Required")
-    ]
+    found = []
+    for each in value:
+        if not isinstance(each, list) or len(each) != count:
+            continue
+        if all(isinstance(word, str) for word in each):
+            found.append(tuple(each))
+    return found

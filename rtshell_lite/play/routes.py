@@ -24,7 +24,8 @@ def routes(recorded, maps):
     found = []
     for scene in recorded.scenes:
         for source, target in _connections(scene.profile, maps):
-            found += [Route(number, source, target) for number in numbers.get(str(source), ())]
+            for number in numbers.get(str(source), ()):
+                found.append(Route(number, source, target))
     relocate.refuse_unused(maps)
     return list(dict.fromkeys(found))
 
@@ -45,7 +46,8 @@ def chosen(found, choice, log):
     """
     allowed = [route for route in found if choice.allows(_names(route, log))]
     if found and not allowed:
-        raise errors.Failed(log.where, f"--only and --not leave none of {len(set(found))} connections")
+        count = len(set(found))
+        raise errors.Failed(log.where, f"--only and --not leave none of {count} connections")
     return list(dict.fromkeys((route.channel, route.target) for route in allowed))
 
 
@@ -57,19 +59,26 @@ def _connections(profile, maps):
     found = []
     for connector in profile.data_port_connectors:
         first, *others = connector.ends  # an out port is first
-        before = capture.port_path(first, locate(first))
-        if before is not None:
-            found += [(before, target, locate(target)) for target in others]
+        source = capture.port_path(first, locate(first))
+        if source is None:
+            continue
+        for end in others:
+            found.append((source, end, locate(end)))
     if maps:
         relocate.move(profile, maps)
-    pairs = [(before, capture.port_path(target, owner)) for before, target, owner in found]
-    return [pair for pair in pairs if pair[1] is not None]
+    pairs = []
+    for source, end, owner in found:
+        target = capture.port_path(end, owner)
+        if target is not None:
+            pairs.append((source, target))
+    return pairs
 
 
 def _names(route, log):
     """What patterns may fit: both ports, and the type."""
     type_id = log.channels[route.channel].type_id
-    return flight.names_of(str(route.source), type_id) + flight.names_of(str(route.target), type_id)
+    names = flight.names_of(str(route.source), type_id)
+    return names + flight.names_of(str(route.target), type_id)
 
 
 def _is_below(where, top):
@@ -78,11 +87,12 @@ def _is_below(where, top):
         return True
     if path.split_address(where.server) != path.split_address(top.server):
         return False
-    names = [str(name) for name in where.names]
     if not top.names:
         return True
-    above = [str(name) for name in top.names]
-    if len(names) < len(above) or names[: len(above) - 1] != above[:-1]:
+    names = [str(name) for name in where.names]
+    *above, last = [str(name) for name in top.names]
+    place = len(above)
+    if len(names) <= place or names[:place] != above:
         return False
-    (match,) = search.patterns([above[-1]], ())
-    return bool(match(names[len(above) - 1]))
+    (match,) = search.patterns([last], ())
+    return bool(match(names[place]))

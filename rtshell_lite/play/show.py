@@ -52,7 +52,10 @@ class Show:
                 self._stage.show(self._recording.scenes[0], is_jump=True)
                 await self._bind()
                 count = len(self._bound.bound)
-                what = "1 component is" if count == 1 else f"{count} components are"
+                if count == 1:
+                    what = "1 component is"
+                else:
+                    what = f"{count} components are"
                 notes.note(f"{what} bound in {self._bound.server}")
                 await begin()
                 await self._play(pace)
@@ -76,14 +79,19 @@ class Show:
         port = orb.listen(host, port)
         host = host or await _facing(ELSEWHERE, DISCARD)
         nameserver.Names(host)
-        return host, tree.name_server(f"[{host}]:{port}" if ":" in host else f"{host}:{port}")
+        address = f"{host}:{port}"
+        if ":" in host:
+            address = f"[{host}]:{port}"
+        return host, tree.name_server(address)
 
     async def _bind(self, has_begun=False):
         """Bind the names of the components that have come, and unbind those of the ones that are gone."""
-        changed, self._stage.changed = self._stage.changed, set()
-        for where in sorted(changed):
+        changed = sorted(self._stage.changed)
+        self._stage.changed = set()
+        for where in changed:
+            names = self._prefix + path.parse(where).names
             try:
-                await self._bind_one(self._prefix + path.parse(where).names, self._stage.components[where])
+                await self._bind_one(names, self._stage.components[where])
             except errors.Error as e:
                 if not has_begun:
                     raise
@@ -100,7 +108,8 @@ class Show:
         port = self._recording.channels.get(number)
         if port is None:
             return False
-        return self._choice.allows(flight.names_of(str(port), self._log.channels[number].type_id))
+        type_id = self._log.channels[number].type_id
+        return self._choice.allows(flight.names_of(str(port), type_id))
 
     async def connected(self):
         """Wait until somebody is connected with each port that is played."""
@@ -148,15 +157,22 @@ class Show:
         report = self._recording.report(entry)
         if report is None:
             return
-        following = self._recording.scenes[self._scene + 1 : self._scene + 2]
-        self._stage.take(report, following[0] if following else None)
+        scenes = self._recording.scenes
+        following = None
+        if self._scene + 1 < len(scenes):
+            following = scenes[self._scene + 1]
+        self._stage.take(report, following)
 
     def _send(self, entry):
         moment = None
         if not self._is_absolute:
             moment = int(time.time() * 1e9)
+
+        def data_of(little):
+            return self._decoder.data(entry, little, moment)
+
         try:
-            self._stage.outs[entry.channel].write(lambda little: self._decoder.data(entry, little, moment))
+            self._stage.outs[entry.channel].write(data_of)
         except errors.Failed as e:
             if entry.channel not in self._failed:
                 self._failed.add(entry.channel)

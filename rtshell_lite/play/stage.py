@@ -35,10 +35,11 @@ class Stage:
         self.outs = {}
         self._recorded = {}  # by id, as on the wire: the Ports of a connector of the recording
         for scene in recording.scenes:
-            for where, described in recordings.by_path(scene).items():
+            there = recordings.by_path(scene)
+            for where, described in there.items():
                 if where not in self.components:
                     self.components[where] = self._component(scene, where, described)
-            for where, described in recordings.by_path(scene).items():
+            for where, described in there.items():
                 self._add_members(scene, self.components[where], described)
         self._described = set(self.components)  # those that a Scene shows
         self._add_outs()
@@ -49,62 +50,56 @@ class Stage:
 
     def _component(self, scene, where, described):
         known = scene.details.get(where, {})
-        identity = {key: recordings.text_in(known, key) for key in IDENTITY}
-        if not known:
+        if known:
+            identity = {key: recordings.text_in(known, key) for key in IDENTITY}
+        else:
             identity = _identity(described.id)
-        pairs = [
-            pair for pair in recordings.pairs_in(known, "properties") if not pair[0].startswith(CONFIGURATION)
-        ]
-        pairs = [(name, "" if name == OBSERVERS else value) for name, value in pairs]
+        pairs = _profile_properties(known)
         pairs.append(("rtlog.recording", self._recording.log.where))
         made = parts.Component(described.instance_name, identity, pairs, parts.Configuration({}, ""))
         made.tasks = self._tasks
         made.contexts = _contexts(made, known, described)
-        types = _data_types(scene.profile, where)
-        about = {recordings.text_in(port, "name"): port for port in recordings.dicts_in(known, "ports")}
-        for port in described.data_ports + described.service_ports:
-            name = ports.short_name(port.name, described.instance_name)
-            is_service = port in described.service_ports
-            made.ports.append(self._port(made, name, is_service, about.get(name, {}), types.get(name)))
+        self._add_ports(made, known, described, _data_types(scene.profile, where))
         return made
 
-    def _port(self, owner, name, is_service, known, seen):
-        """A port; `seen`: its kind and its data type as connections show them, or None."""
-        kind = recordings.text_in(known, "type")
-        properties = dict(recordings.pairs_in(known, "properties"))
-        if is_service:
-            interfaces = recordings.interfaces_in(known)
-            return port_kinds.ServicePort(
-                owner, name, properties or {"port.port_type": "CorbaPort"}, interfaces
-            )
-        if kind not in ports.DATA:
-            kind = (seen or ("DataInPort", ""))[0]
-        return port_kinds.KINDS[kind](owner, name, _properties(kind, properties, (seen or ("", ""))[1]))
+    def _add_ports(self, owner, known, described, types):
+        about = {}
+        for port in recordings.dicts_in(known, "ports"):
+            about[recordings.text_in(port, "name")] = port
+        for port in described.data_ports:
+            name = ports.short_name(port.name, described.instance_name)
+            kind, type_id = types.get(name, ("DataInPort", ""))
+            owner.ports.append(_data_port(owner, name, about.get(name, {}), kind, type_id))
+        for port in described.service_ports:
+            name = ports.short_name(port.name, described.instance_name)
+            owner.ports.append(_service_port(owner, name, about.get(name, {})))
 
     def _add_members(self, scene, composite, described):
         """Make a component a composite, if it has members."""
         locate = capture.locator(scene.profile)
-        members = [self._located(locate, one.component) for one in described.participants]
-        members = [member for member in members if member is not None and member is not composite]
+        members = self._others(locate, composite, [one.component for one in described.participants])
         if members and composite.organisation is None:
             composite.organisation = parts.Organisation(composite)
         for member in members:
-            if member not in composite.organisation.members:
-                composite.organisation.members.append(member)
-                member.organisations.append(composite.organisation)
-                if composite.contexts:
-                    _take_part(composite.contexts[0], member)
-        self._share_ports(composite, members)
+            if member in composite.organisation.members:
+                continue
+            composite.organisation.members.append(member)
+            member.organisations.append(composite.organisation)
+            if composite.contexts:
+                _take_part(composite.contexts[0], member)
+        _share_ports(composite, members)
         for context, one in zip(composite.contexts, described.execution_contexts):
-            for target in one.participants:
-                other = self._located(locate, target)
-                if other is not None and other is not composite:
-                    _take_part(context, other)
+            for other in self._others(locate, composite, one.participants):
+                _take_part(context, other)
 
-    def _share_ports(self, composite, members):
-        """Have a composite show the ports of its members that it exports, MEMBER.port."""
-        shown = {f"{member.instance_name}.{port.name}": port for member in members for port in member.ports}
-        composite.ports = [shown.get(port.name, port) for port in composite.ports]
+    def _others(self, locate, component, targets):
+        """Those of the components that are located, which are here, but not this one."""
+        found = []
+        for target in targets:
+            other = self._located(locate, target)
+            if other is not None and other is not component:
+                found.append(other)
+        return found
 
     def _located(self, locate, target):
         described = locate(target)
@@ -147,22 +142,28 @@ class Stage:
                 port.component.contexts[0].set_state(port.component, "Active")
 
     def _set(self, owner, known, described):
-        sets = {one.id: {} for one in described.configuration_sets}
+        sets = {}
         for one in described.configuration_sets:
-            sets[one.id].update((item.name, item.data) for item in one.configuration_data)
+            values = sets.setdefault(one.id, {})
+            for item in one.configuration_data:
+                values[item.name] = item.data
         owner.configuration.sets = sets
         owner.configuration.active = described.active_configuration_set
-        about = {str(one.get("handle")): one for one in recordings.dicts_in(known, "contexts")}
+        about = _known_contexts(known)
         for number, (context, one) in enumerate(zip(owner.contexts, described.execution_contexts)):
             context.rate = one.rate
-            context.running = about.get(str(number), {}).get("running") is not False
-        states = known.get("states")
+            of_context = about.get(str(number), {})
+            context.running = of_context.get("running") is not False
+        self._set_states(owner, known.get("states"))
+
+    def _set_states(self, owner, states):
         if not isinstance(states, dict):
             states = {}
+        sends = any(port in self.outs.values() for port in owner.ports)
         for handle, context in _handles(owner):
             state = states.get(str(handle))
-            if state not in parts.STATES:
-                state = "Active" if any(port in self.outs.values() for port in owner.ports) else "Inactive"
+            if state not in parts.STATES:  # not known
+                state = "Active" if sends else "Inactive"
             context.set_state(owner, state)
 
     def _connectors(self, scene):
@@ -180,12 +181,16 @@ class Stage:
         if owner is None:
             return None
         name = capture.port_of(end)
-        return next((port for port in owner.ports if port.name == name), None)
+        for port in owner.ports:
+            if port.name == name:
+                return port
+        return None
 
     def _join(self, connector_id, connector, ends):
         properties = [(item.name, item.value or "") for item in connector.properties]
+        references = [port.reference for port in ends]
         profile = orb.struct("RTC.ConnectorProfile")(
-            wire(connector.name), connector_id, [port.reference for port in ends], parts.nvlist(properties)
+            wire(connector.name), connector_id, references, parts.nvlist(properties)
         )
         for port in ends:
             port.record(profile)
@@ -221,14 +226,21 @@ class Stage:
     def _connect_as(self, following, owner, is_new):
         """Connect, or disconnect, the ports of a component as the next Scene has them."""
         wanted = self._connectors(following)
+        if not is_new:
+            self._drop_of(owner, wanted)
+            return
         for connector_id, (connector, ends) in wanted.items():
             owners = [port.component for port in ends]
-            is_possible = owner in owners and all(each.is_there for each in owners)
-            if is_new and is_possible and connector_id not in self._recorded:
+            if connector_id in self._recorded or owner not in owners:
+                continue
+            if all(each.is_there for each in owners):
                 self._join(connector_id, connector, ends)
+
+    def _drop_of(self, owner, kept=()):
+        """Drop the connectors of a component but those that are kept."""
         for connector_id, ends in list(self._recorded.items()):
             is_its = any(port.component is owner for port in ends)
-            if not is_new and is_its and connector_id not in wanted:
+            if is_its and connector_id not in kept:
                 self._drop(connector_id)
 
     # ---- coming and going ----
@@ -244,9 +256,7 @@ class Stage:
         owner = self.components[where]
         if not owner.is_there:
             return
-        for connector_id, ends in list(self._recorded.items()):
-            if any(port.component is owner for port in ends):
-                self._drop(connector_id)
+        self._drop_of(owner)
         owner.close()
         self.changed.add(where)
 
@@ -254,13 +264,15 @@ class Stage:
 
     async def sent(self):
         """Wait until all values have been sent, or who should get them is gone."""
-        while any(carrier.is_busy() for port in self.outs.values() for carrier in port.carriers.values()):
+        while any(port.is_busy() for port in self.outs.values()):
             await loop.sleep(LOOK)
 
     async def leave(self):
         """Disconnect all that others have connected, as components do when they end."""
-        owned = [port for each in self.components.values() for port in each.ports]
-        joined = [(port, connector_id) for port in owned for connector_id in port.carriers]
+        joined = []
+        for component in self.components.values():
+            for port in component.ports:
+                joined += [(port, connector_id) for connector_id in port.carriers]
         await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
 
     def close(self):
@@ -298,8 +310,49 @@ def _identity(component_id):
     return dict(vendor=vendor, category=category, type_name=type_name, version=version)
 
 
+def _profile_properties(known):
+    """The (name, value) pairs that a component's profile has of itself, as its details say."""
+    found = []
+    for name, value in recordings.pairs_in(known, "properties"):
+        if name == OBSERVERS:
+            value = ""
+        if not name.startswith(CONFIGURATION):
+            found.append((name, value))
+    return found
+
+
+def _data_port(owner, name, known, kind, type_id):
+    """A data port; its kind and its data type are as connections show them, where its details name none."""
+    properties = dict(recordings.pairs_in(known, "properties"))
+    said = recordings.text_in(known, "type")
+    if said in ports.DATA:
+        kind = said
+    return port_kinds.KINDS[kind](owner, name, _properties(kind, properties, type_id))
+
+
+def _service_port(owner, name, known):
+    properties = dict(recordings.pairs_in(known, "properties"))
+    if not properties:
+        properties = {"port.port_type": "CorbaPort"}
+    return port_kinds.ServicePort(owner, name, properties, recordings.interfaces_in(known))
+
+
+def _share_ports(composite, members):
+    """Have a composite show the ports of its members that it exports, MEMBER.port."""
+    shown = {}
+    for member in members:
+        for port in member.ports:
+            shown[f"{member.instance_name}.{port.name}"] = port
+    composite.ports = [shown.get(port.name, port) for port in composite.ports]
+
+
+def _known_contexts(known):
+    """{handle, as text: what the details of a component say of that context}"""
+    return {str(one.get("handle")): one for one in recordings.dicts_in(known, "contexts")}
+
+
 def _contexts(owner, known, described):
-    about = {str(one.get("handle")): one for one in recordings.dicts_in(known, "contexts")}
+    about = _known_contexts(known)
     made = []
     for number, one in enumerate(described.execution_contexts):
         kind = one.kind.upper().replace("-", "_")
