@@ -45,7 +45,9 @@ PORTS = ("ConsoleIn0:out", "ConsoleOut0:in", "Motor0:in", "Motor0:out", "Mock0:i
 COMPONENTS = ("ConsoleIn0", "ConsoleOut0", "Microwave0", "Motor0", "Mock0")  # that may have observers
 FATAL = set(invocations.stated("fatal"))
 # how Python ends by Ctrl-C, with status 1, before any line of ours
-PYTHON_ITSELF = re.compile(rb"Failed to import the site module|Fatal Python error: init_")
+PYTHON_ITSELF = re.compile(
+    rb"Failed to import the site module|Fatal Python error: init_|\AKeyboardInterrupt\s*\Z"
+)
 # line 0 is before our first line
 OUR_TRACEBACK = re.compile(rb'Traceback[^$]*rtshell_lite/\w+\.py", line [1-9]')
 
@@ -71,6 +73,21 @@ class Lane:
 
     def begin(self):
         self.world = around.world(server, "observed", "--context", self.place + "/%n.rtc")
+
+    def waits(self, command):
+        """{who: seconds that it has waited for a processor so far}: a command, given by its process, this
+        thread, which hears of its end, and the threads of the world that it asks.
+        """
+        world = around.worlds[self.world].pid
+        threads = os.listdir("/proc/%d/task" % world)
+        known = [command, "thread-self"] + ["%d/task/%s" % (world, thread) for thread in threads]
+        return {who: tools.waited_for_processor(who) for who in known}
+
+    def waited(self, command, before):
+        """Seconds that were waited for a processor since there were the waits `before`."""
+        found = self.waits(command)
+        own, ours, *asked = [max(0, found[who] - before.get(who, 0)) for who in found]
+        return own + ours + max(asked)
 
     def connections(self):
         """{port: [connector id and name]}"""
@@ -144,7 +161,7 @@ class Case:
                 stderr=output,
             )
             time.sleep(self.moment)
-            before = tools.waited_for_processor(process.pid)
+            before = lane.waits(process.pid)
             begun = time.monotonic()
             os.kill(process.pid, self.which)  # also when it has ended: nobody has waited for it
             killer = threading.Timer(running.LIMIT, process.kill)  # where the signal was lost
@@ -152,7 +169,7 @@ class Case:
             os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
             self.seconds = time.monotonic() - begun
             killer.cancel()
-            self.seconds = max(0, self.seconds - max(0, tools.waited_for_processor(process.pid) - before))
+            self.seconds = max(0, self.seconds - lane.waited(process.pid, before))
             status = process.wait()
             self.status = 128 - status if status < 0 else status
             output.seek(0)

@@ -218,11 +218,12 @@ def printed_on(terminal):
         yield data
 
 
-def waited_for_processor(pid):
-    """Seconds that the main thread of a process has waited for a processor, 0 where the kernel does not say.
+def waited_for_processor(process):
+    """Seconds that the main thread of a process, or a thread (thread-self, PID/task/TID), has waited for a
+    processor; 0 where the kernel does not say.
     """
     try:
-        with open("/proc/%d/schedstat" % pid) as file:
+        with open("/proc/%s/schedstat" % process) as file:
             return int(file.read().split()[1]) / 1e9
     except (OSError, ValueError, IndexError):
         return 0.0
