@@ -224,7 +224,7 @@ async def _single(path):
     if not candidates and failed:
         raise failed[0]
     if not candidates:
-        raise errors.NotFound(str(path))
+        raise tree.nothing_at(path, _before_patterns(path))
     for failure in failed:
         notes.note(f"not searched: {failure}")
     (only,) = found.values()
@@ -242,12 +242,20 @@ async def _walk(path):
     if path.server in ANY:
         servers = [tree.name_server(address) for address in tree.servers()]
         return await tree.walk_servers(servers, depth or tree.DEPTH, managers=False)
-    plain = next(at for at, name in enumerate(path.names) if _is_any(name))
-    top = await tree.resolve(Path(path.server, path.names[:plain], None, False))
-    nodes = await tree.walk(top, depth and depth - plain, managers=False)
+    above = _before_patterns(path)
+    top = await tree.resolve(above)
+    nodes = await tree.walk(top, depth and depth - len(above.names), managers=False)
     if top.error is not None:
         raise top.error
     return nodes
+
+
+def _before_patterns(path):
+    """The Path of what comes before the first pattern of a Path."""
+    if path.server in ANY:
+        return ROOT
+    plain = next(at for at, name in enumerate(path.names) if _is_any(name))
+    return Path(path.server, path.names[:plain], None, False)
 
 
 def _fits(names, wanted):

@@ -241,12 +241,20 @@ def _by_id(names):
 def _near_miss(path, names):
     last = path.names[-1]
     close = closest(last.id, names)  # the kinds, all .rtc, would make any two names alike
-    if close is None and ("*" in last.id or "?" in last.id):
-        pattern = shell_word(str(last))
-        return errors.NoPattern(str(path), f"rtfind {shell_word(str(path.parent()))} -n {pattern}")
     if close is None:
-        return errors.NotFound(str(path))
+        return nothing_at(path, path.parent())
     return errors.Misspelt(str(path), str(names[close]))
+
+
+def nothing_at(path, above):
+    """The error for a Path that leads to nothing; where it ends with a pattern, names the command that looks
+    for that below the Path `above`.
+    """
+    last = path.names[-1]
+    if "*" in last.id or "?" in last.id:
+        pattern = shell_word(str(last))
+        return errors.NoPattern(str(path), f"rtfind {shell_word(str(above))} -n {pattern}")
+    return errors.NotFound(str(path))
 
 
 async def component(path, or_manager=False):

@@ -9,6 +9,10 @@ The words of find, patterns in paths, a directory for its components:
   $ rtls '*.rtc'
   rtls: /localhost:$PORT/test.host_cxt/*.rtc: no such path; to look for a pattern: rtfind /localhost:$PORT/test.host_cxt -n '*.rtc'
   [3]
+  $ rtls "/localhost:$PORT/*/Con*"; rtact '/**/*.rtc'
+  rtls: /localhost:$PORT/*/Con*: no such path; to look for a pattern: rtfind /localhost:$PORT -n 'Con*'
+  rtact: /**/*.rtc: no such path; to look for a pattern: rtfind / -n '*.rtc'
+  [3]
   $ rtls nosuchhost; rtls Console
   rtls: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; did you mean the name server /nosuchhost?
   rtls: /localhost:$PORT/test.host_cxt/Console: no such path; did you mean ConsoleIn0.rtc?
