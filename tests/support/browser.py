@@ -17,6 +17,9 @@ import time
 
 LIMIT = 60.0  # seconds for an answer, on a busy machine
 NAMES = ("chromium", "chromium-browser", "google-chrome")
+OPTIONS = ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
+           "--disable-extensions", "--disable-component-update", "--disable-background-networking",
+           "--disable-sync"]
 
 
 def program():
@@ -31,20 +34,7 @@ class Failed(Exception):
 class Browser:
     def __init__(self):
         self.home = tempfile.mkdtemp()
-        words = [
-            program(),
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--remote-debugging-pipe",
-            "--no-first-run",
-            "--disable-extensions",
-            "--disable-component-update",
-            "--disable-background-networking",
-            "--disable-sync",
-            "--user-data-dir=" + self.home,
-            "about:blank",
-        ]
+        words = [program()] + OPTIONS + ["--user-data-dir=" + self.home, "about:blank"]
         own_in, its_out = os.pipe()
         its_in, own_out = os.pipe()
         far = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (its_in, its_out)]
@@ -56,13 +46,8 @@ class Browser:
 
         self.process = subprocess.Popen(
             words,
-            pass_fds=(3, 4),
-            preexec_fn=place,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-            env=dict(os.environ, HOME=self.home),
+            pass_fds=(3, 4), preexec_fn=place, start_new_session=True, env=dict(os.environ, HOME=self.home),
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )
         for end in [its_in, its_out] + far:
             os.close(end)
@@ -129,16 +114,10 @@ class Browser:
         page = Page(self, session)
         for domain in "Page", "Runtime", "Log", "Network":
             page.call(domain + ".enable")
-        page.call(
-            "Emulation.setDeviceMetricsOverride",
-            width=width,
-            height=height,
-            deviceScaleFactor=1,
-            mobile=width < 500,
-        )
-        page.call("Emulation.setEmulatedMedia", features=[{"name": (
-            "prefers-color-scheme"
-        ), "value": "dark" if dark else "light"}])
+        page.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                  mobile=width < 500)
+        scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+        page.call("Emulation.setEmulatedMedia", features=[scheme])
         page.call("Page.navigate", url=address)
         page.event("Page.loadEventFired")
         return page

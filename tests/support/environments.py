@@ -18,17 +18,8 @@ import threading
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STORE = os.path.join(ROOT, ".venv-tests")
-SOURCES = [
-    "setup.py",
-    "setup.cfg",
-    "pyproject.toml",
-    "README.md",
-    "LICENSE",
-    "CHANGELOG.md",
-    "bin",
-    "man",
-    "rtshell_lite",
-]
+SOURCES = ["setup.py", "setup.cfg", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md"]
+SOURCES += ["bin", "man", "rtshell_lite"]
 
 
 class Failed(Exception):
@@ -58,6 +49,11 @@ def run(words, **keywords):
     if process.returncode:
         raise Failed("%s\n%s" % (" ".join(words), process.stdout.decode("utf-8", "replace").strip()))
     return process.stdout.decode().strip()
+
+
+def pip(interpreter, command, *words):
+    """Run a command of a Python's pip. Raises Failed."""
+    run([interpreter, "-m", "pip", command, "--disable-pip-version-check", "-q"] + list(words))
 
 
 def need_loopback():
@@ -99,11 +95,8 @@ def _candidates(asked):
     if not re.match(r"3\.\d+(\.\d+)?$", asked):
         return [asked]
     versions = os.path.join(os.environ.get("PYENV_ROOT") or os.path.expanduser("~/.pyenv"), "versions")
-    installed = [
-        path
-        for path in sorted(glob.glob(os.path.join(glob.escape(versions), "*", "bin", "python3")))
-        if (path.split(os.sep)[-3] + ".").startswith(asked + ".")
-    ]
+    found = sorted(glob.glob(os.path.join(glob.escape(versions), "*", "bin", "python3")))
+    installed = [path for path in found if (path.split(os.sep)[-3] + ".").startswith(asked + ".")]
     names = ["python" + ".".join(asked.split(".")[:2]), "python3"]
     return [sys.executable] + installed + list(filter(None, map(shutil.which, names)))
 
@@ -124,20 +117,7 @@ def build_wheel(python):
         os.mkdir(source)
         for name in SOURCES:
             copy(os.path.join(ROOT, name), os.path.join(source, name))
-        run(
-            [
-                builder,
-                "-m",
-                "pip",
-                "wheel",
-                "--no-build-isolation",
-                "--no-deps",
-                "--no-index",
-                "-w",
-                out,
-                source,
-            ]
-        )
+        pip(builder, "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", out, source)
         shutil.rmtree(os.path.dirname(store), ignore_errors=True)
         shutil.copytree(out, store)
     return glob.glob(os.path.join(store, "*.whl"))[0]
@@ -189,10 +169,8 @@ def _prepared(python, wheel):
     _refresh(interpreter, directory, wheel)
     # The processes of the tests, thousands of them, write no bytecode beside the modules: half
     # their start-up.
-    run(
-        [interpreter, "-m", "compileall", "-q"]
-        + [os.path.join(ROOT, name) for name in ("mock_components", "tests")]
-    )
+    ours = [os.path.join(ROOT, name) for name in ("mock_components", "tests")]
+    run([interpreter, "-m", "compileall", "-q"] + ours)
     return interpreter
 
 
@@ -200,15 +178,10 @@ def prepare_compat(python):
     """An environment with the real libraries for profiles and logs, from the package index; returns its
     interpreter. Raises Failed.
     """
-    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support", "backports.zstd; python_version < "
-                                                                       "'3.14'"]
-    return _environment(
-        python,
-        os.path.join(STORE, "compat-" + python.full),
-        " ".join(words),
-        words,
-        "yaml, rtsprofile, mcap, mcap_ros2",
-    )
+    zstd = "backports.zstd; python_version < '3.14'"
+    words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support", zstd]
+    directory = os.path.join(STORE, "compat-" + python.full)
+    return _environment(python, directory, " ".join(words), words, "yaml, rtsprofile, mcap, mcap_ros2")
 
 
 def prepare_npm():
@@ -220,14 +193,9 @@ def prepare_npm():
     if not all(os.path.isdir(os.path.join(modules, word)) for word in words):
         os.makedirs(directory, exist_ok=True)
         try:
-            subprocess.run(
-                ["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", directory] + words,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                timeout=300,
-                check=True,
-            )
-        except (OSError, subprocess.SubprocessError):
+            run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix", directory] + words,
+                timeout=300)
+        except (OSError, subprocess.SubprocessError, Failed):
             return None
     return modules
 
@@ -243,20 +211,7 @@ def fetch_omniorb(python):
     marker = os.path.join(directory, "made-from")
     if _content(marker) != "\n".join(requirements):
         shutil.rmtree(directory, ignore_errors=True)
-        run(
-            [
-                python.path,
-                "-m",
-                "pip",
-                "download",
-                "--disable-pip-version-check",
-                "-q",
-                "--no-deps",
-                "-d",
-                directory,
-            ]
-            + requirements
-        )
+        pip(python.path, "download", "--no-deps", "-d", directory, *requirements)
         with open(marker, "w") as file:
             file.write("\n".join(requirements))
     return glob.glob(os.path.join(glob.escape(directory), "*.whl"))[0]
@@ -280,7 +235,7 @@ def _environment(python, directory, requirement, words, imports):
     print("making an environment for Python %s" % python.full, flush=True)
     shutil.rmtree(directory, ignore_errors=True)
     run([python.path, "-m", "venv", directory])
-    run([interpreter, "-m", "pip", "install", "--disable-pip-version-check", "-q"] + words)
+    pip(interpreter, "install", *words)
     run([interpreter, "-c", "import " + imports])
     with open(marker, "w") as file:
         file.write(wanted)
@@ -294,8 +249,7 @@ def _refresh(interpreter, directory, wheel):
     marker = os.path.join(directory, "wheel")
     if _content(marker) == wheel:
         return
-    run([interpreter, "-m", "pip", "install", "--disable-pip-version-check", "-q", "--no-index", "--no-deps",
-         "--force-reinstall", wheel])
+    pip(interpreter, "install", "--no-index", "--no-deps", "--force-reinstall", wheel)
     with open(marker, "w") as file:
         file.write(wheel)
 

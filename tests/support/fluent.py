@@ -16,28 +16,21 @@ def pack(value):
         return b"\xd7\0" + struct.pack(">LL", int(value), int(value % 1 * 1e9))
     if isinstance(value, str):
         octets = value.encode("utf-8", "surrogateescape")
-        return (
-            struct.pack(">B", 0xA0 + len(octets))
-            if len(octets) < 32
-            else b"\xdb" + struct.pack(">L", len(octets))
-        ) + octets
+        if len(octets) < 32:
+            return struct.pack(">B", 0xA0 + len(octets)) + octets
+        return b"\xdb" + struct.pack(">L", len(octets)) + octets
     if isinstance(value, bytes):
         return b"\xc6" + struct.pack(">L", len(value)) + value
     if isinstance(value, (list, tuple)):
         return b"\xdd" + struct.pack(">L", len(value)) + b"".join(map(pack, value))
-    return (
-        b"\xdf"
-        + struct.pack(">L", len(value))
-        + b"".join(pack(key) + pack(each) for key, each in value.items())
-    )
+    pairs = b"".join(pack(key) + pack(each) for key, each in value.items())
+    return b"\xdf" + struct.pack(">L", len(value)) + pairs
 
 
 def record(level, name, message):
     """A record with the fields that OpenRTM sends."""
-    return {"time": (
-        "Nov 25 14:02:11.123"
-    ), "name": name, "level": level, "pid": "4711", "host": "robot1", "manager": "manager",
-            "message": message}
+    return {"time": "Nov 25 14:02:11.123", "name": name, "level": level, "pid": "4711", "host": "robot1",
+            "manager": "manager", "message": message}
 
 
 def message(mode, pairs, options=None):

@@ -8,57 +8,18 @@ CHARACTERS = (
     "\ud800\udc80"
 )
 WORDS = [
-    "",
-    " ",
-    "\n",
-    "0",
-    "010",
-    "0x1F",
-    "1:30",
-    "1e3",
-    "1_0",
-    ".inf",
-    ".nan",
-    "true",
-    "no",
-    "On",
-    "null",
-    "~",
-    "=",
-    "<<",
-    "- a",
-    "? a",
-    "---",
-    "...",
-    "a: b",
-    "a #b",
-    "a:",
-    "#",
-    "  x",
-    "x  ",
-    "a\nb",
-    "a\n b",
-    "a \n\nb\n",
-    "2010-01-02",
-    "2010-01-02T03:04:05Z",
-    "]]>",
-    "<!--",
-    "&amp;",
-    "&#10;",
-    "<a/>",
-    "_x001B_",
-    "_x005F_",
-    "_x005F_x001B_",
-    "_x001B_x001B_",
-    "_x001B\x1b",
-    "_x0041_",
-    "IDL:RTC/TimedLong:1.0",
-    "RTC:A B, C:d:e:1",
-    "../../etc/passwd",
-    "a" * 300,
-    "word two " * 20,
-    "日本 " * 40,
+    "", " ", "\n", "0", "010", "0x1F", "1:30", "1e3", "1_0", ".inf", ".nan", "true", "no", "On", "null",
+    "~", "=", "<<", "- a", "? a", "---", "...", "a: b", "a #b", "a:", "#", "  x", "x  ", "a\nb", "a\n b",
+    "a \n\nb\n", "2010-01-02", "2010-01-02T03:04:05Z", "]]>", "<!--", "&amp;", "&#10;", "<a/>", "_x001B_",
+    "_x005F_", "_x005F_x001B_", "_x001B_x001B_", "_x001B\x1b", "_x0041_", "IDL:RTC/TimedLong:1.0",
+    "RTC:A B, C:d:e:1", "../../etc/passwd", "a" * 300, "word two " * 20, "日本 " * 40,
 ]
+NUMBERS = [0.0, 1.0, 1000.0, 0.1, 1e20, 1e-7, 1.35e-316, -2.5, float("inf"), -float("inf"), float("nan")]
+DATES = ["2024-03-05T14:07:09", "2008-12-19T19:44:06.450+09:00", "2008-12-19T19:44:06Z",
+         "0001-00-99T00:00:00.10", "2010-01-02", "soon", ""]
+ATTRIBUTES = ["{urn:a}b", "{http://example.org/?a=1&b=2}c", "unknown", "{%s}lang" % names.XML,
+              "{%s}new" % names.NAMESPACES["rts"], "{%s}nil" % names.NAMESPACES["xsi"]]
+TAGS = ["{urn:a}b", "plain", "{urn:'\"<>}e", "{%s}Future" % names.NAMESPACES["rtsExt"], "日本"]
 
 
 class Maker:
@@ -74,36 +35,10 @@ class Maker:
         return "".join(self.random.choice(CHARACTERS) for _ in range(self.random.randint(0, 12)))
 
     def number(self):
-        return self.random.choice(
-            [
-                0.0,
-                1.0,
-                1000.0,
-                0.1,
-                1e20,
-                1e-7,
-                1.35e-316,
-                -2.5,
-                float("inf"),
-                -float("inf"),
-                float("nan"),
-                self.random.uniform(-1e3, 1e3),
-            ]
-        )
+        return self.random.choice(NUMBERS + [self.random.uniform(-1e3, 1e3)])
 
     def date(self):
-        return self.random.choice(
-            [
-                "2024-03-05T14:07:09",
-                "2008-12-19T19:44:06.450+09:00",
-                "2008-12-19T19:44:06Z",
-                "0001-00-99T00:00:00.10",
-                "2010-01-02",
-                "soon",
-                "",
-                self.text(),
-            ]
-        )
+        return self.random.choice(DATES + [self.text()])
 
     def value(self, field):
         if field.choices:
@@ -142,16 +77,7 @@ class Maker:
         foreign = fields.Foreign()
         table = names.table(cls)
         for _ in range(self.random.randint(0, 2)):
-            name = self.random.choice(
-                [
-                    "{urn:a}b",
-                    "{http://example.org/?a=1&b=2}c",
-                    "unknown",
-                    "{%s}lang" % names.XML,
-                    "{%s}new" % names.NAMESPACES["rts"],
-                    "{%s}nil" % names.NAMESPACES["xsi"],
-                ]
-            )
+            name = self.random.choice(ATTRIBUTES)
             foreign.attributes[name] = self.text()
         for _ in range(self.random.randint(0, 2)):
             foreign.elements.append(self.foreign_element())
@@ -162,9 +88,7 @@ class Maker:
         return foreign
 
     def foreign_element(self, depth=0):
-        tag = self.random.choice(
-            ["{urn:a}b", "plain", "{urn:'\"<>}e", "{%s}Future" % names.NAMESPACES["rtsExt"], "日本"]
-        )
+        tag = self.random.choice(TAGS)
         content = [self.text() if self.random.random() < 0.5 or depth > 2 else self.foreign_element(depth + 1)
                    for _ in range(self.random.randint(0, 3))]
         return fields.ForeignElement(tag, {"{urn:a}b": self.text()} if depth else {}, fields.tidy(content))

@@ -89,7 +89,7 @@ def surroundings(top, home, commands, orb):
         "TMPDIR": home,
         "SESSION": top,
         "LC_ALL": "C.UTF-8" if is_old else "C",
-        "TERM": ("xterm"),
+        "TERM": "xterm",
         # how tests/run finds what was left behind
         "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", ""),
     }

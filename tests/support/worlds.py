@@ -112,9 +112,8 @@ class World:
 
 def nvlist(**changes):
     """Connector properties, written with _ for dots after `dataport`; None leaves one out."""
-    values = {"dataflow_type": (
-        "push"
-    ), "interface_type": "corba_cdr", "subscription_type": "flush", "data_type": LONG}
+    values = {"dataflow_type": "push", "interface_type": "corba_cdr", "subscription_type": "flush",
+              "data_type": LONG}
     values.update(changes)
     return [SDOPackage.NameValue("dataport." + name.replace("__", "."), omniany.to_any(value))
             for name, value in values.items() if value is not None]
