@@ -24,6 +24,8 @@ from rtshell_lite.xmlprofile import fields, model, rtsprofile  # noqa: E402
 from rtshell_lite.xmlprofile.yaml import reader, scalars, writer  # noqa: E402
 
 COUNT = int(os.environ.get("RTSHELL_FUZZ", 1500))
+# what rtsprofile-aist reads and does not keep
+UNKNOWN = ("groups", "participants", "version_up_logs", "systems", "further_ends", "one_port_connectors")
 
 
 class Loader(pyyaml.SafeLoader):
@@ -163,7 +165,7 @@ class Modest(random_profiles.Maker):
             value = getattr(element, field.name)
             if value == "" and (field.always or field.kind == fields.DATE):
                 setattr(element, field.name, self.value(field))
-            if field.name in ("groups", "participants", "version_up_logs", "systems", "further_ends"):
+            if field.name in UNKNOWN:
                 setattr(element, field.name, [])
             if field.name in ("initializing", "finalizing"):
                 setattr(element, field.name, None)
