@@ -29,6 +29,8 @@ class Parser(argparse.ArgumentParser):
     synonyms = {}  # type: dict
 
     def error(self, message):
+        message = message.replace("invalid int value", "not a whole number")
+        message = message.replace("invalid float value", "not a number")
         raise errors.Usage(message.replace(": -- ", ": "))
 
     def parse_args(self, argv):  # type: ignore[override]

@@ -182,7 +182,7 @@ ones from their end:
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such execution context: 1 (it has 1)
   [5]
   $ rtact -e one Multi0.rtc
-  rtact: argument -e/--exec-context/--exec_context: invalid int value: 'one' (see --help)
+  rtact: argument -e/--exec-context/--exec_context: not a whole number: 'one' (see --help)
   [2]
   $ rtact Multi0.rtc -e
   rtact: argument -e/--exec-context/--exec_context: expected one argument (see --help)

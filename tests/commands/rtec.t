@@ -183,7 +183,7 @@ Wrong usage:
   rtec: list: too many arguments (see --help)
   [2]
   $ rtec -e one ConsoleIn0.rtc
-  rtec: argument -e/--exec-context/--exec_context: invalid int value: 'one' (see --help)
+  rtec: argument -e/--exec-context/--exec_context: not a whole number: 'one' (see --help)
   [2]
   $ rtec --measure=0 ConsoleIn0.rtc
   rtec: argument --measure: not a number of seconds above 0: 0 (see --help)

@@ -236,7 +236,7 @@ What cannot be:
   rtfind: -m: below 0: -1 (see --help)
   [2]
   $ rtfind / -m few
-  rtfind: argument -m/--maxdepth: invalid int value: 'few' (see --help)
+  rtfind: argument -m/--maxdepth: not a whole number: 'few' (see --help)
   [2]
   $ rtfind / --wait=0
   rtfind: argument --wait: not a number of seconds above 0: 0 (see --help)

@@ -141,7 +141,7 @@ Wrong usage:
   rtprint: argument -t/--timeout: not a number of seconds above 0: soon (see --help)
   [2]
   $ rtprint -n all ConsoleIn0.rtc:out
-  rtprint: argument -n/--number: invalid int value: 'all' (see --help)
+  rtprint: argument -n/--number: not a whole number: 'all' (see --help)
   [2]
   $ rtprint --raw --field data ConsoleIn0.rtc:out
   rtprint: --raw and --field exclude each other (see --help)

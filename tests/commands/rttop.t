@@ -204,7 +204,7 @@ Wrong usage is found before anything is asked:
   rttop: --serve localhost:x: not HOST:PORT (see --help)
   [2]
   $ rttop -n many
-  rttop: argument -n/--number: invalid int value: 'many' (see --help)
+  rttop: argument -n/--number: not a whole number: 'many' (see --help)
   [2]
   $ ctl calls
 

@@ -90,7 +90,7 @@ Wrong usage:
   rtvlog: argument -l/--level: not one of SILENT, FATAL, ERROR, WARN, INFO, NORMAL, DEBUG, TRACE, VERBOSE, PARANOID: LOUD (see --help)
   [2]
   $ rtvlog -n x Motor0.rtc
-  rtvlog: argument -n/--number: invalid int value: 'x' (see --help)
+  rtvlog: argument -n/--number: not a whole number: 'x' (see --help)
   [2]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

@@ -160,7 +160,7 @@ Wrong usage is found before anything is asked:
   rtwatch: argument -f/--filter: not one of ALL, RTC_STATUS, COMPONENT_PROFILE, EC_EVENT, PORT_EVENT, CONFIG_EVENT, FSM_EVENT, HEARTBEAT, LIFE_EVENT: BOGUS (see --help)
   [2]
   $ rtwatch -n many ConsoleIn0.rtc
-  rtwatch: argument -n/--number: invalid int value: 'many' (see --help)
+  rtwatch: argument -n/--number: not a whole number: 'many' (see --help)
   [2]
   $ rtwatch -t 0 ConsoleIn0.rtc
   rtwatch: argument -t: not a number of seconds above 0: 0 (see --help)
