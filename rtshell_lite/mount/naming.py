@@ -33,13 +33,13 @@ README = """This is the RTC Tree, the tree of OpenRTM-aist components, as files.
     components/NAME                         links to where they are bound, or the component itself
     loaded, factories                       modules and what they make, one a line
     create                                  write MODULE?instance_name=NAME
-  HOST[:PORT]/CONTEXTS/DEAD.rtc             a zombie: a link that leads nowhere; rm takes its name away
+  HOST[:PORT]/CONTEXTS/DEAD.rtc             a zombie: a link that leads nowhere; rm deletes its name
   errors                                    the last hundred failures, in words
 
-Not listed, as they wait, connect, change something or cost much; those that are read can be opened by name:
+Not listed, as they wait, connect, change something or cost much; they can be opened by name:
 
-  ports/PORT/value                          of an in port: write a value, which has been read at the return;
-                                            of an out port: the next value
+  ports/PORT/value                          of an in port: write a value, and the write returns when it has
+                                            been read; of an out port: the next value
   ports/PORT/values                         of an out port: one value a line, for ever
   ports/PORT/interfaces/NAME/OPERATION      of a provided interface whose IDL is known (RTSHELL_IDL): write a
                                             line of JSON, the argument or an object of all, and read what

@@ -32,24 +32,24 @@ i y           deactivate it, as rtdeact
 r y           reset it, as rtreset
 c Enter       show all about it, as rtcat -l
 d             show what rtdoctor finds wrong with it
-m             measure for a second what it writes to its out ports; M: of all
-              that are seen here
+m             measure for a second what it writes to its out ports; M: the same
+              of all components that are seen here
 p             plot what its out port sends; again: its next out port
 n             show only it and what it is connected with; Esc drops that
 s             sort by the next of: {', '.join(rows.SORTS)}
 g             group by the next of: {', '.join(rows.GROUPS)}
-/             filter: words of paths, or states, all of which have to match;
+/             filter: words of paths, or states, all of which must match;
               Enter keeps it, Esc drops it
 h ?           these keys
-Ctrl-L        draw everything anew
+Ctrl-L        draw everything again
 q             end; here, and in what c shows: go back
 
-STATE is ? of what does not answer, - of a zombie. RATE is the execution
-context's, in Hz. CONN counts connections. From {rows.WIDE} columns on also how long
-it has been SINCE its state changed, while this page was looking, what
-changed last, and for a minute what was MEASURED: the rate at which it
-writes, and VALUES/S of all its out ports. To measure and to plot connects
-to these ports."""
+STATE is ? for a component that does not answer, - for a zombie. RATE is
+the execution context's, in Hz. CONN counts connections. From {rows.WIDE} columns
+on there are also SINCE, how long ago its state changed while this page was
+looking; what changed last; and for a minute after measuring MEASURED, the
+rate at which it writes, and VALUES/S of all its out ports. Measuring and
+plotting connect to these ports."""
 
 # curses colours of states: (number of the pair, foreground, background, attributes); -1 is the terminal's own
 COLOURS = {
