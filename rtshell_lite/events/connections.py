@@ -13,7 +13,8 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 from rtshell_lite.text import from_wire
 
-LOOK = 2.0  # seconds between two looks
+LOOK = 2.0  # seconds between two looks; more where there are many ports
+MOST = 100  # ports that are asked in a second
 # seconds until a component that did not answer is asked again: a question about a connection may wait there
 # for as long as the far end hangs
 AGAIN = 60.0
@@ -25,11 +26,13 @@ async def follow(components, put):
     of a port, and PORT_CONNECT or PORT_DISCONNECT.
     """
     followed = {}  # type: dict
+    shown = {}  # type: dict  # {identity of a port: where}: a composite shows those of its members, too
     while True:
-        await loop.sleep(LOOK)
+        await loop.sleep(max(LOOK, sum(len(each.ports) for each in followed.values()) / MOST))
         for where, (node, listed) in components.items():
             if where not in followed or followed[where].node is not node:
-                followed[where] = _Followed(node, listed)
+                own = [port for port in listed if shown.setdefault(orb.identity(port.ref), where) == where]
+                followed[where] = _Followed(node, own)
         now = time.monotonic()
         due = [each for each in followed.values() if now >= each.due]
 
@@ -52,15 +55,15 @@ class _Followed:
         self.where = str(node.path)
         self.place = node.endpoint, self.where
         self.due = 0.0
-        self._ports = [port for port in listed if port.type != "DataInPort"]
-        # {name of a port: {id of a connector: whether it is a tool's, which are no part of the system}}
-        self._seen = {port.name: _known(port.connectors) for port in self._ports}
+        self.ports = [port for port in listed if port.type != "DataInPort"]
+        # for each port {id of a connector: whether it is a tool's, which are no part of the system}
+        self._seen = [_known(port.connectors) for port in self.ports]
 
     async def changes(self):
         """[(name of a port, event)] since the last look. Raises what remote calls raise."""
         changes = []
-        for port in self._ports:
-            before = self._seen[port.name]
+        for place, port in enumerate(self.ports):
+            before = self._seen[place]
             now = {}
             for profile in await orb.call(self.where, port.ref, "get_connector_profiles"):
                 connector_id = from_wire(profile.connector_id)
@@ -68,7 +71,7 @@ class _Followed:
                     now[connector_id] = before[connector_id]
                 else:
                     now.update(_known([ports.connector(profile, self.node.path)]))
-            self._seen[port.name] = now
+            self._seen[place] = now
             changes += [(port.name, "PORT_DISCONNECT") for _ in _system(before) - _system(now)]
             changes += [(port.name, "PORT_CONNECT") for _ in _system(now) - _system(before)]
         return changes
