@@ -268,6 +268,9 @@ A name server that is not there, a path that is malformed, a file that cannot be
   $ rtcryo localhost:$PORT/nothing.host_cxt
   rtcryo: /localhost:$PORT/nothing.host_cxt: no such path
   [3]
+  $ rtcryo robot.rtsys
+  rtcryo: to write a file: -o robot.rtsys (see --help)
+  [2]
   $ rtcryo localhost:x
   rtcryo: /localhost:x: x is not a TCP port (1 to 65535)
   [2]
