@@ -37,8 +37,7 @@ async def follow(components, put):
         due = [each for each in followed.values() if now >= each.due]
 
         async def look(each):
-            for change in await each.changes():
-                put(each.where, *change)
+            await each.look(put)
 
         for each, failure in zip(due, await session.each(due, look, lambda each: each.place)):
             if isinstance(failure, errors.Silent):
@@ -59,22 +58,22 @@ class _Followed:
         # for each port {id of a connector: whether it is a tool's, which are no part of the system}
         self._seen = [_known(port.connectors) for port in self.ports]
 
-    async def changes(self):
-        """[(name of a port, event)] since the last look. Raises what remote calls raise."""
-        changes = []
+    async def look(self, put):
+        """Call put, see `follow`, for what has changed since the last look. Raises what remote calls raise."""
         for place, port in enumerate(self.ports):
             before = self._seen[place]
-            now = {}
-            for profile in await orb.call(self.where, port.ref, "get_connector_profiles"):
+            profiles = await orb.call(self.where, port.ref, "get_connector_profiles")
+            self._seen[place] = now = {}
+            for profile in profiles[: ports.MOST_PARTS]:
                 connector_id = from_wire(profile.connector_id)
                 if connector_id in before:
                     now[connector_id] = before[connector_id]
                 else:
                     now.update(_known([ports.connector(profile, self.node.path)]))
-            self._seen[place] = now
-            changes += [(port.name, "PORT_DISCONNECT") for _ in _system(before) - _system(now)]
-            changes += [(port.name, "PORT_CONNECT") for _ in _system(now) - _system(before)]
-        return changes
+            for _ in _system(before) - _system(now):
+                put(self.where, port.name, "PORT_DISCONNECT")
+            for _ in _system(now) - _system(before):
+                put(self.where, port.name, "PORT_CONNECT")
 
 
 def _known(connectors):
