@@ -49,8 +49,8 @@ PYTHON_ITSELF = re.compile(
     rb"Failed to import the site module|Fatal Python error: init_|\AKeyboardInterrupt\s*\Z|"
     rb"Failed checking if argv\[0\] is an import path entry"
 )
-# line 0 is before our first line
-OUR_TRACEBACK = re.compile(rb'Traceback[^$]*rtshell_lite/\w+\.py", line [1-9]')
+# of what comes after start.py, which makes Ctrl-C quiet; line 0 is before the first line of a module
+OUR_TRACEBACK = re.compile(rb'Traceback[^$]*rtshell_lite/(?!start\.py)\w+\.py", line [1-9]')
 
 
 class Lane:

@@ -80,11 +80,9 @@ class Job:
 
 def test_modules():
     """Names of the test modules: unit/test_path …"""
-    paths = [
-        path
-        for directory in DIRECTORIES
-        for path in glob.glob(os.path.join(glob.escape(TESTS), directory, "test_*.py"))
-    ]
+    paths = []
+    for directory in DIRECTORIES:
+        paths += glob.glob(os.path.join(glob.escape(TESTS), directory, "test_*.py"))
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
 
@@ -99,16 +97,16 @@ def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=Non
         environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
 
     def job(module):
-        return Job(
-            " ".join(filter(None, (python.version, orb, module))),
-            lambda: run_module(
-                module, interpreter, dict(environment, RTSHELL_PART=short.part(source(module))), patterns
-            ),
-            1 if says(module, "ALONE") else short.at_once(PROCESSORS),
-            source(module),
-        )
+        label = " ".join(filter(None, (python.version, orb, module)))
+        its_environment = dict(environment, RTSHELL_PART=short.part(source(module)))
+        at_once = 1 if says(module, "ALONE") else short.at_once(PROCESSORS)
+        return module_job(label, module, interpreter, its_environment, patterns, at_once)
 
     return [job(module) for module in modules]
+
+
+def module_job(label, module, interpreter, environment, patterns, at_once):
+    return Job(label, lambda: run_module(module, interpreter, environment, patterns), at_once, source(module))
 
 
 def source(module):
@@ -145,9 +143,8 @@ def run_module(module, python, environment, patterns):
                 outcomes = json.load(file)
         except (OSError, ValueError):
             return [(module, "fail", "%s\n%s" % (why, said))]
-    outcomes = [
-        [module, "figures", line] for line in said.splitlines() if line.startswith("figures: ")
-    ] + outcomes
+    figures = [line for line in said.splitlines() if line.startswith("figures: ")]
+    outcomes = [[module, "figures", line] for line in figures] + outcomes
     if said and any(outcome[1] == "fail" for outcome in outcomes):
         outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
     return outcomes
@@ -192,9 +189,8 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
             return [(name,) + transcripts.run_case(path, shell, setting, accept)]
 
-        return Job(
-            "%s %s" % (label, name), run, short.at_once(PROCESSORS, transcripts.says(path, "alone")), path
-        )
+        at_once = short.at_once(PROCESSORS, transcripts.says(path, "alone"))
+        return Job("%s %s" % (label, name), run, at_once, path)
 
     lacks_omniorb = not environments.fetch_omniorb(python)
     if accept:
@@ -249,11 +245,8 @@ class Score:
     def progress(self):
         """On a terminal, a line that the next one replaces."""
         if sys.stdout.isatty():
-            text = "%d jobs left, %d s, %d failed" % (
-                self.left,
-                time.monotonic() - self.begun,
-                self.counts["fail"],
-            )
+            seconds = time.monotonic() - self.begun
+            text = "%d jobs left, %d s, %d failed" % (self.left, seconds, self.counts["fail"])
             print("\x1b[K" + text * bool(self.left), end="\r", flush=True)
 
     def add(self, label, outcomes, seconds=None):
@@ -263,18 +256,14 @@ class Score:
         for name, outcome, text in outcomes:
             self.counts[outcome] += 1
             if outcome == "fail":
-                print(
-                    "FAIL %s%s\n%s\n" % (label, "" if name in label else ": " + name, text.rstrip()),
-                    flush=True,
-                )
+                which = "" if name in label else ": " + name
+                print("FAIL %s%s\n%s\n" % (label, which, text.rstrip()), flush=True)
             elif outcome == "skip":
                 self.reasons.setdefault(text, []).append("%s: %s" % (label, name))
         if outcomes and seconds is not None and not any(outcome == "fail" for _, outcome, _ in outcomes):
-            passed = sum(outcome == "pass" for _, outcome, _ in outcomes)
-            print(
-                "%s %s: %d in %.1f s" % ("ok  " if passed else "skip", label, len(outcomes), seconds),
-                flush=True,
-            )
+            passed = any(outcome == "pass" for _, outcome, _ in outcomes)
+            what = "ok  " if passed else "skip"
+            print("%s %s: %d in %.1f s" % (what, label, len(outcomes), seconds), flush=True)
 
     def close(self):
         if not any(self.counts.values()):
@@ -317,9 +306,7 @@ def _work(waiting, finished):
         begun = time.monotonic()
         try:
             outcomes = job.run()
-        except (
-            Exception
-        ) as e:  # a fault of the runner itself must not be taken for success, nor stop the others
+        except Exception as e:  # a fault of the runner must not be taken for success, nor stop the others
             outcomes = [(job.label, "fail", "%s: %s" % (type(e).__name__, e))]
         finished.put((job, outcomes, time.monotonic() - begun))
 
@@ -337,28 +324,14 @@ def compat_jobs(args):
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
         why = "PyYAML, rtsprofile-aist, mcap cannot be installed: " + str(e).splitlines()[-1]
-        return [
-            Job(
-                "%s %s" % (python.version, module),
-                lambda module=module: [(module, "skip", why)],
-                PROCESSORS,
-                source(module),
-            )
-            for module in modules
-        ]
+        skipped = [(module, "skip", why) for module in modules]
+        return [Job(python.version + " compat", lambda: skipped, PROCESSORS, source(modules[0]))]
     environment = dict(os.environ, PYTHONPATH=environments.ROOT)
     npm = environments.prepare_npm()
     if npm:
         environment["RTSHELL_NPM"] = npm
-    return [
-        Job(
-            "%s %s" % (python.version, module),
-            lambda module=module: run_module(module, interpreter, environment, args.pattern),
-            PROCESSORS,
-            source(module),
-        )
-        for module in modules
-    ]
+    return [module_job("%s %s" % (python.version, module), module, interpreter, environment, args.pattern,
+                       PROCESSORS) for module in modules]
 
 
 def jobs_for(version, wheel, args):
@@ -372,23 +345,17 @@ def jobs_for(version, wheel, args):
     else:
         is_first = not args.all or version == FULL[0]
         modules = [module for module in test_modules() if is_first or not says(module, "ONCE")]
-    jobs = module_jobs(python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, modules)
+    commands = os.path.dirname(interpreter)
+    jobs = module_jobs(python, interpreter, commands, wheel, args.pattern, modules)
     if args.real:
         return jobs
     if args.all:
         for shell, orb in MATRIX[version]:
-            jobs += transcript_jobs(
-                python,
-                transcript_setting(python, interpreter, wheel, orb),
-                args.pattern,
-                shell,
-                in_matrix=True,
-            )
+            setting = transcript_setting(python, interpreter, wheel, orb)
+            jobs += transcript_jobs(python, setting, args.pattern, shell, in_matrix=True)
             if orb and version == TURNS[-1]:
                 both = [module for module in test_modules() if says(module, "BOTH")]
-                jobs += module_jobs(
-                    python, interpreter, os.path.dirname(interpreter), wheel, args.pattern, both, orb
-                )
+                jobs += module_jobs(python, interpreter, commands, wheel, args.pattern, both, orb)
         return jobs
     for orb in short.orbs():
         setting = transcript_setting(python, interpreter, wheel, orb)
@@ -419,9 +386,7 @@ def gather_jobs(args, wheel, score):
             score.add(version, [("environment", "fail", str(e))])
         return []
 
-    with concurrent.futures.ThreadPoolExecutor(
-        os.cpu_count() or 1
-    ) as pool:  # environments take their time to make
+    with concurrent.futures.ThreadPoolExecutor(PROCESSORS) as pool:  # environments take their time to make
         return [job for jobs in pool.map(gather, *zip(*wanted)) for job in jobs]
 
 
@@ -441,24 +406,15 @@ def options():
     parser = argparse.ArgumentParser(
         prog="tests/run", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("pattern", nargs="*", help="part of a test's name")
-    parser.add_argument(
-        "--python", action="append", metavar="VERSION", help="a version or a path; may be repeated"
-    )
-    parser.add_argument(
-        "--compat", action="store_true", help="compare with PyYAML, the real rtsprofile, the readers of MCAP"
-    )
-    parser.add_argument(
-        "--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated"
-    )
-    parser.add_argument(
-        "--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round"
-    )
-    parser.add_argument("--all", action="store_true", help="the matrix")
-    parser.add_argument(
-        "--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes"
-    )
-    parser.add_argument("--accept", action="store_true", help="rewrite transcripts from what is printed")
+    add = parser.add_argument
+    add("pattern", nargs="*", help="part of a test's name")
+    add("--python", action="append", metavar="VERSION", help="a version or a path; may be repeated")
+    add("--compat", action="store_true", help="compare with PyYAML, the real rtsprofile, the readers of MCAP")
+    add("--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated")
+    add("--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round")
+    add("--all", action="store_true", help="the matrix")
+    add("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
+    add("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()
 
 
