@@ -59,7 +59,7 @@ class _Followed:
         self._seen = [_known(port.connectors) for port in self.ports]
 
     async def look(self, put):
-        """Call put, see `follow`, for what has changed since the last look. Raises what remote calls raise."""
+        """Call put, as in `follow`, for what has changed since the last look. Raises what calls raise."""
         for place, port in enumerate(self.ports):
             before = self._seen[place]
             profiles = await orb.call(self.where, port.ref, "get_connector_profiles")

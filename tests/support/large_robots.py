@@ -5,14 +5,8 @@ from rtshell_lite.views import graph
 from rtshell_lite.xmlprofile import model
 
 TYPES = [
-    ("Camera", "sensing"),
-    ("Lidar", "sensing"),
-    ("Filter", "perception"),
-    ("Tracker", "perception"),
-    ("Planner", "planning"),
-    ("Controller", "control"),
-    ("Motor", "control"),
-    ("Logger", "support"),
+    ("Camera", "sensing"), ("Lidar", "sensing"), ("Filter", "perception"), ("Tracker", "perception"),
+    ("Planner", "planning"), ("Controller", "control"), ("Motor", "control"), ("Logger", "support"),
 ]
 SETTINGS = {
     "default": [("gain", "1.0"), ("offset", "0"), ("frame", "base_link")],
@@ -28,31 +22,24 @@ def profile(components, seed=1, connections=3, each=7):
         kind, category = TYPES[number % len(TYPES)]
         name = "%s%d" % (kind, number)
         host = "robot%d" % (1 + number * 4 // components)
-        made.components.append(
-            component(name, kind, category, "%s.host_cxt/group%d/%s.rtc" % (host, number // each, name))
-        )
+        where = "%s.host_cxt/group%d/%s.rtc" % (host, number // each, name)
+        made.components.append(component(name, kind, category, where))
     for number in range(components * connections):
         source = chance.randrange(components)
-        near = min(
-            components - 1,
-            max(0, source + chance.choice([1, 1, 2, 3, 5, each, -2, chance.randrange(components) - source])),
-        )
+        step = chance.choice([1, 1, 2, 3, 5, each, -2, chance.randrange(components) - source])
+        near = min(components - 1, max(0, source + step))
         if near != source:
-            made.data_port_connectors.append(
-                connector(made.components[source], made.components[near], number)
-            )
+            ends = made.components[source], made.components[near]
+            made.data_port_connectors.append(connector(*ends, number))
     return made
 
 
 def component(name, kind, category, where):
     context = model.ExecutionContext(id="0", kind="PERIODIC", rate=100.0)
-    sets = [
-        model.ConfigurationSet(
-            id=name,
-            configuration_data=[model.ConfigurationData(name=key, data=value) for key, value in pairs],
-        )
-        for name, pairs in SETTINGS.items()
-    ]
+    sets = []
+    for id_, pairs in SETTINGS.items():
+        data = [model.ConfigurationData(name=key, data=value) for key, value in pairs]
+        sets.append(model.ConfigurationSet(id=id_, configuration_data=data))
     return model.Component(
         id="RTC:Acme:%s:%s:1.0" % (category, kind),
         path_uri="localhost/" + where,
@@ -66,22 +53,15 @@ def component(name, kind, category, where):
 
 
 def connector(source, target, number):
-    ends = [
-        model.TargetPort(
-            component_id=each.id,
-            instance_name=each.instance_name,
-            port_name="%s.%s" % (each.instance_name, port),
-            properties=[model.Property(name="COMPONENT_PATH_ID", value=each.path_uri)],
-        )
-        for each, port in ((source, "out"), (target, ("in", "in2")[number % 2]))
-    ]
+    ends = []
+    for each, port in ((source, "out"), (target, ("in", "in2")[number % 2])):
+        where = model.Property(name="COMPONENT_PATH_ID", value=each.path_uri)
+        ends.append(model.TargetPort(component_id=each.id, instance_name=each.instance_name,
+                                     port_name="%s.%s" % (each.instance_name, port), properties=[where]))
     pairs = [
-        ("dataport.interface_type", "corba_cdr"),
-        ("dataport.dataflow_type", "push"),
-        ("dataport.subscription_type", "new"),
-        ("dataport.data_type", "IDL:RTC/TimedLong:1.0"),
-        ("dataport.serializer.cdr.endian", "little,big"),
-        ("dataport.publisher.push_policy", "new"),
+        ("dataport.interface_type", "corba_cdr"), ("dataport.dataflow_type", "push"),
+        ("dataport.subscription_type", "new"), ("dataport.data_type", "IDL:RTC/TimedLong:1.0"),
+        ("dataport.serializer.cdr.endian", "little,big"), ("dataport.publisher.push_policy", "new"),
         ("dataport.buffer.length", "8"),
     ]
     made = model.DataPortConnector(
@@ -99,9 +79,9 @@ def connector(source, target, number):
 
 def picture(made, broken=(), each=7):
     """The graph.Graph of a profile whose components are Active, but for those in Error."""
-    states = {
-        one.path_uri: "Error" if number in broken else "Active" for number, one in enumerate(made.components)
-    }
+    states = {}
+    for number, one in enumerate(made.components):
+        states[one.path_uri] = "Error" if number in broken else "Active"
     found = graph.of(made, states)
     for number, box in enumerate(found.boxes):
         box.process = ("192.0.2.%d" % (1 + number * 4 // len(found.boxes)), 40000 + number // each)

@@ -7,15 +7,9 @@ from rtshell_lite.giop import descriptors, marshal, rare, references
 LETTERS = "ab'\"\\{}\n\x1b é日本\u202e"
 # types that a TypeCode names, and those of what an any holds
 CODES = (2, (descriptors.STRING, 0), (descriptors.SEQUENCE, (descriptors.SEQUENCE, 3, 0), 4))
-CONTENTS = (
-    3,
-    descriptors.DOUBLE,
-    (descriptors.STRING, 0),
-    (descriptors.WSTRING, 0),
-    (descriptors.SEQUENCE, descriptors.BOOLEAN, 0),
-    (descriptors.SEQUENCE, descriptors.ANY, 0),
-    (descriptors.FIXED, 4, 2),
-)
+CONTENTS = (3, descriptors.DOUBLE, (descriptors.STRING, 0), (descriptors.WSTRING, 0),
+            (descriptors.SEQUENCE, descriptors.BOOLEAN, 0), (descriptors.SEQUENCE, descriptors.ANY, 0),
+            (descriptors.FIXED, 4, 2))
 
 
 def value(rng, descriptor, depth=4):
@@ -49,15 +43,11 @@ def value(rng, descriptor, depth=4):
     if sort == descriptors.STRUCT:
         return descriptor[1](*[value(rng, inner, depth - 1) for _, inner in descriptors.members(descriptor)])
     if sort == descriptors.FIXED:
-        return rare.fixed(
-            "%s%d.%s"
-            % (
-                rng.choice(("", "-")),
-                rng.randrange(10 ** (descriptor[1] - descriptor[2])),
-                "%0*d" % (descriptor[2], rng.randrange(10 ** descriptor[2])),
-            ),
-            *descriptor[1:]
-        )
+        digits, places = descriptor[1:]
+        sign = rng.choice(("", "-"))
+        whole = rng.randrange(10 ** (digits - places))
+        text = "%s%d.%0*d" % (sign, whole, places, rng.randrange(10 ** places))
+        return rare.fixed(text, digits, places)
     if sort == descriptors.OBJECT:
         return rng.choice((None, references.make_reference("127.0.0.1", 1, b"key")))
     if sort == descriptors.TYPECODE:

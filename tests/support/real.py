@@ -139,13 +139,10 @@ class Robot:
             file.write(CONFIGURATION % {"port": name_server, "context": self.label + ".host_cxt",
                                         "rate": self.rate, "more": self.implementation.more})
         with open(os.path.join(where, "out"), "wb") as out:
+            command = self.implementation.command(part) + ["-f", "rtc.conf"]
+            environment = dict(os.environ, **self.implementation.environment)
             return subprocess.Popen(
-                self.implementation.command(part) + ["-f", "rtc.conf"],
-                cwd=where,
-                stdin=subprocess.PIPE,
-                stdout=out,
-                stderr=out,
-                env=dict(os.environ, **self.implementation.environment),
+                command, cwd=where, stdin=subprocess.PIPE, stdout=out, stderr=out, env=environment
             )
 
     def _node(self, part):
@@ -158,9 +155,8 @@ class Robot:
                 if self.processes[part].poll() is not None:
                     raise AssertionError(self.ending(part)) from None
                 if time.monotonic() > end:
-                    raise AssertionError(
-                        "%s did not start: %s\n%s" % (self.path(part), e, self.last_words(part))
-                    ) from None
+                    words = self.path(part), e, self.last_words(part)
+                    raise AssertionError("%s did not start: %s\n%s" % words) from None
                 time.sleep(0.1)
 
     def path(self, part):
@@ -175,9 +171,8 @@ class Robot:
         """How many values ConsoleOut has read: it says so once for each, in Python twice. (Its listeners say
         other words.)
         """
-        return self.said("ConsoleOut").count("Received:") // (
-            2 if self.implementation.name == "Python" else 1
-        )
+        times = 2 if self.implementation.name == "Python" else 1
+        return self.said("ConsoleOut").count("Received:") // times
 
     def last_words(self, part):
         """The end of what a component has printed, or of its last traceback (Python)."""
@@ -194,13 +189,8 @@ class Robot:
         how = "status %d" % process.returncode
         if process.returncode < 0:
             how = "signal %s" % signal.Signals(-process.returncode).name
-        return "%s %s ended: %s: %s\n%s" % (
-            self.label,
-            part,
-            " ".join(process.args),
-            how,
-            self.last_words(part),
-        )
+        command = " ".join(process.args)
+        return "%s %s ended: %s: %s\n%s" % (self.label, part, command, how, self.last_words(part))
 
     def near_misses(self):
         """How often a publisher has used a reference that had been released: of some hundred, one ends the
@@ -219,20 +209,15 @@ class Robot:
         if dead:
             return dead
         now = self.connectors()
-        return [
-            "%s %s: %s, not %s" % (self.label, name, now.get(name), before)
-            for name, before in self.connected.items()
-            if now.get(name) != before
-        ]
+        changed = [name for name, before in self.connected.items() if now.get(name) != before]
+        return ["%s %s: %s, not %s" % (self.label, name, now.get(name), self.connected[name])
+                for name in changed]
 
     def fallen(self):
         """The parts that are to be Active and are not, and what they said last."""
         states = {part: self.state(part) for part in self.active}
-        return [
-            "%s %s: %s: %s" % (self.label, part, state, self.last_words(part))
-            for part, state in states.items()
-            if state != "Active"
-        ]
+        fallen = [part for part in self.active if states[part] != "Active"]
+        return ["%s %s: %s: %s" % (self.label, part, states[part], self.last_words(part)) for part in fallen]
 
     def state(self, part):
         return wait_for(component.state(self.nodes[part]))

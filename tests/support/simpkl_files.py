@@ -48,16 +48,9 @@ def importable(classes=CLASSES):
 
 
 def spec(name="numbers", type_name=TEXT, cls=TimedLong):
-    return make(
-        PortSpec,
-        _formatter=None,
-        _input=True,
-        _name=name,
-        _raw_specs=["/localhost/Src0.rtc:out." + name],
-        _targets=[(["/", "localhost", "Src0.rtc"], "out")],
-        _type=cls,
-        _type_name=type_name,
-    )
+    return make(PortSpec, _formatter=None, _input=True, _name=name, _type=cls, _type_name=type_name,
+                _raw_specs=["/localhost/Src0.rtc:out." + name],
+                _targets=[(["/", "localhost", "Src0.rtc"], "out")])
 
 
 def values(count):
