@@ -33,4 +33,4 @@ start.quietly(__name__)
 from rtshell_lite import anywhere
 
 if __name__ == "__main__":
-    anywhere.main(__doc__)
+    anywhere.main(__doc__ or "")  # None under PYTHONOPTIMIZE=2

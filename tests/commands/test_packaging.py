@@ -263,8 +263,9 @@ class WheelFile(Robot):
         self.check_without_omniorb(lambda name: [self.python, "-m", "rtshell_lite", name])
 
     def test_list_of_commands(self):
-        for words in [], ["--help"]:
-            status, out, err = self.from_wheel(*words)
+        for options, words in ([], []), ([], ["--help"]), (["-OO"], ["--help"]):
+            line = [self.python] + options + ["-m", "rtshell_lite"] + words
+            status, out, err = run(line, environment={"PYTHONPATH": WHEEL})
             self.assertEqual((status, err), (0, ""))
             self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
 
