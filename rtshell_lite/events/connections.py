@@ -15,9 +15,6 @@ from rtshell_lite.text import from_wire
 
 LOOK = 2.0  # seconds between two looks; more where there are many ports
 MOST = 100  # ports that are asked in a second
-# seconds until a component that did not answer is asked again: a question about a connection may wait there
-# for as long as the far end hangs
-AGAIN = 60.0
 
 
 async def follow(components, put):
@@ -40,8 +37,7 @@ async def follow(components, put):
             await each.look(put)
 
         for each, failure in zip(due, await session.each(due, look, lambda each: each.place)):
-            if isinstance(failure, errors.Silent):
-                each.due = time.monotonic() + AGAIN
+            each.note(failure)
 
 
 class _Followed:
@@ -53,10 +49,21 @@ class _Followed:
         self.node = node
         self.where = str(node.path)
         self.place = node.endpoint, self.where
-        self.due = 0.0
+        self.due = 0.0  # when it may be asked again
+        self._pause = LOOK
         self.ports = [port for port in listed if port.type != "DataInPort"]
         # for each port {id of a connector: whether it is a tool's, which are no part of the system}
         self._seen = [_known(port.connectors) for port in self.ports]
+
+    def note(self, failure):
+        """Take what ended a look. What did not answer has more and more time: a question may wait there as
+        long as a far end hangs, and hold a thread.
+        """
+        if isinstance(failure, errors.Silent):
+            self._pause *= 2
+            self.due = time.monotonic() + self._pause
+        else:
+            self._pause = LOOK
 
     async def look(self, put):
         """Call put, as in `follow`, for what has changed since the last look. Raises what calls raise."""
