@@ -21,7 +21,7 @@ LOOK = 1.0  # seconds between two looks whether a silent port still exists
 
 # That a connector was not removed, why, and when to try again.
 BUSY = (
-    "stays, because a call is unanswered and to remove it now could end the component; when it answers again"
+    "stays, because a call is unanswered and removing it now could end the component; when it answers again"
 )
 SILENT = "may stay, because the component does not answer; when it does again"
 REFUSED = "may stay, because the component refused to remove it; to try again"

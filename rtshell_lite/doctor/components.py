@@ -172,7 +172,7 @@ async def _hangs(snapshot, hung):
         return fail("component", where, message, remedies.words("hung first", paths=" and ".join(paths)))
     if await remedies.may_be_lost(e, endpoint):
         message = f"answers small questions, but not when asked for {snapshot.asking}: "
-        message += "large packets are lost on the way, perhaps"
+        message += "perhaps large packets are lost on the way"
     elif session.current().timeout < PATIENT:
         message = f"{reason(e)} when asked for {snapshot.asking}"
         patience = remedies.words("more time", path=shell_word(where))
@@ -253,7 +253,7 @@ def _refusing(snapshot, number, e, endpoint):
     return fail(
         "port",
         snapshot.where,
-        f"its port {number} is out of reach: a member of this composite is dead, perhaps",
+        f"its port {number} is out of reach: perhaps a member of this composite is dead",
         remedies.words("restart composite", port=snapshot.node.endpoint[1]),
     )
 

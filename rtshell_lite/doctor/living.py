@@ -38,7 +38,7 @@ def findings(profile, missing, known):
                 verb = "live"
             message = (
                 f"has none of its {counted(len(components), 'component')} in the file, though "
-                f"{listed(living)} {verb}: it was started again, perhaps, and they were not"
+                f"{listed(living)} {verb}: perhaps it was started again, and they were not"
             )
             yield warn("name server", server, message, remedies.words("bind again"))
 

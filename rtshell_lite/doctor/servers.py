@@ -110,8 +110,8 @@ async def _unbound(visit):
         return []
     message = (
         f"has no names, though a manager at port {path.MANAGER_PORT} of its host has "
-        f"{counted(len(living), 'component')} ({listed(printable(name) for name, _ in living)}): it was "
-        "started again, perhaps, and they were not"
+        f"{counted(len(living), 'component')} ({listed(printable(name) for name, _ in living)}): "
+        "perhaps it was started again, and they were not"
     )
     return [warn("name server", where, message, remedies.words("bind again"))]
 
@@ -276,7 +276,7 @@ async def _is_there(where, ref):
     if gone:
         raise _Stop(
             where,
-            "a CORBA process, but no name server: a component or manager, perhaps",
+            "a CORBA process, but not a name server: perhaps a component or manager",
             remedies.words("correct port"),
         )
 

@@ -412,7 +412,7 @@ class Trace:
 
     def _why_doubtful(self):
         if self.slower > 1:
-            return f"this machine is too busy to tell: all takes {self.slower:.0f} times as long"
+            return f"this machine is too busy to tell: everything takes {self.slower:.0f} times as long"
         return "not all components answered in this time"
 
     def _place(self, found):

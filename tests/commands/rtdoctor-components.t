@@ -43,7 +43,7 @@ A port that refuses its profile; the component's own profile is not asked for th
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: its port 1 refuses its profile (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   1 get_component_state
   $ doctor -q ../half.host_cxt/composite0.rtc
-  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: a member of this composite is dead, perhaps; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
+  fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: perhaps a member of this composite is dead; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
   fail  /localhost:$PORT/half.host_cxt/composite0.rtc: one of its members is dead: nothing answers at 127.0.0.1:*; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
   [1]
 
@@ -106,7 +106,7 @@ Nothing of that is left, whether it ends by itself or not, also where the values
   [143]
   $ ctl @these2 connectors Fast0:out; ctl @these3 connectors Calm0:out
   $ ctl @these3 delay get 30; within 1-5 rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc | grep rtc
-  rtdoctor: /localhost:$PORT/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a call is unanswered and to remove it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/rates.host_cxt/Calm0.rtc:out
+  rtdoctor: /localhost:$PORT/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a call is unanswered and removing it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/rates.host_cxt/Calm0.rtc:out
   warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: measure it alone: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
   $ ctl @these3 reset; rtdis -i $(ctl @these3 connectors Calm0:out | cut -d' ' -f1) ../rates.host_cxt/Calm0.rtc:out; ctl @these3 connectors Calm0:out
 

@@ -25,7 +25,7 @@ to be made a second time:
   $ rtdel -f ConsoleIn0.rtc; doctor both.rtsys . | cut -d';' -f1
   fail  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Required component missing, but it lives: its port answers at 127.0.0.1:* (glob)
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing, but it lives: its port answers at 127.0.0.1:* (glob)
-  warn  /localhost:$PORT: has none of its 2 components in the file, though /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc live: it was started again, perhaps, and they were not
+  warn  /localhost:$PORT: has none of its 2 components in the file, though /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc live: perhaps it was started again, and they were not
   $ ctl die; doctor both.rtsys . | cut -d';' -f1
   fail  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Required component missing
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing

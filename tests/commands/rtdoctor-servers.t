@@ -27,7 +27,7 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   fail  /robot.invalid: host name robot.invalid not known here (*); try: correct the name, or write its address into /etc/hosts (glob)
   [1]
   $ doctor -q localhost:$(ctl port)
-  fail  /localhost:*: a CORBA process, but no name server: a component or manager, perhaps; try: correct the port; netstat -ltnp | grep omniNames there shows it (glob)
+  fail  /localhost:*: a CORBA process, but not a name server: perhaps a component or manager; try: correct the port; netstat -ltnp | grep omniNames there shows it (glob)
   [1]
   $ within 0.5-1.5 rtdoctor -q --timeout 0.5 localhost:$DEAD_HOST > out; grep -v "this host's name" out
   fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 0.5s); try: look at what is between here and localhost: firewall (port $DEAD_HOST), route (ip route get localhost), MTU and loss (ping localhost)

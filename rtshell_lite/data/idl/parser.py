@@ -75,7 +75,7 @@ class Parser:
             self.definition(0)
         for entry in self.announced:
             if entry.hole[0] is None:
-                raise self.fault(f"{entry.name} is announced, but not described", entry.token)
+                raise self.fault(f"{entry.name} is declared, but not defined", entry.token)
         for entry in self.interfaces.values():
             entry.what.interface.repository_id = entry.type_id  # a pragma may have come after it
         return Contents(

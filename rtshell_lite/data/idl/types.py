@@ -20,7 +20,7 @@ def declarator(parser, descriptor, what):
     name = parser.name(what)
     lengths = []
     if _incomplete(parser, descriptor):
-        raise parser.fault("of a type that is announced, but not described yet", token)
+        raise parser.fault("of a type that is declared, but not defined yet", token)
     while parser.is_mark("["):
         parser.advance()
         lengths.append(_positive(parser))
