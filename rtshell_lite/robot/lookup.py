@@ -56,7 +56,7 @@ async def tops(words, dotted=False):
     found = [await _path(word, may_be_server) for word in words]
     for word, path in zip(words, found):
         if path.port is not None:
-            raise errors.Usage(f"{printable(word)}: a port is looked at with its component")
+            raise errors.Usage(f"{printable(word)}: name its component, not a port")
     return found
 
 

@@ -332,7 +332,7 @@ class Page:
             self.wanted = ""
             self.only = None
         elif str(key).startswith(PASTE):
-            self.message = "what is pasted is not taken for keys"
+            self.message = "pasted text is not read as keys"
         else:
             self._act(key)
 

@@ -143,7 +143,7 @@ With a profile, all that rtcheck finds:
 Wrong usage:
 
   $ rtdoctor Motor0.rtc:in
-  rtdoctor: Motor0.rtc:in: a port is looked at with its component (see --help)
+  rtdoctor: Motor0.rtc:in: name its component, not a port (see --help)
   [2]
   $ rtdoctor --measure=0
   rtdoctor: argument --measure: not a number of seconds above 0: 0 (see --help)

@@ -178,7 +178,7 @@ Wrong usage is found before anything is asked:
 
   $ ctl reset
   $ rttop Motor0.rtc:in
-  rttop: Motor0.rtc:in: a port is looked at with its component (see --help)
+  rttop: Motor0.rtc:in: name its component, not a port (see --help)
   [2]
   $ rttop -p Motor0.rtc
   rttop: /localhost:$PORT/test.host_cxt/Motor0.rtc: no port specified (see --help)

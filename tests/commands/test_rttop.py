@@ -328,7 +328,7 @@ class Page(Terminal):
         self.shows(r"^Inactive .*Motor0\.rtc")
         self.tmux("set-buffer", "aysq\ndyq")
         self.tmux("paste-buffer", "-p")
-        self.shows("^what is pasted is not taken for keys$")
+        self.shows("^pasted text is not read as keys$")
         self.press("a")
         self.shows(r"^activate Motor0\.rtc\? y/N$")
         self.tmux("set-buffer", "y")
