@@ -28,8 +28,8 @@ class Writer:
             flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
             self._file = open(os.open(self._target, flags, 0o666), "ab")
         try:
-            writer.lock(self._file, name)
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
+                writer.lock(self._file, name)
                 self._prepare(append)
         except (errors.Failed, OSError):
             self._file.close()

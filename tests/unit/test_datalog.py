@@ -132,6 +132,11 @@ class Files(Case):
             with open(self.name, "rb") as file:
                 self.assertEqual(file.read(), data)
 
+    def test_a_device_takes_several_logs_of_text(self):
+        first = textlog.Writer(os.devnull, CHANNELS, [None, None])
+        textlog.Writer(os.devnull, CHANNELS, [None, None]).close()
+        first.close()
+
     def test_a_log_of_text_has_one_writer(self):
         first = textlog.Writer(self.name, CHANNELS, [None, None])
         first.write(messages(1))
