@@ -1,4 +1,5 @@
-"""The connections of components as events, asked for again and again, for who records what they send.
+"""The ports and connections of components as events, asked for again and again, for who records what they
+send.
 
 Observers of ports would report them, but the process of such an observer must not end before the component
 has let it go: C++ 2.1 hangs for good if it drops connections then, and those that a recorder reads by are
@@ -11,81 +12,119 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
-from rtshell_lite.text import from_wire
 
 LOOK = 2.0  # seconds between two looks; more where there are many ports
 MOST = 100  # ports that are asked in a second
+# Seconds until a port that did not answer is asked again: at first, doubled each time, and at most. While a
+# far end hangs, each question may wait there and hold a thread.
+AGAIN = 4.0
+LONGEST = 300.0
 
 
 async def follow(components, put):
     """Look again and again, until it is cancelled. `components`: a dict that grows and changes, {path as
-    text: (Node, its Ports)}. put(path as text, subject, event) is called with what has changed: the name
-    of a port, and PORT_CONNECT or PORT_DISCONNECT.
+    text: (Node, its Ports)}. put(path as text, subject, event) is called for what has changed: the name of a
+    port, and PORT_CONNECT, PORT_DISCONNECT, PORT_ADD or PORT_REMOVE.
     """
     followed = {}  # type: dict
-    shown = {}  # type: dict  # {identity of a port: where}: a composite shows those of its members, too
     while True:
-        await loop.sleep(max(LOOK, sum(len(each.ports) for each in followed.values()) / MOST))
+        count = sum(len(each.ports) for each in followed.values())
+        await loop.sleep(max(LOOK, count / MOST))
         for where, (node, listed) in components.items():
-            if where not in followed or followed[where].node is not node:
-                own = [port for port in listed if shown.setdefault(orb.identity(port.ref), where) == where]
-                followed[where] = _Followed(node, own)
-        now = time.monotonic()
-        due = [each for each in followed.values() if now >= each.due]
+            if where not in followed or followed[where].identity != orb.identity(node.ref):
+                followed[where] = _Followed(node, listed)
+        owners = {each.identity for each in followed.values()}
 
         async def look(each):
-            await each.look(put)
+            await each.look(owners, put)
 
-        for each, failure in zip(due, await session.each(due, look, lambda each: each.place)):
-            each.note(failure)
+        await session.each(list(followed.values()), look, lambda each: each.place)
 
 
 class _Followed:
-    """The ports of one component, and their connections as they were last seen; in ports are not asked, as
-    the far ends have the same.
-    """
+    """One component."""
 
     def __init__(self, node, listed):
         self.node = node
         self.where = str(node.path)
+        self.identity = orb.identity(node.ref)
         self.place = node.endpoint, self.where
-        self.due = 0.0  # when it may be asked again
-        self._pause = LOOK
-        self.ports = [port for port in listed if port.type != "DataInPort"]
-        # for each port {id of a connector: whether it is a tool's, which are no part of the system}
-        self._seen = [_known(port.connectors) for port in self.ports]
+        self.ports = [_Port(port) for port in listed]
 
-    def note(self, failure):
-        """Take what ended a look. What did not answer has more and more time: a question may wait there as
-        long as a far end hangs, and hold a thread.
+    async def look(self, owners, put):
+        """Call put, as in `follow`, for what has changed since the last look. `owners`: identities of the
+        components that are followed; a composite shows ports of its members, too. Raises what calls raise.
         """
-        if isinstance(failure, errors.Silent):
-            self._pause *= 2
-            self.due = time.monotonic() + self._pause
-        else:
-            self._pause = LOOK
+        await self._list_ports(put)
+        for port in self.ports:
+            if port.owner != self.identity and port.owner in owners or time.monotonic() < port.due:
+                continue
+            if session.current().silence(self.node.endpoint):
+                return
+            try:
+                events = await port.changes(self.where)
+            except errors.Silent:
+                port.wait()
+                continue
+            except errors.Error:
+                continue  # it may be gone: the next list shows that
+            for event in events:
+                put(self.where, port.name, event)
 
-    async def look(self, put):
-        """Call put, as in `follow`, for what has changed since the last look. Raises what calls raise."""
-        for place, port in enumerate(self.ports):
-            before = self._seen[place]
-            profiles = await orb.call(self.where, port.ref, "get_connector_profiles")
-            self._seen[place] = now = {}
-            for profile in profiles[: ports.MOST_PARTS]:
-                connector_id = from_wire(profile.connector_id)
-                if connector_id in before:
-                    now[connector_id] = before[connector_id]
-                else:
-                    now.update(_known([ports.connector(profile, self.node.path)]))
-            for _ in _system(before) - _system(now):
-                put(self.where, port.name, "PORT_DISCONNECT")
-            for _ in _system(now) - _system(before):
-                put(self.where, port.name, "PORT_CONNECT")
+    async def _list_ports(self, put):
+        known = {port.identity: port for port in self.ports}
+        listed = []
+        for ref in await ports.refs(self.node):
+            port = known.pop(orb.identity(ref), None)
+            if port is None:
+                port = _Port(await ports.port(self.node, ref))
+                put(self.where, port.name, "PORT_ADD")
+                self.ports.append(port)
+            listed.append(port)
+        for port in known.values():
+            put(self.where, port.name, "PORT_REMOVE")
+        self.ports = listed
 
 
-def _known(connectors):
-    return {connector.id: ports.is_of_tool(connector) for connector in connectors}
+class _Port:
+    """One port, and its connections as they were last seen."""
+
+    def __init__(self, port):
+        self.name = port.name
+        self.identity = orb.identity(port.ref)
+        self.owner = None  # its component, where that is known
+        if port.owner is not None:
+            self.owner = orb.identity(port.owner)
+        self.due = 0.0  # when it may be asked
+        self._ref = port.ref
+        self._pause = AGAIN
+        self._seen = _seen(port.connectors)
+
+    async def changes(self, where):
+        """The events since the last look. Raises what calls raise."""
+        profiles = await orb.call(where, self._ref, "get_connector_profiles")
+        now = _seen([ports.connector(profile, where) for profile in profiles[: ports.MOST_PARTS]])
+        before = self._seen
+        self._seen = now
+        self._pause = AGAIN
+        lost = [connector_id for connector_id in before if now.get(connector_id) != before[connector_id]]
+        made = [connector_id for connector_id in now if now[connector_id] != before.get(connector_id)]
+        return len(lost) * ["PORT_DISCONNECT"] + len(made) * ["PORT_CONNECT"]
+
+    def wait(self):
+        """It has not answered: ask it later."""
+        self.due = time.monotonic() + self._pause
+        self._pause = min(2 * self._pause, LONGEST)
 
 
-def _system(seen):
-    return {connector_id for connector_id, of_tool in seen.items() if not of_tool}
+def _seen(connectors):
+    """{id of a connector: what differs where it is made again under that id}: its ends, and the references
+    of what was made to carry its data. Those of tools are no part of the system.
+    """
+    seen = {}
+    for connector in connectors:
+        if not ports.is_of_tool(connector):
+            ends = [orb.identity(end) for end in connector.ports if end is not None]
+            carriers = [value for _, value in connector.properties if value.startswith("IOR:")]
+            seen[connector.id] = ends, carriers
+    return seen

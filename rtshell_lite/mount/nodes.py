@@ -30,7 +30,7 @@ NOTHING = Known(())
 
 
 class Absent(errors.NotFound):
-    """{}: no such path"""  # a name that its directory does not have: no failure worth keeping
+    message = "{}: no such path"  # a name that its directory does not have: no failure worth keeping
 
 
 class Mount:

@@ -9,7 +9,7 @@ from rtshell_lite.text import printable, shell_word
 
 
 class Incomplete(errors.Refused):
-    """{}: {}"""  # of a connection that some ends lack, or that joins other ports than it should
+    message = "{}: {}"  # of a connection that some ends lack, or that joins other ports than it should
 
 
 def connecting(profile, placement_of, only=None):

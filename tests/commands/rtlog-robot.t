@@ -93,15 +93,21 @@ A recorder that stood still lets components go, which would have waited for it:
   [143]
   $ soon '[ -z "$(ctl @senders3 connectors Source0:number)" ]'
 
-Connections come and go; those of tools are no part of the system:
+Connections come and go, are made again under their id, with another far end, too; those of tools are no part of the system:
 
-  $ rtlog -q -f j.mcap --events . & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'
-  $ rtprint -n 1 Source0.rtc:number > nul; rtcon Source0.rtc:number ConsoleOut0.rtc:in; events() { rtlog --json -f j.mcap | grep PORT_ | sed 's/.*"value": //'; }
-  $ soon 'events | grep _CONNECT'; rtdis Source0.rtc:number ConsoleOut0.rtc:in; soon 'events | grep _DISCONNECT'; kill $pid; wait $pid
+  $ rtlog -q -f j.mcap --events . & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'; number=/localhost:$PORT/test.host_cxt/Source0.rtc:number
+  $ events() { rtlog --json -f j.mcap | grep PORT_ | sed 's/.*"value": //'; }; seen() { [ $(events | grep -c $1) = $2 ]; }
+  $ rtprint -n 1 $number > nul; rtcon -i again $number ConsoleOut0.rtc:in; soon 'seen _CONNECT 2'; rtdis -i again $number; rtcon -i again $number ConsoleOut0.rtc:in
+  $ soon 'seen _CONNECT 4'; rtdis -i again $number; rtcon -i again $number Mock0.rtc:in; soon 'seen _CONNECT 6'; rtdis -i again $number; soon 'seen _DISCONNECT 6'
+  $ kill $pid; wait $pid
   [143]
-  $ events
-  {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  $ events | sed 's/.*event": "//; s/".*subject": "/ /; s/".*//' | sort | uniq -c | sed 's/^ *//'
+  2 PORT_CONNECT ConsoleOut0.in
+  1 PORT_CONNECT Mock0.in
+  3 PORT_CONNECT Source0.number
+  2 PORT_DISCONNECT ConsoleOut0.in
+  1 PORT_DISCONNECT Mock0.in
+  3 PORT_DISCONNECT Source0.number
 
 What cannot be:
 

@@ -187,6 +187,7 @@ class Case:
         return self.status in (1, 128 + signal.SIGKILL) and bool(PYTHON_ITSELF.search(self.said))
 
     def problems(self):
+        yield from self.left + self.files
         if self.was_too_early():
             return
         if self.status == 128 + self.which:
@@ -196,7 +197,6 @@ class Case:
             yield "status %d" % self.status
         if b"internal error" in self.said or OUR_TRACEBACK.search(self.said):
             yield "a traceback"
-        yield from self.left + self.files
 
 
 def wrong_files(where, command):
