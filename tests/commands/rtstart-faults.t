@@ -13,9 +13,9 @@ world: these Motor Sensor --flavour cpp11 --rate 50
 
 What takes longer than the timeout failed, --wait gives it more; what answers before it has changed is waited for:
 
-  $ rtstart -q --timeout 0.4 all.xml 2> said
+  $ ctl @these delay activate_component 3; rtstart -q --timeout 0.4 all.xml 2> said
   [5]
-  $ sed 's/;.*//' said | sort; states | grep -v Slow0
+  $ ctl @these reset; sed 's/;.*//' said | sort; states | grep -v Slow0
   rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: no answer within 0.4s
   rtstart: /localhost:$PORT/test.host_cxt/Stuck0.rtc: no answer within 0.4s
   Active ConsoleIn0.rtc
