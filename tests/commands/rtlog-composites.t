@@ -1,0 +1,20 @@
+rtlog --events tells the connections of members of a composite by the members, also when one of them is dead.
+
+world: these ConsoleIn:Fine0 ConsoleOut:Sink0
+world: these ConsoleIn:Dead0
+world: manager
+alone: kills
+
+  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ events() { rtlog --json -f a.mcap | grep 'PORT_\|DIED' | sed 's/.*"event": "//; s/".*_cxt\/\(.*\)", "subject": "\(.*\)".*/ \1 \2/; s/ $//'; }
+  $ rtcomp -q -a Dead0.rtc:out -a Fine0.rtc:out $(rtfind /localhost:$PORT -t m | head -n 1):A0
+  $ rtlog -q --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1'; kill-mock these2; soon 'events | grep DIED'
+  $ rtcon -q Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _CONNECT.Fine0'; rtdis Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _DISCONNECT.Fine0'
+  $ soon 'events | grep _DISCONNECT.Sink0'; kill $pid; wait $pid
+  [143]
+  $ events | sort
+  DIED Dead0.rtc
+  PORT_CONNECT Fine0.rtc Fine0.out
+  PORT_CONNECT Sink0.rtc Sink0.in
+  PORT_DISCONNECT Fine0.rtc Fine0.out
+  PORT_DISCONNECT Sink0.rtc Sink0.in
