@@ -45,12 +45,12 @@ Ctrl-C and SIGTERM, during the checks too:
   rtstart: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not tried: interrupted
 
   $ plan $(when 1 Sensor0 "$(waiting 9000)") $(when 2 ConsoleIn0 "$(preceding SYNC 0 Sensor0)") < all.xml > c.xml
-  $ rtdeact --wait ConsoleIn0.rtc Sensor0.rtc; interrupt 1 rtstart -q --wait 9 c.xml
+  $ rtdeact --wait ConsoleIn0.rtc Sensor0.rtc; interrupt 4 rtstart -q --wait 9 c.xml
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not tried: interrupted
   rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: interrupted
   rtstart: /localhost:$PORT/test.host_cxt/Stuck0.rtc: interrupted; whether it has been done is not known
   [130]
-  $ timeout 1 rtstart --json --wait 9 c.xml 2> said | grep -v null
+  $ timeout 4 rtstart --json --wait 9 c.xml 2> said | grep -v null
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not tried: interrupted", "number": 1, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc", "required": true, "result": "not tried"}
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: interrupted", "number": 4, "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc", "required": true, "result": "not tried"}
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Stuck0.rtc: interrupted; whether it has been done is not known", "number": 6, "path": "/localhost:$PORT/test.host_cxt/Stuck0.rtc", "required": true, "result": "uncertain"}
