@@ -49,7 +49,10 @@ class _Followed:
         self.where = str(node.path)
         self.identity = orb.identity(node.ref)
         self.place = node.endpoint, self.where
-        self.ports = [_Port(port) for port in listed]
+        self.ports = []
+        for port in listed:
+            self.ports.append(_Port(port.ref))
+            self.ports[-1].describe(port)
 
     async def look(self, owners, put):
         """Call put, as in `follow`, for what has changed since the last look. `owners`: identities of the
@@ -57,12 +60,13 @@ class _Followed:
         """
         await self._list_ports(put)
         for port in self.ports:
-            if port.owner != self.identity and port.owner in owners or time.monotonic() < port.due:
+            is_of_member = port.owner != self.identity and port.owner in owners
+            if is_of_member or time.monotonic() < port.due:
                 continue
             if session.current().silence(self.node.endpoint):
                 return
             try:
-                events = await port.changes(self.where)
+                events = await port.changes(self.node)
             except errors.Silent:
                 port.wait()
                 continue
@@ -76,34 +80,39 @@ class _Followed:
         listed = []
         for ref in await ports.refs(self.node):
             port = known.pop(orb.identity(ref), None)
-            if port is None:
-                port = _Port(await ports.port(self.node, ref))
-                put(self.where, port.name, "PORT_ADD")
-                self.ports.append(port)
-            listed.append(port)
+            listed.append(port or _Port(ref))
         for port in known.values():
-            put(self.where, port.name, "PORT_REMOVE")
+            if port.name is not None:
+                put(self.where, port.name, "PORT_REMOVE")
         self.ports = listed
 
 
 class _Port:
     """One port, and its connections as they were last seen."""
 
-    def __init__(self, port):
+    def __init__(self, ref):
+        self.identity = orb.identity(ref)
+        self.name = None  # until it is described
+        self.owner = None  # the identity of its component, where that is known
+        self.due = 0.0  # when it may be asked
+        self._ref = ref
+        self._pause = AGAIN
+        self._seen = {}  # type: dict
+
+    def describe(self, port):
+        """Take what a ports.Port says."""
         self.name = port.name
-        self.identity = orb.identity(port.ref)
-        self.owner = None  # its component, where that is known
         if port.owner is not None:
             self.owner = orb.identity(port.owner)
-        self.due = 0.0  # when it may be asked
-        self._ref = port.ref
-        self._pause = AGAIN
         self._seen = _seen(port.connectors)
 
-    async def changes(self, where):
-        """The events since the last look. Raises what calls raise."""
-        profiles = await orb.call(where, self._ref, "get_connector_profiles")
-        now = _seen([ports.connector(profile, where) for profile in profiles[: ports.MOST_PARTS]])
+    async def changes(self, node):
+        """The events since the last look; `node`: its component. Raises what calls raise."""
+        if self.name is None:
+            self.describe(await ports.port(node, self._ref))
+            return ["PORT_ADD"]
+        profiles = await orb.call(node.path, self._ref, "get_connector_profiles")
+        now = _seen([ports.connector(profile, node.path) for profile in profiles[: ports.MOST_PARTS]])
         before = self._seen
         self._seen = now
         self._pause = AGAIN

@@ -1,4 +1,5 @@
-rtlog --events tells the connections of members of a composite by the members, also when one of them is dead.
+Connections in rtlog --events: those of a composite's members have the members' paths, also when one of them is dead; a port that
+does not answer hides no other.
 
 world: these ConsoleIn:Fine0 ConsoleOut:Sink0
 world: these ConsoleIn:Dead0
@@ -10,11 +11,15 @@ alone: kills
   $ rtcomp -q -a Dead0.rtc:out -a Fine0.rtc:out $(rtfind /localhost:$PORT -t m | head -n 1):A0
   $ rtlog -q --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1'; kill-mock these2; soon 'events | grep DIED'
   $ rtcon -q Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _CONNECT.Fine0'; rtdis Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _DISCONNECT.Fine0'
-  $ soon 'events | grep _DISCONNECT.Sink0'; kill $pid; wait $pid
+  $ soon 'events | grep _DISCONNECT.Sink0'; asked() { ctl calls | grep get_connector_profiles; }; before=$(asked)
+  $ ctl fail get_connector_profiles 1 HANG; soon '[ "$(asked)" != "$before" ]'; rtcon -q Fine0.rtc:out Sink0.rtc:in
+  $ soon '[ $(events | grep -c _CONNECT) = 4 ]'; kill $pid; wait $pid
   [143]
   $ events | sort
   DIED Dead0.rtc
   PORT_CONNECT Fine0.rtc Fine0.out
+  PORT_CONNECT Fine0.rtc Fine0.out
+  PORT_CONNECT Sink0.rtc Sink0.in
   PORT_CONNECT Sink0.rtc Sink0.in
   PORT_DISCONNECT Fine0.rtc Fine0.out
   PORT_DISCONNECT Sink0.rtc Sink0.in
