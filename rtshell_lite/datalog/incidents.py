@@ -1,4 +1,4 @@
-"""What a flight recorder keeps of its ring when something has happened, and who is told of it."""
+"""What a flight recorder keeps of its ring when something has happened, and how that is reported."""
 
 import os
 import re

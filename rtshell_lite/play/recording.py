@@ -160,7 +160,7 @@ def interfaces_in(known):
 
 
 def _texts_in(known, key, count):
-    """Tuples of the lists of so many texts that are in a list in a dict of JSON."""
+    """Of the list `known[key]`, as JSON has it: the lists of `count` texts in it, as tuples."""
     value = known.get(key)
     if not isinstance(value, list):
         return []

@@ -1,8 +1,8 @@
 """What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the
 whole system.
 
-Events come as in rtwatch, but for connections (events/connections.py), and logs as in rtvlog. The profile is
-an attachment, as rtcryo writes it, with another one for what details.py keeps: at the start, and after
+Events come as in rtwatch, but those of ports from events/connections.py; logs come as in rtvlog. The profile
+is an attachment, as rtcryo writes it, with another one for what details.py keeps: at the start, and after
 changes.
 """
 

@@ -271,6 +271,7 @@ A name server that is not there, a path that is malformed, a file that cannot be
   $ rtcryo robot.rtsys
   rtcryo: to write a file: -o robot.rtsys (see --help)
   [2]
+  $ rtcryo -q -o robot.rtsys; rtcheck -s Inactive robot.rtsys; rm robot.rtsys
   $ rtcryo localhost:x
   rtcryo: /localhost:x: x is not a TCP port (1 to 65535)
   [2]

@@ -13,6 +13,8 @@ The words of find, patterns in paths, a directory for its components:
   rtls: /localhost:$PORT/*/Con*: no such path; to look for a pattern: rtfind /localhost:$PORT -n 'Con*'
   rtact: /**/*.rtc: no such path; to look for a pattern: rtfind / -n '*.rtc'
   [3]
+  $ rtfind /localhost:$PORT -n 'Con*' | head -n 1
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   $ rtls nosuchhost; rtls Console
   rtls: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; did you mean the name server /nosuchhost?
   rtls: /localhost:$PORT/test.host_cxt/Console: no such path; did you mean ConsoleIn0.rtc?
