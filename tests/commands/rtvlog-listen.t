@@ -3,7 +3,7 @@ rtvlog --listen receives the logs that OpenRTM 2 sends through Fluent Bit; nobod
 world: observed
 
   $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ listening() { soon 'grep -q port told'; port=$(sed 's/.*port //' told); }
+  $ listening() { soon 'grep -q "TCP port" told'; port=$(sed -n 's/.*TCP port //p' told); }
   $ plain() { sed 's/[0-9]*\.[0-9]\{6\}\]/T]/; s/"time": [0-9.]*/"time": T/' "$@"; }
 
 In every form of a message; a line is a line, and harms no terminal:
