@@ -89,7 +89,8 @@ A member of a composite reads in the composite's context, and is activated there
 
 Who stops reading meanwhile gets no more:
 
-  $ rtec ConsoleOut0.rtc rate 100; rtinject -q -n -1 -r 50 -c 9 ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
+  $ rtec ConsoleOut0.rtc rate 100; rtdeact --wait=30 ConsoleOut0.rtc; rtact --wait=30 ConsoleOut0.rtc  # a period that has begun lasts
+  $ rtinject -q -n -1 -r 50 -c 9 ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
   $ rtdeact ConsoleOut0.rtc; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about * of * values; the rest is dropped (glob)
   [5]
