@@ -35,7 +35,7 @@ class Echoes(unittest.TestCase):
             [OMNIIDL, "-bpython", "-Wbinline", "-I" + os.path.dirname(IDL), "-C" + cls.directory.name, IDL]
         )
         cls.provider = subprocess.Popen(
-            [sys.executable, os.path.join(TESTS, "support", "echo_provider.py"), cls.directory.name],
+            [sys.executable, os.path.join(TESTS, "unit", "echo_provider.py"), cls.directory.name],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
         )

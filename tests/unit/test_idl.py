@@ -69,7 +69,7 @@ def by_omniidl(path, directory):
     out = subprocess.check_output(
         [
             sys.executable,
-            os.path.join(TESTS, "support", "stub_types.py"),
+            os.path.join(TESTS, "unit", "stub_types.py"),
             directory,
             os.path.basename(path)[:-4] + "_idl",
         ],
