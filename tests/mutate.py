@@ -339,7 +339,7 @@ class Tests:
         self.copy = copy
         self.python = python
         self.runner = runner
-        self.marker = runner.leftovers.mark()
+        self.marker = runner.jobs.mark()
         self.environment = dict(os.environ, PYTHONPATH=copy, PYTHONDONTWRITEBYTECODE="1")
         self.limits = {}
         self.entered = {}
@@ -348,11 +348,10 @@ class Tests:
     def passes(self, name, limit):
         """Does a test pass within `limit` seconds?"""
         if name.endswith(".t"):
-            setting = self.runner.transcripts.Setting(self.python)
             path = os.path.join(self.copy, "tests", name)
-            return self.runner.transcripts.run_case(path, "dash", setting, time_limit=limit)[0] == "pass"
-        self.runner.MODULE_LIMIT = limit
-        outcomes = [outcome[1] for outcome in self.runner.run_module(name, self.python, self.environment, [])]
+            return self.runner.transcripts.run_case(path, "dash", self.python, time_limit=limit)[0] == "pass"
+        found = self.runner.run_module(name, self.python, self.environment, [], limit)
+        outcomes = [outcome for _, outcome, _ in found]
         return "pass" in outcomes and "fail" not in outcomes
 
     def try_out(self, name):
@@ -390,7 +389,7 @@ class Tests:
             failed = not self.passes(name, self.limits[name])
         finally:
             self._replace(path, kept)
-            self.runner.leftovers.left_behind(self.marker)
+            self.runner.jobs.left_behind(self.marker)
         self.killed[name] += failed
         return failed
 

@@ -14,7 +14,7 @@ import threading
 import time
 import unittest
 
-import leftovers
+import jobs
 import mounts
 import running
 import tools
@@ -378,7 +378,7 @@ class Users(unittest.TestCase):
         for tool in ("fusermount3", "setpriv"):
             if not shutil.which(tool):
                 raise unittest.SkipTest("needs " + tool)
-        if os.geteuid() or not leftovers.apart():
+        if os.geteuid() or not jobs.apart():
             raise unittest.SkipTest("needs a mount namespace")
 
     def says(self, script, expected):

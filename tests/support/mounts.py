@@ -3,8 +3,6 @@ import os
 import subprocess
 import tempfile
 
-import processes  # noqa: F401  makes our packages importable
-
 
 def refused():
     """Why nothing can be mounted here, '' if it can."""

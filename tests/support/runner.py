@@ -21,26 +21,21 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
 """
 
 import argparse
+import collections
 import concurrent.futures
 import glob
-import json
 import os
-import queue
 import signal
-import subprocess
 import sys
-import tempfile
-import threading
 import time
 import zlib
 
 import environments
-import leftovers
+import jobs
 import short
 import transcripts
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-TESTS = os.path.dirname(HERE)
+TESTS = os.path.dirname(jobs.HERE)
 FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
 # The matrix: test modules run on the first three Pythons, those that say that one is enough on the first.
 # Of transcripts, see has_turn: shells and ORBs to play them with on each Python, the ORB None where it is the
@@ -59,23 +54,16 @@ LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
 DIRECTORIES = ("unit", "mocks", "commands", "faults", "fuzz")  # with what is run always
 PACKAGING = ["commands/test_packaging", "commands/test_unpack", "commands/test_bytecode"]
+COMPAT = ["compat/test_rtsprofile", "compat/test_mcap"]
+REAL = ["compat/test_real", "compat/test_real_keep"]
 
 
-class Job:
-    """A test module, or a transcript under a shell; `run` returns outcomes. `at_once` like it may run
-    together, and nothing else.
-
-    `path` is the file that it runs: the longest ones begin, so that none is left when all others are done.
-    """
-
-    def __init__(self, label, run, at_once, path):
-        self.label = label
-        self.run = run
-        self.at_once = at_once
-        self.size = os.path.getsize(path)
+# `run` returns outcomes. `at_once` jobs like it may run together, and nothing else; the longest ones, by the
+# `size` of their files, begin, so that none is left when all others are done.
+Job = collections.namedtuple("Job", "label run at_once size")
 
 
-# ---- jobs ----
+# ---- test modules ----
 
 
 def test_modules():
@@ -86,83 +74,58 @@ def test_modules():
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
 
-def module_jobs(python, interpreter, commands, wheel, patterns, modules, orb=None):
-    environment = dict(os.environ, RTSHELL_WHEEL=wheel, PYTHONPATH=mocks_alone())
-    if orb:
-        environment["RTSHELL_ORB"] = orb
-    omniorb = environments.fetch_omniorb(python)
-    if omniorb:
-        environment["RTSHELL_OMNIORB_WHEEL"] = omniorb
-    if commands:
-        environment["PATH"] = commands + os.pathsep + os.environ["PATH"]
-
-    def job(module):
-        label = " ".join(filter(None, (python.version, orb, module)))
-        its_environment = dict(environment, RTSHELL_PART=short.part(source(module)))
-        at_once = 1 if says(module, "ALONE") else short.at_once(PROCESSORS)
-        return module_job(label, module, interpreter, its_environment, patterns, at_once)
-
-    return [job(module) for module in modules]
-
-
-def module_job(label, module, interpreter, environment, patterns, at_once):
-    return Job(label, lambda: run_module(module, interpreter, environment, patterns), at_once, source(module))
-
-
 def source(module):
     return os.path.join(TESTS, module + ".py")
 
 
 def says(module, word):
-    """Does a module say ALONE (it measures times), ONCE (one Python of the matrix is enough) or BOTH (each
-    ORB has its turn)?
+    """What a module says of ALONE (it measures times), ONCE (one Python of the matrix is enough), BOTH (each
+    ORB has its turn), PART (a short run takes one in so many of its tests); "" if it does not.
     """
     with open(source(module), encoding="utf-8") as file:
-        return any(line.startswith(word + " =") for line in file)
+        return next((line[len(word):].split()[1] for line in file if line.startswith(word + " =")), "")
 
 
-def run_module(module, python, environment, patterns):
-    with tempfile.TemporaryDirectory(prefix="rt-") as directory:
-        result = os.path.join(directory, "result")
-        # Output goes to a file: a process that a test forgot would hold a pipe open.
-        with open(os.path.join(directory, "output"), "w+", encoding="utf-8", errors="replace") as output:
-            process = subprocess.Popen(
-                leftovers.apart() + [python, os.path.join(HERE, "report.py"), result, module] + patterns,
-                stdin=subprocess.PIPE,
-                stdout=output,
-                stderr=output,
-                env=environment,
-                cwd=directory,
-                start_new_session=True,
-            )
-            why = wait(process)
-            output.seek(0)
-            said = output.read()
-        try:
-            with open(result) as file:
-                outcomes = json.load(file)
-        except (OSError, ValueError):
-            return [(module, "fail", "%s\n%s" % (why, said))]
+def module_jobs(label, interpreter, modules, patterns, **more):
+    """Jobs that run modules with more in their environment."""
+    environment = dict(os.environ, **more)
+
+    def job(module):
+        def run():
+            return run_module(module, interpreter, environment, patterns)
+
+        at_once = 1 if says(module, "ALONE") else short.at_once(PROCESSORS)
+        return Job("%s %s" % (label, module), run, at_once, os.path.getsize(source(module)))
+
+    return [job(module) for module in modules]
+
+
+def wheel_jobs(python, interpreter, wheel, patterns, modules, orb=None):
+    """Jobs that run modules on an interpreter, of a Python, in which the wheel is installed, or not."""
+    more = {"RTSHELL_WHEEL": wheel, "PYTHONPATH": mocks_alone()}
+    if orb:
+        more["RTSHELL_ORB"] = orb
+    omniorb = environments.fetch_omniorb(python)
+    if omniorb:
+        more["RTSHELL_OMNIORB_WHEEL"] = omniorb
+    if interpreter != python.path:
+        more["PATH"] = os.path.dirname(interpreter) + os.pathsep + os.environ["PATH"]
+    return module_jobs(" ".join(filter(None, (python.version, orb))), interpreter, modules, patterns, **more)
+
+
+def run_module(module, python, environment, patterns, limit=MODULE_LIMIT):
+    """The outcomes of a test module: [[name, "pass", "fail", "skip" or "figures", explanation]]."""
+    part = says(module, "PART") if short.is_chosen() else ""
+    if os.environ.get("RTSHELL_FAULTS"):
+        limit = LONG_LIMIT
+    words = [module, part or "1"] + patterns
+    outcomes, why, said = jobs.run_job(python, "report.py", words, limit, environment)
+    if outcomes is None:
+        return [(module, "fail", "%s\n%s" % (why, said))]
+    if said and outcomes and outcomes[-1][1] == "fail":
+        outcomes[-1][2] += "\noutput of %s:\n%s" % (module, said)
     figures = [line for line in said.splitlines() if line.startswith("figures: ")]
-    outcomes = [[module, "figures", line] for line in figures] + outcomes
-    if said and any(outcome[1] == "fail" for outcome in outcomes):
-        outcomes[-1] = outcomes[-1][:2] + [outcomes[-1][2] + "\noutput of %s:\n%s" % (module, said)]
-    return outcomes
-
-
-def wait(process):
-    try:
-        limit = LONG_LIMIT if os.environ.get("RTSHELL_FAULTS") else MODULE_LIMIT
-        why = "ended with status %d" % process.wait(limit)
-    except subprocess.TimeoutExpired:
-        why = "no end after %g s" % limit
-    try:
-        os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
-    process.wait()
-    process.stdin.close()
-    return why
+    return [(module, "figures", line) for line in figures] + outcomes
 
 
 def mocks_alone():
@@ -176,10 +139,20 @@ def mocks_alone():
     return directory
 
 
-def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, accept=False):
-    """Jobs for the transcripts under a shell (None: all); `in_matrix`: those that have their turn."""
+# ---- transcripts ----
+
+
+def transcript_jobs(python, interpreter, wheel, orb, patterns, shell=None, in_matrix=False, accept=False):
+    """Jobs for the transcripts under a shell (None: all); `in_matrix`: those that have their turn. The mocks
+    of a Python that has no omniORBpy run on another.
+    """
     missing = transcripts.missing_shells()
-    label = " ".join(filter(None, (python.version, setting.orb)))
+    commands = os.path.dirname(interpreter)
+    label = " ".join(filter(None, (python.version, orb)))
+    lacks_omniorb = not environments.fetch_omniorb(python)
+    peers = interpreter
+    if lacks_omniorb:
+        peers = environments.prepare(environments.find_python(FULL[0]), wheel)
 
     def job(path, shell):
         name = transcripts.case_name(path, shell)
@@ -187,22 +160,17 @@ def transcript_jobs(python, setting, patterns, shell=None, in_matrix=False, acce
         def run():
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
-            return [(name,) + transcripts.run_case(path, shell, setting, accept)]
+            return [(name,) + transcripts.run_case(path, shell, peers, commands, orb, accept)]
 
         at_once = short.at_once(PROCESSORS, transcripts.says(path, "alone"))
-        return Job("%s %s" % (label, name), run, at_once, path)
+        return Job("%s %s" % (label, name), run, at_once, os.path.getsize(path))
 
-    lacks_omniorb = not environments.fetch_omniorb(python)
-    if accept:
-        shells = ["dash"]
-    else:
-        shells = shell and [shell]
     return [
         job(path, shell)
-        for path, shell in transcripts.cases(patterns, shells)
-        if short.has_turn(path, shell, setting.orb)
+        for path, shell in transcripts.cases(patterns, shell and [shell])
+        if short.has_turn(path, shell, orb)
         and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
-        and not (in_matrix and not has_turn(python.version, shell, setting.orb, path))
+        and not (in_matrix and not has_turn(python.version, shell, orb, path))
     ]
 
 
@@ -222,14 +190,6 @@ def has_turn(version, shell, orb, path):
     return version == (FULL[0] if transcripts.says(path, "once") else TURNS[number % len(TURNS)])
 
 
-def transcript_setting(python, interpreter, wheel, orb):
-    """The Setting of transcripts on a Python; the mocks of one that has no omniORBpy run on another."""
-    peers = interpreter
-    if not environments.fetch_omniorb(python):
-        peers = environments.prepare(environments.find_python(FULL[0]), wheel)
-    return transcripts.Setting(peers, os.path.dirname(interpreter), orb)
-
-
 # ---- running them ----
 
 
@@ -237,7 +197,7 @@ class Score:
     """The outcomes so far, which are printed as they come."""
 
     def __init__(self):
-        self.counts = {"pass": 0, "fail": 0, "skip": 0}
+        self.counts = collections.Counter()
         self.reasons = {}
         self.left = 0
         self.begun = time.monotonic()
@@ -249,24 +209,23 @@ class Score:
             text = "%d jobs left, %d s, %d failed" % (self.left, seconds, self.counts["fail"])
             print("\x1b[K" + text * bool(self.left), end="\r", flush=True)
 
-    def add(self, label, outcomes, seconds=None):
-        for line in [text for _, outcome, text in outcomes if outcome == "figures"]:
-            print("     %s: %s" % (label, line[len("figures: ") :]), flush=True)
-        outcomes = [each for each in outcomes if each[1] != "figures"]
+    def add(self, label, outcomes, seconds=0):
+        kinds = [outcome for _, outcome, _ in outcomes if outcome != "figures"]
+        self.counts.update(kinds)
         for name, outcome, text in outcomes:
-            self.counts[outcome] += 1
-            if outcome == "fail":
+            if outcome == "figures":
+                print("     %s: %s" % (label, text[len("figures: "):]), flush=True)
+            elif outcome == "fail":
                 which = "" if name in label else ": " + name
                 print("FAIL %s%s\n%s\n" % (label, which, text.rstrip()), flush=True)
             elif outcome == "skip":
                 self.reasons.setdefault(text, []).append("%s: %s" % (label, name))
-        if outcomes and seconds is not None and not any(outcome == "fail" for _, outcome, _ in outcomes):
-            passed = any(outcome == "pass" for _, outcome, _ in outcomes)
-            what = "ok  " if passed else "skip"
-            print("%s %s: %d in %.1f s" % (what, label, len(outcomes), seconds), flush=True)
+        if kinds and seconds and "fail" not in kinds:
+            what = "ok  " if "pass" in kinds else "skip"
+            print("%s %s: %d in %.1f s" % (what, label, len(kinds), seconds), flush=True)
 
     def close(self):
-        if not any(self.counts.values()):
+        if not self.counts:
             print("no test has such a name")
         for reason, names in sorted(self.reasons.items()):
             print("skipped %d: %s" % (len(names), reason))
@@ -275,40 +234,27 @@ class Score:
         return 1 if self.counts["fail"] or not self.counts["pass"] else 0
 
 
-def run_jobs(jobs, score):
+def run_jobs(some, score):
     """Run jobs, those first of which most may run at once; each once, whatever the outcome."""
-    for at_once in sorted({job.at_once for job in jobs}, reverse=True):
-        some = [job for job in jobs if job.at_once == at_once]
-        _run_some(sorted(some, key=lambda job: job.size, reverse=True), at_once, score)
+    for at_once in sorted({job.at_once for job in some}, reverse=True):
+        pool = concurrent.futures.ThreadPoolExecutor(at_once)
+        now = [job for job in some if job.at_once == at_once]
+        score.left = len(now)
+        started = [pool.submit(timed, job) for job in sorted(now, key=lambda job: job.size, reverse=True)]
+        for future in concurrent.futures.as_completed(started):
+            score.left -= 1
+            score.add(*future.result())
+            score.progress()
 
 
-def _run_some(jobs, lanes, score):
-    waiting = queue.Queue()
-    finished = queue.Queue()
-    score.left += len(jobs)
-    for job in jobs:
-        waiting.put(job)
-    for _ in range(lanes):
-        threading.Thread(target=_work, args=(waiting, finished), daemon=True).start()
-    for _ in jobs:
-        job, outcomes, seconds = finished.get()
-        score.left -= 1
-        score.add(job.label, outcomes, seconds)
-        score.progress()
-
-
-def _work(waiting, finished):
-    while True:
-        try:
-            job = waiting.get_nowait()
-        except queue.Empty:
-            return
-        begun = time.monotonic()
-        try:
-            outcomes = job.run()
-        except Exception as e:  # a fault of the runner must not be taken for success, nor stop the others
-            outcomes = [(job.label, "fail", "%s: %s" % (type(e).__name__, e))]
-        finished.put((job, outcomes, time.monotonic() - begun))
+def timed(job):
+    """Run a job: its label, its outcomes, and its seconds."""
+    begun = time.monotonic()
+    try:
+        outcomes = job.run()
+    except Exception as e:  # a fault of the runner must not be taken for success, nor stop the others
+        outcomes = [(job.label, "fail", "%s: %s" % (type(e).__name__, e))]
+    return job.label, outcomes, time.monotonic() - begun
 
 
 # ---- what to run ----
@@ -319,54 +265,50 @@ def compat_jobs(args):
     installed.
     """
     python = environments.find_python(args.python[0] if args.python else sys.executable)
-    modules = ["compat/test_rtsprofile", "compat/test_mcap"]
     try:
         interpreter = environments.prepare_compat(python)
     except environments.Failed as e:
         why = "PyYAML, rtsprofile-aist, mcap cannot be installed: " + str(e).splitlines()[-1]
-        skipped = [(module, "skip", why) for module in modules]
-        return [Job(python.version + " compat", lambda: skipped, PROCESSORS, source(modules[0]))]
-    environment = dict(os.environ, PYTHONPATH=environments.ROOT)
+        return [Job(python.version + " compat", lambda: [(module, "skip", why) for module in COMPAT], 1, 0)]
+    more = {"PYTHONPATH": environments.ROOT}
     npm = environments.prepare_npm()
     if npm:
-        environment["RTSHELL_NPM"] = npm
-    return [module_job("%s %s" % (python.version, module), module, interpreter, environment, args.pattern,
-                       PROCESSORS) for module in modules]
+        more["RTSHELL_NPM"] = npm
+    return module_jobs(python.version, interpreter, COMPAT, args.pattern, **more)
 
 
 def jobs_for(version, wheel, args):
     """All jobs on one Python."""
     python = environments.find_python(version)
     interpreter = environments.prepare(python, wheel)
+
+    def of_modules(modules, orb=None):
+        return wheel_jobs(python, interpreter, wheel, args.pattern, modules, orb)
+
+    def of_transcripts(orb, *which):
+        return transcript_jobs(python, interpreter, wheel, orb, args.pattern, *which)
+
     if args.real:
-        modules = ["compat/test_real", "compat/test_real_keep"]
-    elif args.accept:
-        modules = []
-    else:
-        is_first = not args.all or version == FULL[0]
-        modules = [module for module in test_modules() if is_first or not says(module, "ONCE")]
-    commands = os.path.dirname(interpreter)
-    jobs = module_jobs(python, interpreter, commands, wheel, args.pattern, modules)
-    if args.real:
-        return jobs
-    if args.all:
-        for shell, orb in MATRIX[version]:
-            setting = transcript_setting(python, interpreter, wheel, orb)
-            jobs += transcript_jobs(python, setting, args.pattern, shell, in_matrix=True)
-            if orb and version == TURNS[-1]:
-                both = [module for module in test_modules() if says(module, "BOTH")]
-                jobs += module_jobs(python, interpreter, commands, wheel, args.pattern, both, orb)
-        return jobs
-    for orb in short.orbs():
-        setting = transcript_setting(python, interpreter, wheel, orb)
-        jobs += transcript_jobs(python, setting, args.pattern, accept=args.accept)
-    return jobs
+        return of_modules(REAL)
+    if args.accept:
+        return of_transcripts(os.environ.get("RTSHELL_ORB"), "dash", False, True)
+    all_of_them = not args.all or version == FULL[0]
+    found = of_modules([module for module in test_modules() if all_of_them or not says(module, "ONCE")])
+    if not args.all:
+        for orb in short.orbs():
+            found += of_transcripts(orb)
+        return found
+    for shell, orb in MATRIX[version]:
+        found += of_transcripts(orb, shell, True)
+        if orb and version == TURNS[-1]:
+            found += of_modules([module for module in test_modules() if says(module, "BOTH")], orb)
+    return found
 
 
 def packaging_jobs(version, wheel, args):
     """The packaging tests on a Python as it is, with nothing installed for them."""
     python = environments.find_python(version)
-    return module_jobs(python, python.path, None, wheel, args.pattern, PACKAGING)
+    return wheel_jobs(python, python.path, wheel, args.pattern, PACKAGING)
 
 
 def gather_jobs(args, wheel, score):
@@ -387,7 +329,7 @@ def gather_jobs(args, wheel, score):
         return []
 
     with concurrent.futures.ThreadPoolExecutor(PROCESSORS) as pool:  # environments take their time to make
-        return [job for jobs in pool.map(gather, *zip(*wanted)) for job in jobs]
+        return [job for some in pool.map(gather, *zip(*wanted)) for job in some]
 
 
 def builder():
@@ -437,7 +379,7 @@ def main():
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
     short.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
     environments.need_loopback()
-    marker = leftovers.mark()
+    marker = jobs.mark()
     score = Score()
     held = environments.lock()
     try:
@@ -447,7 +389,7 @@ def main():
         return score.close()
     print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
     run_jobs(gather_jobs(args, wheel, score), score)
-    for line in leftovers.left_behind(marker):
+    for line in jobs.left_behind(marker):
         score.add("processes", [("left behind", "fail", line)])
     held.close()
     return score.close()
@@ -457,4 +399,4 @@ if __name__ == "__main__":
     try:
         sys.exit(main())
     except KeyboardInterrupt:  # what still runs ends with its stdin
-        sys.exit(130)
+        os._exit(130)

@@ -1,8 +1,6 @@
 """The surroundings of one transcript: a name server, peers, one shell, and the commands to play with them.
 
-`session.py` is started by transcripts.py, one process group a transcript; it reads a request
-(JSON, one line) and answers with each step's output and status. The group dies with it, and it dies
-when its stdin ends, so that nothing survives a runner that was killed.
+`session.py DIRECTORY REQUEST` is a job (see jobs.py) that transcripts.py starts; the request is JSON.
 
 Lines at the margin of a transcript that ask for surroundings:
     world: two            mock components, in a process of their own; several such lines, several processes
@@ -20,62 +18,66 @@ Commands that exist only inside a session: see tools.py.
 import json
 import os
 import re
-import shutil
-import signal
 import subprocess
 import sys
-import threading
 
+import jobs
 import mounts
 import processes
 import tools
+import transcripts
 
 MARK = "-- end of step "
 UUID = r"\b[0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12}\b"
 
 
-# ---- the session, on behalf of transcripts.py ----
-
-def run(request):
-    top = request["top"]
-    home = os.path.join(top, "home")
-    os.mkdir(home)
-    asked = [tuple(pair) for pair in request["directives"]]
+def run(top, path, shell, commands, orb, accept, time_limit):
+    """Play a transcript: ("pass", "fail" or "skip", explanation)."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    try:
+        items = transcripts.parse(text)
+    except transcripts.Malformed as e:
+        return "fail", str(e)
+    asked = transcripts.directives(items)
     pure = ("python", "pure") in asked
     if not pure and not processes.nameserver.binary():
-        return {"skip": "omniORBpy is not installed in %s" % sys.prefix}
+        return "skip", "omniORBpy is not installed in %s" % sys.prefix
     if ("needs", "fuse") in asked and mounts.refused():
-        return {"skip": "nothing can be mounted here: " + mounts.refused()}
+        return "skip", "nothing can be mounted here: " + mounts.refused()
     processes.open_session(top)
-    environment = surroundings(top, home, request["commands"], dict(asked).get("orb", request["orb"]))
-    environment["MOCKS"] = os.path.join(processes.ROOT, "mock_components")  # which has IDL files
-    environment["MOCK_PYTHON"] = sys.executable  # which has omniORBpy
+    environment = surroundings(top, commands, dict(asked).get("orb", orb))
     substitutions = [
-        (re.escape(home), "$TMP"),
+        (re.escape(environment["HOME"]), "$TMP"),
         (re.escape(top), "$SESSION"),
         (re.escape(environment["MOCKS"]), "$MOCKS"),
         (UUID, "$UUID"),
     ]
+    results = []
     try:
         environment["PORT"] = (
             str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")[1]
         )
         start_peers(asked, environment)
     except tools.Failed as e:
-        return {"results": [], "substitutions": substitutions, "problem": str(e)}
-    environment["RTCTREE_NAMESERVERS"] = "localhost:" + environment["PORT"]
-    environment["RTCSH_CWD"] = "/localhost:%(PORT)s/test.host_cxt" % environment
-    for name in sorted(environment):
-        # a port; all have five digits, so that columns stay where they are
-        if re.match("[0-9]{5}$", environment[name]):
-            substitutions.append((r"(?<![0-9])%s(?![0-9])" % environment[name], "$" + name))
-    results, problem = play(request, environment, home)
-    return {"results": results, "substitutions": substitutions, "problem": problem}
+        problem = str(e)
+    else:
+        environment["RTCTREE_NAMESERVERS"] = "localhost:" + environment["PORT"]
+        environment["RTCSH_CWD"] = "/localhost:%(PORT)s/test.host_cxt" % environment
+        for name in sorted(environment):
+            # a port; all have five digits, so that columns stay where they are
+            if re.match("[0-9]{5}$", environment[name]):
+                substitutions.append((r"(?<![0-9])%s(?![0-9])" % environment[name], "$" + name))
+        words = ["\n".join(step.command) for step in transcripts.steps(items)]
+        results, problem = play(words, shell, environment, time_limit)
+    return transcripts.compare(path, text, items, results, problem, substitutions, accept)
 
 
-def surroundings(top, home, commands, orb):
+def surroundings(top, commands, orb):
     """The environment of the session's shell: nothing of the developer's own gets in."""
+    home = os.path.join(top, "home")
     directory = os.path.join(top, "bin")
+    os.mkdir(home)
     os.mkdir(directory)
     for name in tools.NAMES:
         write_tool(
@@ -90,6 +92,8 @@ def surroundings(top, home, commands, orb):
         "SESSION": top,
         "LC_ALL": "C.UTF-8" if is_old else "C",
         "TERM": "xterm",
+        "MOCKS": os.path.join(processes.ROOT, "mock_components"),  # which has IDL files
+        "MOCK_PYTHON": sys.executable,  # which has omniORBpy
         # how tests/run finds what was left behind
         "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", ""),
     }
@@ -98,9 +102,7 @@ def surroundings(top, home, commands, orb):
     if commands:
         # peers find the mocks here, and rtshell_lite where it is installed
         os.mkdir(os.path.join(top, "python"))
-        os.symlink(
-            os.path.join(processes.ROOT, "mock_components"), os.path.join(top, "python", "mock_components")
-        )
+        os.symlink(environment["MOCKS"], os.path.join(top, "python", "mock_components"))
     else:
         commands = os.path.join(processes.ROOT, "bin")
         environment["PYTHONPATH"] = processes.ROOT
@@ -116,7 +118,7 @@ def write_tool(path, command):
     os.chmod(path, 0o755)
 
 
-def play(request, environment, home):
+def play(steps, shell, environment, time_limit):
     """Run all steps in one shell: pairs of output and status, and what went wrong with the session itself."""
     script = tools.session_file("script")
     output = tools.session_file("output")
@@ -124,30 +126,30 @@ def play(request, environment, home):
         file.write(
             "_mark() { _status=$?; printf '%%s%%s %%s\\n' '%s' $1 $_status; return $_status; }\n" % MARK
         )
-        for number, step in enumerate(request["steps"]):
+        for number, step in enumerate(steps):
             file.write("%s\n_mark %d\n" % (step, number))
     problem = None
     with open(output, "wb") as out:
-        shell = subprocess.Popen(
-            request["shell"] + [script],
+        process = subprocess.Popen(
+            shell + [script],
             stdin=subprocess.DEVNULL,
             stdout=out,
             stderr=out,
-            cwd=home,
+            cwd=environment["HOME"],
             env=environment,
             preexec_fn=tools.hear_ctrl_c,
         )
     try:
-        shell.wait(request["time_limit"])
+        process.wait(time_limit)
     except subprocess.TimeoutExpired:
-        problem = "no end after %g s" % request["time_limit"]
+        problem = "no end after %g s" % time_limit
     with open(output, "rb") as file:
         parts = re.split((MARK + r"(\d+) (\d+)\n").encode(), file.read())
-    results = [(parts[i].decode("latin-1"), int(parts[i + 2])) for i in range(0, len(parts) - 1, 3)]
-    if len(results) < len(request["steps"]):
+    results = [(parts[i], int(parts[i + 2])) for i in range(0, len(parts) - 1, 3)]
+    if len(results) < len(steps):
         problem = "%s in: %s\n%s" % (
-            problem or "the shell ended (%s)" % shell.returncode,
-            request["steps"][len(results)],
+            problem or "the shell ended (%s)" % process.returncode,
+            steps[len(results)],
             parts[-1].decode("utf-8", "backslashreplace"),
         )
     return results, problem
@@ -184,20 +186,6 @@ def unused(environment, variable):
     return next(name for name in names if name not in environment)
 
 
-def main():
-    request = json.loads(sys.stdin.readline())
-    threading.Thread(target=die_with_parent, args=(request["top"],), daemon=True).start()
-    sys.stdout.write(json.dumps(run(request)) + "\n")
-    sys.stdout.flush()
-    signal.pause()  # until the group is killed
-
-
-def die_with_parent(top):
-    sys.stdin.read()
-    mounts.take_away(top)
-    shutil.rmtree(top, ignore_errors=True)
-    os.killpg(0, signal.SIGKILL)
-
-
 if __name__ == "__main__":
-    main()
+    top, (request,) = jobs.begin()
+    jobs.finish(run(top, *json.loads(request)))

@@ -27,16 +27,6 @@ def is_chosen():
     return "RTSHELL_SHORT" in os.environ
 
 
-def part(source):
-    """Which tests of a module have their turn, as report.py takes it; "" for all. `source` is the module's
-    file.
-    """
-    if not is_chosen():
-        return ""
-    with open(source, encoding="utf-8") as file:
-        return next((line.split()[2] for line in file if line.startswith("PART =")), "")
-
-
 def orbs():
     """What transcripts are played with: each ORB in a short run (None: the one that commands choose), else
     the user's.

@@ -12,20 +12,13 @@ a newline in ` (no-eol)`. Lines such as `world: two` at the margin ask for peers
 import difflib
 import json
 import os
-import queue
 import re
 import shutil
-import signal
-import subprocess
 import sys
-import tempfile
-import threading
 
-import leftovers
-import mounts
+import jobs
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-COMMANDS = os.path.join(os.path.dirname(HERE), "commands")
+COMMANDS = os.path.join(os.path.dirname(jobs.HERE), "commands")
 SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 120.0  # seconds for one file under one shell
 # see session.py; for tests of faults, see invocations.py:
@@ -185,123 +178,51 @@ def _align(expected, actual):
 
 # ---- running ----
 
-class Setting:
-    """What a transcript runs with: a Python that has omniORBpy, the directory of the commands (None: the
-    checkout's), and their ORB (None: the one that they choose themselves), unless the transcript demands
-    another.
+def run_case(path, shell, python=sys.executable, commands=None, orb=os.environ.get("RTSHELL_ORB"),
+             accept=False, time_limit=TIME_LIMIT):
+    """Have session.py run a transcript under a shell: ("pass" or "fail" or "skip", explanation).
+
+    `python` has omniORBpy; `commands` is their directory (None: the checkout's), `orb` theirs (None: the one
+    that they choose themselves), unless the transcript demands another.
     """
-
-    def __init__(self, python=sys.executable, commands=None, orb=os.environ.get("RTSHELL_ORB")):
-        self.python = python
-        self.commands = commands
-        self.orb = orb
+    request = json.dumps([path, SHELLS[shell], commands, orb, accept, time_limit])
+    result, why, printed = jobs.run_job(python, "session.py", [request], time_limit + 60)
+    return tuple(result or ("fail", "the session broke down: %s\n%s" % (why, printed)))
 
 
-def run_case(path, shell, setting, accept=False, time_limit=TIME_LIMIT):
-    """Run one transcript under one shell: ("pass" or "fail" or "skip", explanation)."""
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    try:
-        items = parse(text)
-        outcome = _session(items, shell, setting, time_limit)
-    except Malformed as e:
-        return "fail", str(e)
-    if "skip" in outcome:
-        return "skip", outcome["skip"]
-    outputs = [merge(step.expected, actual) for step, actual in zip(steps(items), outcome["outputs"])]
-    if outcome["problem"]:
-        outputs += [["… not reached"]] * (len(steps(items)) - len(outputs))
+def compare(path, text, items, results, problem, substitutions, accept):
+    """What the results of the first steps of a transcript, and the problem that ended it, make of it."""
+    outputs = [spell_step(*result, substitutions) for result in results]
+    outputs = [merge(step.expected, actual) for step, actual in zip(steps(items), outputs)]
+    outputs += [["… not reached"]] * (len(steps(items)) - len(outputs))
     actual = render(items, outputs)
-    if accept and not outcome["problem"]:
-        _replace(path, actual)
+    if accept and not problem:
+        replace(path, actual)
         return "pass", ""
-    if actual == render(items, [step.expected for step in steps(items)]) and not outcome["problem"]:
+    if actual == render(items, [step.expected for step in steps(items)]) and not problem:
         return "pass", ""
     name = os.path.basename(path)
     difference = difflib.unified_diff(
         text.splitlines(), actual.splitlines(), name, name + " (actual)", lineterm=""
     )
-    return "fail", "\n".join(list(difference) + ([outcome["problem"]] if outcome["problem"] else []))
+    return "fail", "\n".join(list(difference) + [problem or ""])
 
 
-def _session(items, shell, setting, time_limit):
-    """Have session.py run the steps in a process group of its own, which never outlives this call."""
-    top = tempfile.mkdtemp(prefix="rt-")
-    request = {
-        "top": top,
-        "shell": SHELLS[shell],
-        "commands": setting.commands,
-        "orb": setting.orb,
-        "time_limit": time_limit,
-        "directives": directives(items),
-        "steps": ["\n".join(s.command) for s in steps(items)],
-    }
-    worker = subprocess.Popen(
-        leftovers.apart() + [setting.python, os.path.join(HERE, "session.py")],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-    )
-    complaint = []
-    reader = threading.Thread(target=lambda: complaint.append(worker.stderr.read()), daemon=True)
-    reader.start()
-    try:
-        worker.stdin.write(json.dumps(request).encode() + b"\n")
-        worker.stdin.flush()  # and left open: the worker ends when it is closed
-        answer = _line(worker.stdout, time_limit + 60)
-        reader.join(0 if answer else 1)
-    finally:
-        _kill_group(worker)
-        mounts.take_away(top)
-        shutil.rmtree(top, ignore_errors=True)
-    if not answer:
-        return {
-            "outputs": [],
-            "problem": "the session broke down: %s" % b"".join(complaint).decode("utf-8", "replace"),
-        }
-    return _spelt(json.loads(answer.decode()))
+def spell_step(raw, status, substitutions):
+    """The lines of a step's output and status."""
+    lines = [spell(line, substitutions) for line in raw.split(b"\n")]
+    if raw.endswith(b"\n") or not raw:
+        lines.pop()
+    else:
+        lines[-1] += " (no-eol)"
+    if status:
+        lines.append("[%d]" % status)
+    elif lines and not lines[-1]:
+        lines[-1] = " (esc)"  # an empty line would not be seen at the end
+    return lines
 
 
-def _line(stream, seconds):
-    lines = queue.Queue()
-    threading.Thread(target=lambda: lines.put(stream.readline()), daemon=True).start()
-    try:
-        return lines.get(timeout=seconds)
-    except queue.Empty:
-        return b""
-
-
-def _kill_group(worker):
-    try:
-        os.killpg(worker.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
-    worker.wait()
-    for stream in (worker.stdin, worker.stdout, worker.stderr):
-        stream.close()
-
-
-def _spelt(outcome):
-    """Turn each step's raw output and status into the lines of a transcript."""
-    outputs = []
-    for raw, status in outcome.get("results", ()):
-        raw = raw.encode("latin-1")
-        lines = [spell(line, outcome["substitutions"]) for line in raw.split(b"\n")]
-        if raw.endswith(b"\n") or not raw:
-            lines.pop()
-        else:
-            lines[-1] += " (no-eol)"
-        if status:
-            lines.append("[%d]" % status)
-        elif lines and not lines[-1]:
-            lines[-1] = " (esc)"  # an empty line would not be seen at the end
-        outputs.append(lines)
-    outcome["outputs"] = outputs
-    return outcome
-
-
-def _replace(path, text):
+def replace(path, text):
     temporary = os.path.join(os.path.dirname(path), ".%s.tmp" % os.path.basename(path))
     with open(temporary, "w", encoding="utf-8") as file:
         file.write(text)

@@ -12,7 +12,6 @@ import processes
 import transcripts
 
 PART = 3  # a short run takes one in PART of its tests
-SETTING = transcripts.Setting()
 
 
 def run(text, shell="dash", accept=False, time_limit=20, pure=True):
@@ -20,7 +19,7 @@ def run(text, shell="dash", accept=False, time_limit=20, pure=True):
         path = os.path.join(directory, "case.t")
         with open(path, "w", encoding="utf-8") as file:
             file.write(("python: pure\n\n" if pure else "\n\n") + text)
-        outcome, explanation = transcripts.run_case(path, shell, SETTING, accept, time_limit)
+        outcome, explanation = transcripts.run_case(path, shell, accept=accept, time_limit=time_limit)
         with open(path, encoding="utf-8") as file:
             return outcome, explanation, file.read().partition("\n\n")[2]
 
@@ -207,7 +206,7 @@ class Leaving(unittest.TestCase):
         runner = subprocess.Popen(
             [sys.executable, "-c", program],
             cwd=os.path.dirname(os.path.abspath(__file__)),
-            env=dict(os.environ, PYTHONPATH=transcripts.HERE),
+            env=dict(os.environ, PYTHONPATH=transcripts.jobs.HERE),
         )
         self.addCleanup(runner.wait)
         self.assertTrue(wait_until(lambda: survivors(marker)))

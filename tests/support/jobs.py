@@ -1,0 +1,121 @@
+"""Jobs in process groups of their own, and what tests leave behind: processes, found by a mark in their
+environment, and mounts, which only they themselves see.
+"""
+import functools
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import uuid
+
+import mounts
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+@functools.lru_cache(maxsize=None)
+def apart():
+    """How the command line of a job begins: root's jobs get a mount namespace each, as rtdoctor looks at all
+    mounts.
+    """
+    command = ["unshare", "--mount"]
+    try:
+        works = os.geteuid() == 0 and subprocess.call(command + ["true"], stderr=subprocess.DEVNULL) == 0
+    except FileNotFoundError:
+        works = False
+    return command if works else []
+
+
+def run_job(python, program, words, limit, environment=None):
+    """Run a program of ours, with a directory of its own as its first word: (what it gives to `finish`, or
+    None; how it ended; what it printed). Its process group is killed then, or after `limit` seconds.
+    """
+    directory = tempfile.mkdtemp(prefix="rt-")
+    try:
+        # Output goes to a file: a process that a test forgot would hold a pipe open.
+        with open(os.path.join(directory, "said"), "w+", encoding="utf-8", errors="replace") as said:
+            process = subprocess.Popen(
+                apart() + [python, os.path.join(HERE, program), directory] + words,
+                stdin=subprocess.PIPE,
+                stdout=said,
+                stderr=said,
+                env=environment,
+                cwd=directory,
+                start_new_session=True,
+            )
+            why = _end(process, limit)
+            said.seek(0)
+            printed = said.read()
+        try:
+            with open(os.path.join(directory, "result")) as file:
+                return json.load(file), why, printed
+        except (OSError, ValueError):
+            return None, why, printed
+    finally:
+        _remove(directory)
+
+
+def _end(process, limit):
+    """Wait for a job, and kill what is left of its group; returns how it ended."""
+    try:
+        return "ended with status %d" % process.wait(limit)
+    except subprocess.TimeoutExpired:
+        return "no end after %g s" % limit
+    finally:
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        process.wait()
+        process.stdin.close()
+
+
+def _remove(directory):
+    mounts.take_away(directory)
+    shutil.rmtree(directory, ignore_errors=True)
+
+
+def begin():
+    """For a job: end, with its group, when the process that has started it ends, which closes its stdin;
+    returns its directory and its other words.
+    """
+    def watch():
+        sys.stdin.read()
+        _remove(sys.argv[1])
+        os.killpg(0, signal.SIGKILL)
+    threading.Thread(target=watch, daemon=True).start()
+    return sys.argv[1], sys.argv[2:]
+
+
+def finish(result):
+    """For a job: hand over its result, and end; no thread holds the process."""
+    with open(os.path.join(sys.argv[1], "result"), "w") as file:
+        json.dump(result, file)
+    sys.stdout.flush()
+    os._exit(0)
+
+
+def mark():
+    """Put a mark into the environment that every process of this run inherits."""
+    os.environ["RTSHELL_TESTS"] = uuid.uuid4().hex
+    return ("RTSHELL_TESTS=" + os.environ["RTSHELL_TESTS"]).encode()
+
+
+def left_behind(marker):
+    """Kill the processes that have the mark, except this one; returns their command lines."""
+    found = []
+    for number in map(int, filter(str.isdigit, os.listdir("/proc"))):
+        try:
+            with open("/proc/%d/environ" % number, "rb") as file:
+                if number == os.getpid() or marker not in file.read():
+                    continue
+            with open("/proc/%d/cmdline" % number, "rb") as file:
+                found.append(file.read().replace(b"\0", b" ").decode("utf-8", "replace"))
+            os.kill(number, signal.SIGKILL)
+        except OSError:
+            pass
+    return found
