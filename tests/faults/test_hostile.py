@@ -9,10 +9,12 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import unittest
 
 import invocations
 import running
+import tools
 from rtshell_lite import path, text
 
 try:
@@ -24,6 +26,7 @@ PART = 12  # one in this many of its tests in a short run
 ONCE = "what is printed does not depend on the Python"
 BOTH = "each ORB reads names in its own way"
 
+ON_TERMINAL = [sys.executable, "-I", "-S", tools.__file__, "tty", "80"]
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
 USAGE = {"rtinject": {70}}   # the value does not fit the type of these ports
@@ -109,8 +112,9 @@ class Case:
 
     def run(self):
         where = around.directory("run%d" % self.number)
-        run = running.run_on_terminal if self.on_terminal else running.run
-        self.ran = run([self.command] + self.words(), where, RTCTREE_NAMESERVERS=server[1:])
+        inside = ON_TERMINAL if self.on_terminal else ()
+        words = [self.command] + self.words()
+        self.ran = running.run(words, where, inside, RTCTREE_NAMESERVERS=server[1:])
         return self
 
     def problems(self):

@@ -380,8 +380,7 @@ class Storm(unittest.TestCase):
         """
         self.keep()
         self.calm()
-        worlds.Server.process.kill()
-        worlds.Server.process.wait()
+        worlds.processes.end(worlds.Server.NAME)
         self.addCleanup(self.serve_names_again)
         number = self.random.randrange(PROCESSES)
         self.robot.worlds[number].ctl("error", "Set%d" % number)
@@ -410,7 +409,7 @@ class Storm(unittest.TestCase):
 
     @staticmethod
     def serve_names_again():
-        if worlds.Server.process.poll() is None:
+        if worlds.processes.find(worlds.Server.NAME).poll() is None:
             return
         worlds.Server.start_again()
 

@@ -98,9 +98,8 @@ def populate(name, words):
 
 
 def start(label, host, command):
-    process = running.processes.start(label, inside(host) + command)
-    around.processes.append(process)
-    return process
+    running.processes.start(label, inside(host) + command)
+    return running.processes.find(label)
 
 
 def world(label, host, words, *options):
@@ -121,7 +120,7 @@ def world(label, host, words, *options):
         + list(options)
         + words,
     )
-    running.processes.ready(process, label)
+    running.processes.ready(label)
     return process
 
 

@@ -5,7 +5,9 @@ way round.
 """
 import itertools
 import json
+import os
 import queue
+import re
 import unittest
 
 import proxy
@@ -46,7 +48,7 @@ class Lane:
         self.old = ""
         self.names = proxy.Proxy()
         # where it can be reached for certain
-        self.direct = around.name_server("lane%d" % number, self.names.port)
+        self.direct = around.name_server("lane%d" % number, published=self.names.port)
         self.names.target = int(self.direct.rpartition(":")[2])
         self.server = "/127.0.0.1:%d" % self.names.port
         self.home = self.server + "/" + self.place
@@ -66,7 +68,7 @@ class Lane:
         self.names.reset()
         for number, name in enumerate(self.worlds):
             if number in broken:
-                around.end(name)
+                running.processes.end(name)
                 self.worlds[number] = None
         self.renew()
         for name in self.worlds:
@@ -94,7 +96,7 @@ class Lane:
         return "half" if ends[0] != ends[1] else bool(ends[0])
 
     def has_ended(self, number):
-        return around.worlds[self.worlds[number]].poll() is not None
+        return running.processes.find(self.worlds[number]).poll() is not None
 
     def active(self, number, name):
         found = self.ctl(number, "state", name)
@@ -282,9 +284,7 @@ def setUpModule():
     around.world(server, "linked")
     around.world(server, "config")
     text, _ = around.files(server)
-    dumped = around.dumped(server + "/test.host_cxt/ConfigSample0.rtc", {"int_param0": (
-        "77"
-    ), "str_param0": "x"})
+    dumped = dumps(server + "/test.host_cxt/ConfigSample0.rtc", {"int_param0": "77", "str_param0": "x"})
     lanes = queue.Queue()
     for lane in running.together(Lane, range(LANES)):
         lanes.put(lane)
@@ -292,6 +292,20 @@ def setUpModule():
 
 def tearDownModule():
     around.close()
+
+
+def dumps(component, changes):
+    """Two files for `rtconf load`: a component's configuration, and the same with {parameter: value} in every
+    set.
+    """
+    text = around.done(["rtconf", component, "dump"])
+    paths = [os.path.join(around.top, name) for name in ("dumped", "changed")]
+    for path in paths:
+        with open(path, "w") as file:
+            file.write(text)
+        for name, value in changes.items():
+            text = re.sub("(?m)^%s=.*" % name, "%s=%s" % (name, value), text)
+    return paths
 
 
 class Case:

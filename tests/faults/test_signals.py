@@ -79,7 +79,7 @@ class Lane:
         """{who: seconds that it has waited for a processor so far}: a command, given by its process, this
         thread, which hears of its end, and the threads of the world that it asks.
         """
-        world = around.worlds[self.world].pid
+        world = running.processes.find(self.world).pid
         threads = os.listdir("/proc/%d/task" % world)
         known = [command, "thread-self"] + ["%d/task/%s" % (world, thread) for thread in threads]
         return {who: tools.waited_for_processor(who) for who in known}
@@ -110,7 +110,7 @@ class Lane:
             around.ctl(self.world, "forget", port)
 
     def renew(self):
-        around.end(self.world)
+        running.processes.end(self.world)
         self.begin()
 
 

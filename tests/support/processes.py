@@ -7,9 +7,13 @@ import itertools
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import time
+
+import mounts
 
 from tools import Failed, control, session_file
 
@@ -19,20 +23,46 @@ from mock_components import asking, nameserver  # noqa: E402
 START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
 
 
-# ---- starting ----
+_started = {}  # processes by where they keep their files
 
-def open_session(top):
-    """Have all that is started from now on keep its files in the directory `top`, and end when this process
-    does.
+
+def open_session(top=None):
+    """Have all that is started from now on keep its files in the directory `top`, by default a new one, and
+    end when this process does; returns the directory.
     """
+    top = top or tempfile.mkdtemp(prefix="rt-")
     os.environ["SESSION"] = top
     os.mkfifo(session_file("alive"))  # what every peer has as stdin
     os.open(session_file("alive"), os.O_RDWR)  # never closed
+    return top
 
 
-def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
-    """Start an omniNames of its own data directory; returns its process and its port as text, one that sorts
-    behind `above`.
+def close_session(top):
+    """End all that has its files in a directory, and remove it."""
+    for place in [place for place in _started if place.startswith(top + "/")]:
+        _kill(_started.pop(place))
+    mounts.take_away(top)
+    shutil.rmtree(top, ignore_errors=True)
+
+
+def find(name):
+    """The subprocess.Popen of that name."""
+    return _started[session_file(name)]
+
+
+def end(name):
+    _kill(find(name))
+
+
+def _kill(process):
+    process.kill()
+    process.wait()
+
+
+# ---- starting ----
+
+def start_name_server(name="names", above=nameserver.PORTS, published=None, options=()):
+    """Start an omniNames of its own data directory; returns its port as text, one that sorts behind `above`.
 
     `published` is the port in its references, where that is another one; `options` are further words
     of omniNames.
@@ -43,25 +73,28 @@ def start_name_server(name, above=nameserver.PORTS, published=None, options=()):
         port = nameserver.free_port(int(above))
         data = session_file("%s-%d" % (name, attempt))
         os.mkdir(data)
-        server = start(name, nameserver.command(port, data) + more)
+        words = nameserver.command(port, data) + more
         with open(session_file(name + ".command"), "w") as file:
-            json.dump(nameserver.command(port, data) + more, file)
-        if wait_until(lambda: nameserver.answers(port), server):
-            return server, str(port)
+            json.dump(words, file)
+        start(name, words)
+        if wait_until(lambda: nameserver.answers(port), name):
+            return str(port)
     raise Failed("omniNames does not start: " + said(name))
 
 
 def start_world(words, port):
-    """Start a world of mock components; returns its process and its name."""
+    """Start a world of mock components; returns its name."""
     name = unused_name(words[0])
     options = ["--nameserver", "localhost:" + port, "--control", control(name)]
-    return start(name, [sys.executable, "-m", "mock_components"] + options + words), name
+    start(name, [sys.executable, "-m", "mock_components"] + options + words)
+    return name
 
 
 def start_faulty(words):
-    """Start peers that misbehave; returns their process and its name."""
+    """Start peers that misbehave; returns the name of their process."""
     name = unused_name("faulty")
-    return start(name, [sys.executable, "-m", "mock_components.faulty"] + words), name
+    start(name, [sys.executable, "-m", "mock_components.faulty"] + words)
+    return name
 
 
 def start(name, command):
@@ -75,20 +108,20 @@ def start(name, command):
         )
     with open(session_file(name + ".pid"), "w") as file:
         file.write(str(process.pid))
-    return process
+    _started[session_file(name)] = process
 
 
 def start_again(name):
-    """Start a name server that was killed, at its old port, with its old names; returns its process."""
+    """Start a name server that was killed, at its old port, with its old names."""
     with open(session_file(name + ".command")) as file:
-        return start(name, json.load(file))
+        start(name, json.load(file))
 
 
-def wait_until(condition, process):
+def wait_until(condition, name):
     """The first true value of the condition; nothing if the process ended before, or took too long."""
     deadline = time.monotonic() + START_LIMIT
     while time.monotonic() < deadline:
-        ended = process.poll() is not None
+        ended = find(name).poll() is not None
         value = condition()
         if value or ended:
             return value
@@ -96,11 +129,9 @@ def wait_until(condition, process):
     return None
 
 
-def ready(process, name):
+def ready(name):
     """Wait until a peer says that it is ready, or where, as JSON; returns that line."""
-    def line():
-        return re.search('^(ready.*|{".*)\n', said(name), re.MULTILINE)
-    found = wait_until(line, process)
+    found = wait_until(lambda: re.search('^(ready.*|{".*)\n', said(name), re.MULTILINE), name)
     if not found:
         raise Failed("%s is not ready: %s" % (name, said(name)))
     return found.group()

@@ -1,22 +1,15 @@
 """Running commands and measuring them: seconds, memory, output; and the surroundings to run them in."""
 import concurrent.futures
-import fcntl
-import glob
+import json
 import os
-import pty
-import re
-import shutil
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
-import termios
 import threading
 import time
 import zlib
 
-import mounts
 import processes
 import tools
 import worlds
@@ -116,32 +109,6 @@ def kept(file, most):
     return first + b"\n...\n" + file.read()
 
 
-def run_on_terminal(words, where, columns=80, **more):
-    """Run a command on a terminal of its own; all that it prints is `out`."""
-    child, terminal = pty.fork()
-    if child == 0:
-        try:
-            signal.signal(signal.SIGINT, signal.SIG_DFL)
-            os.chdir(where)
-            os.execve(
-                sys.executable,
-                [sys.executable, os.path.join(worlds.COMMANDS, words[0])] + words[1:],
-                environment(**more),
-            )
-        finally:
-            os._exit(127)
-    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    begun = time.monotonic()
-    killer = threading.Timer(LIMIT, os.kill, (child, signal.SIGKILL))
-    killer.start()
-    said = b"".join(tools.printed_on(terminal))
-    os.close(terminal)
-    status, usage = os.wait4(child, 0)[1:]
-    killer.cancel()
-    status = 128 + os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
-    return Ran(words, status, said, b"", time.monotonic() - begun, 0, usage.ru_maxrss, len(said))
-
-
 def together(function, cases, parallel=PARALLEL):
     """[function(case)] for all cases, several at a time."""
     with concurrent.futures.ThreadPoolExecutor(parallel) as pool:
@@ -168,25 +135,16 @@ class Surroundings:
     """
 
     def __init__(self):
-        self.top = tempfile.mkdtemp(prefix="rt-faults-")
-        processes.open_session(self.top)
-        self.processes = []
-        self.worlds = {}
-        self.lock = threading.Lock()
+        self.top = processes.open_session()
 
-    def name_server(self, name="names", published=None, options=()):
-        """Start a name server; returns its address. `published`: the port in its references, if it is another
-        one.
-        """
-        return "/127.0.0.1:" + processes.start_name_server(name, published=published, options=options)[1]
+    def name_server(self, name="names", **more):
+        """Start a name server; returns its address. For more see processes.start_name_server."""
+        return "/127.0.0.1:" + processes.start_name_server(name, **more)
 
     def world(self, server, *words):
         """Start a world on a name server; its name, for `ctl`."""
-        with self.lock:  # names are given by what is there
-            process, name = processes.start_world(list(words), server.rpartition(":")[2])
-        self.processes.append(process)
-        self.worlds[name] = process
-        processes.ready(process, name)
+        name = processes.start_world(list(words), server.rpartition(":")[2])
+        processes.ready(name)
         return name
 
     def ctl(self, name, *words):
@@ -195,16 +153,7 @@ class Surroundings:
 
     def faulty(self, *modes):
         """Start faulty peers; their ports by name."""
-        import json
-        process, name = processes.start_faulty(list(modes))
-        self.processes.append(process)
-        return json.loads(processes.ready(process, name))
-
-    def bind(self, place, *modes):
-        """Start faulty peers and enter them in a name server as components MODE.rtc; place:
-        /HOST:PORT/CONTEXT.
-        """
-        self.faulty("--bind", place[1:], *modes)
+        return json.loads(processes.ready(processes.start_faulty(list(modes))))
 
     def files(self, server):
         """What a profile and a log look like: the text of one that connects ConsoleIn0 to ConsoleOut0 of the
@@ -235,25 +184,6 @@ class Surroundings:
             file.write(text.replace(home + "ConsoleIn0.rtc", a[1:]).replace(home + "ConsoleOut0.rtc", b[1:]))
         return path
 
-    def dumped(self, component, changes):
-        """Two files for `rtconf load`: a component's configuration, and the same with {parameter: value} in
-        every set.
-        """
-        text = self.done(["rtconf", component, "dump"])
-        paths = [os.path.join(self.top, name) for name in ("dumped", "changed")]
-        for path in paths:
-            with open(path, "w") as file:
-                file.write(text)
-            for name, value in changes.items():
-                text = re.sub("(?m)^%s=.*" % name, "%s=%s" % (name, value), text)
-        return paths
-
-    def end(self, name):
-        """End a world at once."""
-        process = self.worlds.pop(name)
-        process.kill()
-        process.wait()
-
     def directory(self, name):
         """An empty directory for a command to run in."""
         path = os.path.join(self.top, name)
@@ -261,13 +191,4 @@ class Surroundings:
         return path
 
     def close(self):
-        for process in self.processes:
-            process.kill()
-            process.wait()
-        for path in glob.glob(os.path.join(glob.escape(self.top), "*.pid")):
-            with open(path) as file:
-                number = int(file.read())
-            if number not in [process.pid for process in self.processes]:
-                os.kill(number, signal.SIGKILL)
-        mounts.take_away(self.top)
-        shutil.rmtree(self.top, ignore_errors=True)
+        processes.close_session(self.top)

@@ -56,7 +56,7 @@ def run(top, path, shell, commands, orb, accept, time_limit):
     results = []
     try:
         environment["PORT"] = (
-            str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")[1]
+            str(processes.nameserver.free_port()) if pure else processes.start_name_server("names")
         )
         start_peers(asked, environment)
     except tools.Failed as e:
@@ -165,15 +165,14 @@ def start_peers(asked, environment):
         if kind == "server":
             name = unused(environment, "PORT")
             last = max(environment[each] for each in environment if re.match(r"PORT\d*$", each))
-            environment[name] = processes.start_name_server(name.replace("PORT", "names"), above=last)[1]
+            environment[name] = processes.start_name_server(name.replace("PORT", "names"), above=last)
         elif kind == "world":
-            process, name = processes.start_world(words.split(), environment["PORT"])
+            name = processes.start_world(words.split(), environment["PORT"])
             environment[unused(environment, "MOCK_CONTROL")] = tools.control(name)
-            waiting.append((process, name))
+            waiting.append(name)
         elif kind == "faulty":
             waiting.append(processes.start_faulty(words.split()))
-    for process, name in waiting:
-        line = processes.ready(process, name)
+    for line in map(processes.ready, waiting):
         if line.startswith("{"):
             environment.update(
                 (re.sub(r"\W", "_", mode).upper(), str(port)) for mode, port in json.loads(line).items()

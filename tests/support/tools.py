@@ -23,7 +23,7 @@ class Failed(Exception):
 def play_mock(words):
     """mock WORLD [ARGUMENT...]: start one more world; the others know it by its first word (two, two2 …)."""
     import processes
-    processes.ready(*processes.start_world(words, os.environ["PORT"]))
+    processes.ready(processes.start_world(words, os.environ["PORT"]))
 
 
 def play_start_again(words):

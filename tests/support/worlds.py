@@ -2,12 +2,10 @@
 import glob
 import os
 import shutil
-import tempfile
 import time
 import unittest
 
 import processes
-import tools
 
 try:
     import omniORB
@@ -39,28 +37,24 @@ class Server:
 
     @classmethod
     def start(cls):
-        cls.directory = tempfile.mkdtemp()
-        processes.open_session(cls.directory)
+        cls.directory = processes.open_session()
         cls.orb = CORBA.ORB_init(
             ["test", "-ORBclientCallTimeOutPeriod", "8000", "-ORBtraceLevel", "0"], CORBA.ORB_ID
         )
-        cls.process, port = processes.start_name_server(cls.NAME)
-        cls.port = int(port)
+        cls.port = int(processes.start_name_server(cls.NAME))
         cls.root = cls.orb.string_to_object("corbaloc:iiop:1.2@127.0.0.1:%d/NameService" % cls.port)
         cls.root = cls.root._unchecked_narrow(CosNaming.NamingContext)
 
     @classmethod
     def stop(cls):
-        cls.process.kill()
-        cls.process.wait()
-        shutil.rmtree(cls.directory, ignore_errors=True)
+        processes.close_session(cls.directory)
 
     @classmethod
     def start_again(cls):
         """Start it again after it was killed, without the names that it had."""
         for file in glob.glob(os.path.join(cls.directory, cls.NAME + "-*", "*")):
             os.remove(file)
-        cls.process = processes.start_again(cls.NAME)
+        processes.start_again(cls.NAME)
         eventually(lambda: processes.nameserver.answers(cls.port), "the name server")
 
 
@@ -75,13 +69,12 @@ class World:
     """A world in a process of its own, and the objects bound by it."""
 
     def __init__(self, *words):
-        self.process, self.name = processes.start_world(list(words), str(Server.port))
-        self.control = tools.control(self.name)
-        self.ready = processes.ready(self.process, self.name)
+        self.name = processes.start_world(list(words), str(Server.port))
+        self.process = processes.find(self.name)
+        self.ready = processes.ready(self.name)
 
     def close(self):
-        self.process.kill()
-        self.process.wait()
+        processes.end(self.name)
 
     def resolve(self, *names):
         parts = [CosNaming.NameComponent("test", "host_cxt")]

@@ -317,7 +317,8 @@ class World(unittest.TestCase):
 
     def test_a_host_keeps_its_signals_and_deadlines(self):
         self.addCleanup(self.world.ctl, "reset")
-        self.assertEqual(self.said(HOST, self.home + "ConsoleIn0.rtc", self.world.control), "as before\n")
+        control = tools.control(self.world.name)
+        self.assertEqual(self.said(HOST, self.home + "ConsoleIn0.rtc", control), "as before\n")
 
     def test_a_host_that_serves_components_itself(self):
         self.assertEqual(
