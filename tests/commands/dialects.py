@@ -4,7 +4,6 @@ fragments.
 import re
 
 import giop_client
-import giop_peers
 import relay
 from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.giop import marshal, messages, operations
@@ -60,7 +59,7 @@ class Dialect(relay.Relay):
             self.untranslated.add(request.operation)
             return reply
         self.translated.add(request.operation)
-        return giop_peers.answer(number, bytes(body), status, reply[5], self.order)
+        return giop_client.answer(number, bytes(body), status, reply[5], self.order)
 
     def _types(self, request, status, reply, at):
         """The descriptors of what a reply holds."""

@@ -10,7 +10,6 @@ import hashlib
 import os
 import re
 import shutil
-import socket
 import subprocess
 import sys
 import tempfile
@@ -54,18 +53,6 @@ def run(words, **keywords):
 def pip(interpreter, command, *words):
     """Run a command of a Python's pip. Raises Failed."""
     run([interpreter, "-m", "pip", command, "--disable-pip-version-check", "-q"] + list(words))
-
-
-def need_loopback():
-    """End with a message in a network namespace in which nothing can run."""
-    with socket.socket() as probe:
-        try:
-            probe.bind(("127.0.0.1", 0))
-            probe.listen(1)
-            socket.create_connection(probe.getsockname(), 5).close()
-        except OSError as e:
-            sys.exit("tests/run: 127.0.0.1 does not work here (%s); in a new network "
-                     "namespace: ip link set lo up" % e.strerror)
 
 
 # ---- Pythons ----
@@ -142,8 +129,7 @@ def _digest(names):
 
 
 def _builder(python):
-    directory = os.path.join(STORE, "build-" + python.full)
-    return _environment(python, directory, "setuptools wheel", ["setuptools", "wheel"], "setuptools, wheel")
+    return _environment(python, "build-" + python.full, "setuptools, wheel", ["setuptools", "wheel"])
 
 
 # ---- environments ----
@@ -158,15 +144,15 @@ _preparing = collections.defaultdict(threading.Lock)
 
 
 def _prepared(python, wheel):
-    directory = os.path.join(STORE, python.full)
     fetched = fetch_omniorb(python)
     words = ["--no-index", wheel]
     if fetched:  # what a user types, so that the extra is tried as well
         words = ["--no-index", "--find-links", os.path.dirname(fetched), wheel + "[omniorb]"]
-    interpreter = _environment(
-        python, directory, str(fetched), words, "omniORB" if fetched else "rtshell_lite"
-    )
-    _refresh(interpreter, directory, wheel)
+    imports = "omniORB" if fetched else "rtshell_lite"
+    interpreter = _environment(python, python.full, imports, words, str(fetched))
+    # The version of the wheel does not change: its content decides whether it is installed.
+    words = ["--no-index", "--no-deps", "--force-reinstall", wheel]
+    _made_from(wheel, os.path.join(STORE, python.full, "wheel"), lambda: pip(interpreter, "install", *words))
     # The processes of the tests, thousands of them, write no bytecode beside the modules: half
     # their start-up.
     ours = [os.path.join(ROOT, name) for name in ("mock_components", "tests")]
@@ -180,8 +166,7 @@ def prepare_compat(python):
     """
     zstd = "backports.zstd; python_version < '3.14'"
     words = ["PyYAML", "rtsprofile-aist", "mcap", "mcap-ros2-support", zstd]
-    directory = os.path.join(STORE, "compat-" + python.full)
-    return _environment(python, directory, " ".join(words), words, "yaml, rtsprofile, mcap, mcap_ros2")
+    return _environment(python, "compat-" + python.full, "yaml, rtsprofile, mcap, mcap_ros2", words)
 
 
 def prepare_npm():
@@ -208,12 +193,12 @@ def fetch_omniorb(python):
         return None
     directory = os.path.join(STORE, "omniorb-" + python.full)
     requirements = _extra()
-    marker = os.path.join(directory, "made-from")
-    if _content(marker) != "\n".join(requirements):
+
+    def download():
         shutil.rmtree(directory, ignore_errors=True)
         pip(python.path, "download", "--no-deps", "-d", directory, *requirements)
-        with open(marker, "w") as file:
-            file.write("\n".join(requirements))
+
+    _made_from("\n".join(requirements), os.path.join(directory, "made-from"), download)
     return glob.glob(os.path.join(glob.escape(directory), "*.whl"))[0]
 
 
@@ -224,39 +209,34 @@ def _extra():
     return config["options.extras_require"]["omniorb"].strip().splitlines()
 
 
-def _environment(python, directory, requirement, words, imports):
-    """Make a virtual environment unless it is there, was made from the same, and works."""
+def _environment(python, name, imports, words, requirement=""):
+    """Make a virtual environment unless it is there, was made from the same, and works; returns its
+    interpreter. `words` are for `pip install`; `requirement` says more of what it is made from.
+    """
+    directory = os.path.join(STORE, name)
     interpreter = os.path.join(directory, "bin", "python")
     marker = os.path.join(directory, "made-from")
-    wanted = "%s\n%s\n" % (python.path, requirement)
-    if _content(marker) == wanted and subprocess.call([interpreter, "-c", "import " + imports],
-                                                      stderr=subprocess.DEVNULL) == 0:
-        return interpreter
-    print("making an environment for Python %s" % python.full, flush=True)
-    shutil.rmtree(directory, ignore_errors=True)
-    run([python.path, "-m", "venv", directory])
-    pip(interpreter, "install", *words)
-    run([interpreter, "-c", "import " + imports])
-    with open(marker, "w") as file:
-        file.write(wanted)
+    works = [interpreter, "-c", "import " + imports]
+
+    def make():
+        print("making an environment for Python %s" % python.full, flush=True)
+        shutil.rmtree(directory, ignore_errors=True)
+        run([python.path, "-m", "venv", directory])
+        pip(interpreter, "install", *words)
+        run(works)
+
+    if os.path.exists(marker) and subprocess.call(works, stderr=subprocess.DEVNULL):
+        os.remove(marker)
+    _made_from("%s\n%s\n" % (python.path, requirement or " ".join(words)), marker, make)
     return interpreter
 
 
-def _refresh(interpreter, directory, wheel):
-    """Install this wheel unless it is installed, which is decided by its content: the version does not
-    change.
-    """
-    marker = os.path.join(directory, "wheel")
-    if _content(marker) == wheel:
-        return
-    pip(interpreter, "install", "--no-index", "--no-deps", "--force-reinstall", wheel)
+def _made_from(source, marker, make):
+    """Make something unless it was made from that source, as a file beside it says."""
+    if os.path.exists(marker):
+        with open(marker) as file:
+            if file.read() == source:
+                return
+    make()
     with open(marker, "w") as file:
-        file.write(wheel)
-
-
-def _content(path):
-    try:
-        with open(path) as file:
-            return file.read()
-    except OSError:
-        return None
+        file.write(source)

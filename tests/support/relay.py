@@ -8,6 +8,7 @@ import threading
 
 import listening
 from mock_components import giop
+from rtshell_lite.giop import messages
 
 HOST = re.compile(rb"127\.0\.0\.1\0(..)", re.DOTALL)  # of a reference; the port follows
 
@@ -84,10 +85,9 @@ class Relay:
 
 def _whole(server):
     """The next message, put together from its fragments."""
-    header, payload = giop.read_message(server)
-    more = header[6] & 2
-    while more:
-        following, piece = giop.read_message(server)
-        more = following[6] & 2
-        payload += piece[4 if following[5] == 2 else 0:]  # in GIOP 1.2, each begins with the request's number
-    return header[:6] + bytes([header[6] & 1]) + header[7:8] + struct.pack("<I", len(payload)) + payload
+    parts = messages.Fragments()
+    data = None
+    while data is None:
+        data = parts.joined(b"".join(giop.read_message(server)), lambda number: messages.LARGEST)
+    order = "<" if data[6] & messages.LITTLE else ">"
+    return messages.whole(data[7], data[messages.HEADER:], data[5], order)

@@ -32,6 +32,7 @@ import zlib
 
 import environments
 import jobs
+import processes
 import short
 import transcripts
 
@@ -378,7 +379,10 @@ def main():
         os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
     short.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
-    environments.need_loopback()
+    try:
+        processes.nameserver.try_loopback()
+    except processes.nameserver.Failed as e:
+        sys.exit("tests/run: %s" % e)
     marker = jobs.mark()
     score = Score()
     held = environments.lock()

@@ -3,7 +3,8 @@ import socket
 import struct
 import unittest
 
-from giop_peers import CLOSE, Calls, Peer, answer
+from giop_client import answer
+from giop_peers import CLOSE, Calls, Peer
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.corba.iiop import client

@@ -2,11 +2,11 @@
 others the page.
 """
 import socket
-import threading
 import time
 import unittest
 from unittest import mock
 
+import loops
 from rtshell_lite.net import http, loop
 
 LIMIT = 30.0  # seconds that anything may take on a busy machine
@@ -14,7 +14,7 @@ PAGE = b"x" * 300000
 LARGE = b"x" * 30000000  # more than sockets hold
 
 
-class Serving:
+class Serving(loops.Serving):
     """The server on a thread: /page, /stream which sends three parts and goes on until the client leaves,
     else 404.
     """
@@ -22,20 +22,13 @@ class Serving:
     def __init__(self):
         self.listener = http.listening(socket.AF_INET, ("127.0.0.1", 0))
         self.port = self.listener.getsockname()[1]
-        self.over = loop.Bell()
         self.ended = []  # streams that have ended
         self.asked = []
-        self.began = threading.Event()
-        self.thread = threading.Thread(target=lambda: loop.run(self.run()), daemon=True)
-        self.thread.start()
-        self.began.wait()
+        super().__init__(LIMIT)
 
-    async def run(self):
-        self.loop = loop.current()
-        self.loop.make_bell()
-        self.began.set()
+    async def serve(self):
         async with loop.background(http.serve(self.listener, self.answer)):
-            await self.over.wait()
+            await super().serve()
 
     def answer(self, request):
         self.asked.append(request)
@@ -67,8 +60,7 @@ class Serving:
             self.ended.append(connection)
 
     def close(self):
-        self.loop.post(self.over.ring)
-        self.thread.join()
+        super().close()
         self.listener.close()
 
 

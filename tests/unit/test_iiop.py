@@ -10,7 +10,8 @@ import unittest
 
 import worlds
 import giop_peers
-from giop_peers import CLOSE, Peer, answer
+from giop_client import answer
+from giop_peers import CLOSE, Peer
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.giop import descriptors, fixed_size, idl

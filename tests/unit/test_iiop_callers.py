@@ -8,7 +8,8 @@ import tracemalloc
 import unittest
 from unittest import mock
 
-from giop_client import CLOSE, ERROR, LIMIT, Served, block, fragments, request, result
+from giop_client import block, fragments, request
+from served import CLOSE, ERROR, LIMIT, Served, result
 from rtshell_lite.corba.iiop import server
 from rtshell_lite.giop import messages, requests
 

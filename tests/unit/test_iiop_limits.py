@@ -11,7 +11,8 @@ import types
 import unittest
 from unittest import mock
 
-from giop_peers import Calls, Peer, Script, answer
+from giop_client import answer
+from giop_peers import Calls, Peer, Script
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, orb, session
 from rtshell_lite.giop import cdr, descriptors

@@ -8,7 +8,8 @@ import time
 import tracemalloc
 import unittest
 
-from giop_peers import CLOSE, Calls, Peer, answer
+from giop_client import answer
+from giop_peers import CLOSE, Calls, Peer
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, orb
 from rtshell_lite.corba.iiop import calls, client, connections

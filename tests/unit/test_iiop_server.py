@@ -11,7 +11,8 @@ try:
 except ImportError:
     omniORB = None
 
-from giop_client import ERROR, LIMIT, PORT_OK, Served, block, fragments, request, result, text
+from giop_client import PORT_OK, block, fragments, request, text
+from served import ERROR, LIMIT, Served, result
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.corba.iiop import client, server

@@ -6,7 +6,8 @@ import threading
 import time
 import unittest
 
-from giop_peers import Calls, answer
+from giop_client import answer
+from giop_peers import Calls
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.giop import descriptors

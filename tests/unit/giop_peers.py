@@ -1,5 +1,4 @@
-"""Processes, in threads of this one, that answer in GIOP what a test has given them."""
-import struct
+"""Processes, in threads of this one, that answer in GIOP what a test of our own ORB has given them."""
 import unittest
 from unittest import mock
 
@@ -29,13 +28,6 @@ class Peer(listening.Listener):
             connection.sendall(answer or b"")
             if answer is None or answer.endswith(CLOSE):
                 break
-
-
-def answer(number, body=b"\0", status=0, minor=2, order="<"):
-    """A reply, whole."""
-    head = struct.pack(order + "II", number, status)
-    head = head + bytes(4) if minor == 2 else bytes(4) + head
-    return messages.whole(messages.REPLY, head + body, minor, order)
 
 
 class Script(listening.Listener):
