@@ -1,8 +1,8 @@
 """A headless Chromium, driven through its DevTools protocol on a pair of pipes (--remote-debugging-pipe).
 
-with browser.Browser() as chromium:
-    page = chromium.open("/tmp/page.html")
-    page.run("document.title")
+chromium = browser.Browser()
+page = chromium.open("/tmp/page.html")
+page.run("document.title")
 """
 import base64
 import fcntl
@@ -56,12 +56,6 @@ class Browser:
         self.rest = b""
         self.count = 0
         self.events = []
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *about):
-        self.close()
 
     def close(self):
         os.close(self.writing)
@@ -185,11 +179,6 @@ class Page:
     def requests(self):
         """The addresses that it has asked for."""
         return [sent["request"]["url"] for sent in self.named("Network.requestWillBeSent")]
-
-    def picture(self, path):
-        """Write a PNG of what is seen."""
-        with open(path, "wb") as file:
-            file.write(base64.b64decode(self.call("Page.captureScreenshot")["data"]))
 
     def printed(self):
         """The bytes of a PDF of the page."""

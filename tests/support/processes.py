@@ -99,9 +99,8 @@ def start_faulty(words):
 
 def start(name, command):
     """Start a process that ends when this one does; its words go to a file, its number to another."""
-    environment = dict(
-        os.environ, PYTHONPATH=mocks_alone(), PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1"
-    )
+    path = os.environ.get("PYTHONPATH") or ROOT
+    environment = dict(os.environ, PYTHONPATH=path, PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1")
     with open(session_file("alive")) as alive, open(session_file(name + ".out"), "wb") as out:
         process = subprocess.Popen(
             command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""), env=environment
@@ -148,12 +147,6 @@ def ctl(name, *words):
 def said(name):
     with open(session_file(name + ".out"), encoding="utf-8", errors="replace") as file:
         return file.read()
-
-
-def mocks_alone():
-    """Where to import mock_components from, without importing rtshell_lite from there if it is installed."""
-    apart = session_file("python")
-    return apart if os.path.isdir(apart) else os.environ.get("PYTHONPATH") or ROOT
 
 
 def unused_name(name):

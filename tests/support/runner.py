@@ -149,6 +149,7 @@ def transcript_jobs(python, interpreter, wheel, orb, patterns, shell=None, in_ma
     """
     missing = transcripts.missing_shells()
     commands = os.path.dirname(interpreter)
+    environment = dict(os.environ, PYTHONPATH=mocks_alone())
     label = " ".join(filter(None, (python.version, orb)))
     lacks_omniorb = not environments.fetch_omniorb(python)
     peers = interpreter
@@ -161,7 +162,8 @@ def transcript_jobs(python, interpreter, wheel, orb, patterns, shell=None, in_ma
         def run():
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
-            return [(name,) + transcripts.run_case(path, shell, peers, commands, orb, accept)]
+            how = peers, commands, orb, accept, environment
+            return [(name,) + transcripts.run_case(path, shell, *how)]
 
         at_once = short.at_once(PROCESSORS, transcripts.says(path, "alone"))
         return Job("%s %s" % (label, name), run, at_once, os.path.getsize(path))

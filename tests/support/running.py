@@ -1,4 +1,5 @@
 """Running commands and measuring them: seconds, memory, output; and the surroundings to run them in."""
+import collections
 import concurrent.futures
 import json
 import os
@@ -24,23 +25,13 @@ THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))  # all cases instead of a samp
 PARALLEL = 6
 
 
-class Ran:
+class Ran(collections.namedtuple("Ran", "words status out err seconds waited resident said")):
     """What a command did: its words, status (128 + N for a signal N), out and err (bytes), seconds, kB
     resident at most, and how many octets it said, of which out and err may be a part.
 
     `seconds` do not count what its main thread stood waiting for a processor, as this machine has other
     things to do.
     """
-
-    def __init__(self, words, status, out, err, seconds, waited, resident, said):
-        self.words = words
-        self.status = status
-        self.out = out
-        self.err = err
-        self.seconds = seconds
-        self.waited = waited
-        self.resident = resident
-        self.said = said
 
     def __str__(self):
         return "%s: status %d, %.2f s (%.2f s for a processor), %d kB\n%s%s" % (
@@ -84,11 +75,11 @@ def run(words, where, inside=(), most=sys.maxsize, **more):
         killer.cancel()
         waited = tools.waited_for_processor(process.pid)
         status, usage = os.wait4(process.pid, 0)[1:]
-        process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
+        process.returncode = tools.shell_status(status)
         said = os.fstat(out.fileno()).st_size + os.fstat(err.fileno()).st_size
         return Ran(
             words,
-            process.returncode if process.returncode >= 0 else 128 - process.returncode,
+            process.returncode,
             kept(out, most),
             kept(err, most),
             seconds - waited,

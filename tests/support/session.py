@@ -99,11 +99,7 @@ def surroundings(top, commands, orb):
     }
     if orb:
         environment["RTSHELL_ORB"] = orb
-    if commands:
-        # peers find the mocks here, and rtshell_lite where it is installed
-        os.mkdir(os.path.join(top, "python"))
-        os.symlink(environment["MOCKS"], os.path.join(top, "python", "mock_components"))
-    else:
+    if not commands:
         commands = os.path.join(processes.ROOT, "bin")
         environment["PYTHONPATH"] = processes.ROOT
         environment["PYTHONDONTWRITEBYTECODE"] = "1"

@@ -56,28 +56,16 @@ def play_fluent(words):
     fluent.send(int(words[0]), fluent.message(words[1], [[1795247382.25, each] for each in records]))
 
 
-def play_kill_mock(words):
-    """kill-mock WORLD: kill -9, so that its names stay bound."""
-    send_signal(words, signal.SIGKILL, "gone")
-
-
-def play_end_mock(words):
-    """end-mock WORLD: ask it to end, and wait."""
-    send_signal(words, signal.SIGTERM, "gone")
-
-
-def play_hang(words):
-    """hang WORLD: stop its process; it accepts connections and never answers."""
-    send_signal(words, signal.SIGSTOP, "stopped")
-
-
-def play_resume(words):
-    """resume WORLD: let it go on."""
-    send_signal(words, signal.SIGCONT, "running")
+# commands that send a signal to worlds, NAME…, and wait until each is in a state
+SIGNALS = {
+    "kill-mock": (signal.SIGKILL, "gone"),  # its names stay bound
+    "end-mock": (signal.SIGTERM, "gone"),
+    "hang": (signal.SIGSTOP, "stopped"),  # it accepts connections and never answers
+    "resume": (signal.SIGCONT, "running"),
+}
 
 
 def send_signal(names, number, state):
-    """Send a signal to peers and wait until each is in that state."""
     for name in names:
         try:
             with open(session_file(name + ".pid")) as file:
@@ -85,11 +73,18 @@ def send_signal(names, number, state):
         except OSError:
             raise Failed("no world named %s" % name)
         os.kill(process, number)
-        deadline = time.monotonic() + START_LIMIT
-        while state_of(process) != state:
-            if time.monotonic() > deadline:
-                raise Failed("%s is still %s" % (name, state_of(process)))
-            time.sleep(0.005)
+        if not reaches(process, state, START_LIMIT):
+            raise Failed("%s is still %s" % (name, state_of(process)))
+
+
+def reaches(process, state, seconds):
+    """Wait until a process is in a state; returns whether it is within that time."""
+    deadline = time.monotonic() + seconds
+    while state_of(process) != state:
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.005)
+    return True
 
 
 def state_of(process):
@@ -136,24 +131,19 @@ def play_interrupt(words):
 
     What it was ready to run and was not let does not count: Python would be interrupted while it starts.
     """
-    import subprocess
     begun = time.monotonic()
-    process = subprocess.Popen(words[1:], preexec_fn=hear_ctrl_c)
-    while process.poll() is None and time.monotonic() - begun - waited_for_processor(process.pid) < float(
-        words[0]
-    ):
+    process = spawn(words[1:])
+    while state_of(process) != "gone":
+        if time.monotonic() - begun - waited_for_processor(process) >= float(words[0]):
+            os.kill(process, signal.SIGINT)
+            if not reaches(process, "gone", UNWINDING):
+                sys.stdout.write("still there %g s after Ctrl-C\n" % UNWINDING)
+                os.kill(process, signal.SIGKILL)
+            break
         time.sleep(0.01)
-    if process.returncode is not None:
-        sys.stdout.write("ended before Ctrl-C\n")
     else:
-        process.send_signal(signal.SIGINT)
-        try:
-            process.wait(UNWINDING)
-        except subprocess.TimeoutExpired:
-            sys.stdout.write("still there %g s after Ctrl-C\n" % UNWINDING)
-            process.kill()
-            process.wait()
-    return 128 - process.returncode if process.returncode < 0 else process.returncode
+        sys.stdout.write("ended before Ctrl-C\n")
+    return shell_status(os.waitpid(process, 0)[1])
 
 
 def play_tty(words):
@@ -229,7 +219,7 @@ def waited_for_processor(process):
         return 0.0
 
 
-NAMES = [name[5:].replace("_", "-") for name in sorted(globals()) if name.startswith("play_")]
+NAMES = [name[5:].replace("_", "-") for name in sorted(globals()) if name.startswith("play_")] + list(SIGNALS)
 
 
 def main():
@@ -237,6 +227,8 @@ def main():
     name = sys.argv[1]
     words = sys.argv[2:]
     try:
+        if name in SIGNALS:
+            return send_signal(words, *SIGNALS[name])
         return globals()["play_" + name.replace("-", "_")](words)
     except Exception as e:  # Failed among them, by two names: `processes` imports this file, too
         sys.stderr.write("%s: %s\n" % (name, e))

@@ -154,39 +154,27 @@ def merge(expected, actual):
 
 
 def _align(expected, actual):
-    """Longest common subsequence by `matches`: patterns survive an --accept around them."""
+    """The actual lines, where patterns survive an --accept around them."""
     if len(expected) * len(actual) > 250000:
         return actual
-    longest = [[0] * (len(actual) + 1) for _ in range(len(expected) + 1)]
-    same = [[matches(e, a) for a in actual] for e in expected]
-    for i in reversed(range(len(expected))):
-        for j in reversed(range(len(actual))):
-            longest[i][j] = (
-                1 + longest[i + 1][j + 1] if same[i][j] else max(longest[i + 1][j], longest[i][j + 1])
-            )
-    merged = []
-    i = 0
-    for j, line in enumerate(actual):
-        while i < len(expected) and not same[i][j] and longest[i + 1][j] >= longest[i][j + 1]:
-            i += 1
-        if i < len(expected) and same[i][j]:
-            line = expected[i]
-            i = i + 1
-        merged.append(line)
+    merged = list(actual)
+    spelt = [next((line for line in expected if matches(line, each)), each) for each in actual]
+    for block in difflib.SequenceMatcher(None, expected, spelt, autojunk=False).get_matching_blocks():
+        merged[block.b:block.b + block.size] = expected[block.a:block.a + block.size]
     return merged
 
 
 # ---- running ----
 
 def run_case(path, shell, python=sys.executable, commands=None, orb=os.environ.get("RTSHELL_ORB"),
-             accept=False, time_limit=TIME_LIMIT):
+             accept=False, environment=None, time_limit=TIME_LIMIT):
     """Have session.py run a transcript under a shell: ("pass" or "fail" or "skip", explanation).
 
     `python` has omniORBpy; `commands` is their directory (None: the checkout's), `orb` theirs (None: the one
-    that they choose themselves), unless the transcript demands another.
+    that they choose themselves), unless the transcript demands another. The mocks have the environment.
     """
     request = json.dumps([path, SHELLS[shell], commands, orb, accept, time_limit])
-    result, why, printed = jobs.run_job(python, "session.py", [request], time_limit + 60)
+    result, why, printed = jobs.run_job(python, "session.py", [request], time_limit + 60, environment)
     return tuple(result or ("fail", "the session broke down: %s\n%s" % (why, printed)))
 
 
