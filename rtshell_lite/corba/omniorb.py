@@ -20,6 +20,10 @@ PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # the most that omniORB opens to one process (maxGIOPConnectionPerServer)
 IN_FLIGHT = 4  # calls to a process at a time, each on a thread
 HANDOVER = 5.0  # s that a caller of a servant waits at most for the loop
+GATHER = 0.01  # s between two looks of the loop for values, while they come
+# values that may wait for it, and octets of the largest of them
+MOST_WAITING = 256
+LARGEST_WAITING = 1 << 14
 
 HEEDED = None  # all settings of omniORB
 ANSWERS_AT_ONCE = False
@@ -538,12 +542,24 @@ def serve(servant):
     made = stubs.skeleton(servant.interface)()
     here = loop.current()
     here.make_bell()
-    vars(made).update(
-        (operation, _on_loop(here, getattr(servant, operation))) for operation in made._omni_op_d
-    )
+    handover = None
+    if hasattr(servant, "take"):
+        handover = _Handover(here, servant.take)
+        servant.take = handover.take
+    for operation in made._omni_op_d:
+        method = getattr(servant, operation)
+        if handover is None:
+            method = _on_loop(here, method)
+        setattr(made, operation, method)
     number = poa.activate_object(made)
     poa._get_the_POAManager().activate()
-    return orb.object_to_string(poa.id_to_reference(number)), lambda: poa.deactivate_object(number)
+
+    def withdraw():
+        poa.deactivate_object(number)
+        if handover is not None:
+            handover.pass_on()
+
+    return orb.object_to_string(poa.id_to_reference(number)), withdraw
 
 
 def _on_loop(of, method):
@@ -555,10 +571,7 @@ def _on_loop(of, method):
         box = []
         done = threading.Lock()
         done.acquire()
-        if of.is_closed:
-            from omniORB import CORBA
-
-            raise CORBA.OBJECT_NOT_EXIST(0, CORBA.COMPLETED_NO)
+        _check_open(of)
 
         def call():
             try:
@@ -574,6 +587,58 @@ def _on_loop(of, method):
         return box[0]
 
     return called
+
+
+def _check_open(of):
+    """Raise OBJECT_NOT_EXIST, to a caller of ours, where the loop has ended."""
+    if of.is_closed:
+        from omniORB import CORBA
+
+        raise CORBA.OBJECT_NOT_EXIST(0, CORBA.COMPLETED_NO)
+
+
+class _Handover:
+    """Values on their way from threads of omniORB, which answer their senders, to the loop, which takes many
+    at a time: to wake it for each one costs more than all the rest. Where many wait, and for large ones, the
+    thread waits for the loop, and the sender with it.
+    """
+
+    def __init__(self, of, take):
+        """The loop calls take(received, data) for each value."""
+        self._loop = of
+        self._take = take
+        self._take_now = _on_loop(of, self._take_last)
+        self._waiting = collections.deque()  # type: collections.deque
+        self._is_coming = False  # the loop will look for values: it is called, or has a timer
+        self._timer = loop.Timer(0, 0, None)
+
+    def take(self, received, data):
+        """Take a value, on any thread. Raises what the functions of _on_loop raise."""
+        if len(data) > LARGEST_WAITING or len(self._waiting) >= MOST_WAITING:
+            self._take_now(received, data)
+            return
+        _check_open(self._loop)
+        self._waiting.append((received, data))
+        if not self._is_coming:
+            self._is_coming = True
+            self._loop.post(self.pass_on)
+
+    def pass_on(self):
+        """Have those taken that wait, and look again later; without a value in between, have the loop called
+        for the next one.
+        """
+        self._timer.cancel()
+        self._is_coming = False  # before the look at what waits: what comes after it calls the loop
+        if not self._waiting:
+            return
+        while self._waiting:
+            self._take(*self._waiting.popleft())
+        self._timer = self._loop.call_later(GATHER, self.pass_on)
+        self._is_coming = True
+
+    def _take_last(self, received, data):
+        self.pass_on()
+        self._take(received, data)
 
 
 # ---- values ----

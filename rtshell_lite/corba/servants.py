@@ -14,35 +14,34 @@ from rtshell_lite.text import printable
 
 
 class InPortCdr:
-    """Receives what an out port pushes by corba_cdr, and passes (nanoseconds since 1970, bytes) to a
-    function, which returns False when it has no room.
+    """Receives what an out port pushes by corba_cdr: take(nanoseconds since 1970, bytes) is called for each
+    value, unless is_full().
+
+    With omniORB its method runs on a thread. So is_full only looks, and what `take` is then only appends to a
+    queue, from which the loop takes the values.
     """
 
     interface = "OpenRTM.InPortCdr"
+    statuses = "OpenRTM.PortStatus"
 
-    def __init__(self, take):
+    def __init__(self, take, is_full):
         self.take = take
-        self.done, _, self.full = orb.items("OpenRTM.PortStatus")[:3]
+        self.is_full = is_full
+        self.done, _, self.full = orb.items(self.statuses)[:3]
 
     def put(self, data):
-        if self.take(int(time.time() * 1e9), data):
-            return self.done
-        return self.full
+        if self.is_full():
+            return self.full
+        self.take(int(time.time() * 1e9), data)
+        return self.done
 
 
-class DataPushService:
+class DataPushService(InPortCdr):
     """Receives what an out port pushes by data_service, as InPortCdr does."""
 
     interface = "RTC.DataPushService"
-
-    def __init__(self, take):
-        self.take = take
-        self.done, _, self.full = orb.items("RTC.PortStatus")[:3]
-
-    def push(self, data):
-        if self.take(int(time.time() * 1e9), data):
-            return self.done
-        return self.full
+    statuses = "RTC.PortStatus"
+    push = InPortCdr.put
 
 
 RECEIVERS = {"corba_cdr": InPortCdr, "data_service": DataPushService}

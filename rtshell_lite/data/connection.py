@@ -315,8 +315,8 @@ class Connections:
         if self._hears_stop:
             loop.current().hear(_signal.SIGTSTP, None)
         for connection in self.connections:
-            connection.is_closing = True
             connection.stop()
+            connection.is_closing = True
         try:
             await self._watching.__aexit__(None, None, None)
         finally:

@@ -91,7 +91,7 @@ class Reader(Connection):
         if self.dataflow == "pull":
             return dict(common, **{SUBSCRIPTION: "new", "dataport.buffer.read.empty_policy": "do_nothing"})
         sys.setswitchinterval(SWITCH)
-        self.served = servants.Served(servants.RECEIVERS[self.interface](self._take))
+        self.served = servants.Served(servants.RECEIVERS[self.interface](self._take, self._is_full))
         is_near = await liveness.is_this_host(self.endpoint[0])
         if is_near and not ports.offer_without(self.port, SUBSCRIPTION, "flush"):
             subscription = "flush"
@@ -121,18 +121,17 @@ class Reader(Connection):
             self.idle = loop.Bell()
             self.tasks.start(self._poll(fetch), self.endpoint)
 
+    def _is_full(self):
+        """Whether too much has come before the byte order is known, on any thread."""
+        return self.early_bytes > BUFFER_BYTES
+
     def _take(self, received, data):
-        """Take a value; False if there is no room for it."""
-        if self.early is None:
-            if not self.is_closing:
-                self.deliver(Message(received, data, self.little))
-        elif self.early_bytes > BUFFER_BYTES:
-            return False
-        else:
+        if self.early is not None:
             self.early.append((received, data))
             self.early_bytes += len(data) + EACH
+        elif not self.is_closing:
+            self.deliver(Message(received, data, self.little))
         self._count(data)
-        return True
 
     def compare_clocks(self):
         """Remark, once, where the first time in its values is minutes away from this host's clock."""

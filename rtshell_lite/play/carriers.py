@@ -74,7 +74,8 @@ class Receiver(Carrier):
     """An in port's end of push: it takes all that comes."""
 
     def published(self):
-        return self._publish(servants.RECEIVERS[self.interface](lambda received, data: True), "inport")
+        servant = servants.RECEIVERS[self.interface](lambda received, data: None, lambda: False)
+        return self._publish(servant, "inport")
 
 
 class Idle(Carrier):

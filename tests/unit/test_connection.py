@@ -211,7 +211,7 @@ class Early(unittest.TestCase):
         """
         for receiver in servants.RECEIVERS.values():
             reader = idle_reader()
-            servant = receiver(reader._take)
+            servant = receiver(reader._take, reader._is_full)
             put = getattr(servant, "put", None) or servant.push
             with mock.patch.object(reading, "BUFFER_BYTES", 1000):
                 self.assertEqual(

@@ -165,5 +165,93 @@ class Servants(unittest.TestCase):
         self.assertEqual(called, [threading.main_thread()])
 
 
+class Handover(unittest.TestCase):
+    """Values on their way from threads to the loop."""
+
+    def setUp(self):
+        self.taken = []
+        self.takers = set()
+
+    def take(self, received, data):
+        self.taken.append((received, data))
+        self.takers.add(threading.current_thread())
+
+    def send(self, *senders):
+        """Let each function send values on a thread, take(number, data); return when all is taken."""
+        async def main():
+            here = loop.current()
+            here.make_bell()
+            handover = omniorb._Handover(here, self.take)
+            await loop.each(senders, lambda sender: loop.on_thread(sender, handover.take))
+            handover.pass_on()
+        loop.run(main())
+
+    def test_nothing_is_lost_and_all_is_in_order(self):
+        def sender(name):
+            def send(take):
+                for number in range(1000):
+                    take(number, name * (1 + number % 7))  # some wait for the loop, as they are large
+            return send
+        with mock.patch.object(omniorb, "LARGEST_WAITING", 6), mock.patch.object(omniorb, "MOST_WAITING", 20):
+            self.send(*map(sender, (b"a", b"b", b"c")))
+        self.assertEqual(self.takers, {threading.main_thread()})
+        self.assertEqual(len(self.taken), 3000)
+        for name in b"abc":
+            numbers = [number for number, data in self.taken if data[0] == name]
+            self.assertEqual(numbers, list(range(1000)))
+
+    def test_the_loop_takes_many_at_a_time(self):
+        """And takes them without more than the one call."""
+        posted = []
+
+        async def main():
+            handover = omniorb._Handover(loop.current(), self.take)
+            with mock.patch.object(loop.current(), "post", posted.append):
+                for number in range(50):
+                    handover.take(number, b"x")
+            self.assertEqual((len(posted), self.taken), (1, []))
+            posted[0]()
+            self.assertEqual(len(self.taken), 50)
+            handover.take(50, b"x")
+            while len(self.taken) < 51:
+                await loop.sleep(omniorb.GATHER)
+        loop.run(main())
+        self.assertEqual(len(posted), 1)
+
+    def test_few_wait(self):
+        """A sender that is faster than the loop waits for it; large values always do."""
+        sent = []
+
+        def send(take):
+            for data in (b"x", b"x", b"x", b"x" * 100):
+                take(0, data)
+                sent.append(data)
+
+        async def main():
+            here = loop.current()
+            here.make_bell()
+            handover = omniorb._Handover(here, self.take)
+            thread = threading.Thread(target=send, args=(handover.take,))
+            thread.start()
+            while len(here._posted) < 2:  # and the loop does not come
+                time.sleep(0.001)
+            self.assertEqual((len(sent), self.taken), (2, []))
+            await loop.on_thread(thread.join)
+        with mock.patch.object(omniorb, "MOST_WAITING", 2), mock.patch.object(omniorb, "LARGEST_WAITING", 50):
+            loop.run(main())
+        self.assertEqual([len(data) for _, data in self.taken], [1, 1, 1, 100])
+
+    @unittest.skipUnless(omniorb.is_installed(), "needs omniORBpy")
+    def test_a_loop_that_has_ended_takes_nothing(self):
+        """So that nobody is told that a value was taken."""
+        from omniORB import CORBA
+
+        async def main():
+            return omniorb._Handover(loop.current(), self.take)
+        handover = loop.run(main())
+        with self.assertRaises(CORBA.OBJECT_NOT_EXIST):
+            handover.take(0, b"x")
+
+
 if __name__ == "__main__":
     unittest.main()
