@@ -6,9 +6,11 @@ import time
 import unittest
 import uuid
 
+import answers
 import flavours
 import worlds
-from worlds import connector, eventually, nvlist, outcome, raised, value
+from answers import outcome, raised, value
+from worlds import connector, eventually, nvlist
 
 OVER = 0.1  # seconds after which a get() of a moment ago is certainly over
 PART = 8  # a short run takes one in PART of its tests
@@ -52,7 +54,7 @@ class Ports(flavours.Flavoured):
         ):
             code, profile = ports[0].connect(connector(ports, dataflow_type=flow))
             self.assertEqual(str(code), "RTC_OK")
-            self.assertEqual([name.replace("dataport.", "") for name in worlds.names(profile)],
+            self.assertEqual([name.replace("dataport.", "") for name in answers.names(profile)],
                              asked + self.added[ports[0] is self.inp, flow])
             self.assertEqual(value(profile.properties, "dataport.serializer.cdr.endian"), "little,big")
             self.assertEqual(
@@ -325,7 +327,7 @@ class Ports(flavours.Flavoured):
         code, profile = provider.connect(RTC.ConnectorProfile("s", "", [provider, consumer], []))
         self.assertEqual(str(code), "RTC_OK")
         keys = ["MyServiceProvider0.port.MyService.provided.%s.%s", "port.%s.%s"]
-        self.assertEqual(worlds.names(profile), [key % (type_name, instance) for key in keys])
+        self.assertEqual(answers.names(profile), [key % (type_name, instance) for key in keys])
         service = worlds.Server.orb.string_to_object(profile.properties[0].value.value())
         self.assertEqual(service._non_existent(), self.service_sleeps)
         context.activate_component(component)

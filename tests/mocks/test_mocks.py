@@ -5,9 +5,11 @@ and Python 2.1.
 """
 import unittest
 
+import answers
 import flavours
 import worlds
-from worlds import eventually, outcome, raised, value
+from answers import outcome, raised, value
+from worlds import eventually
 
 PART = 5  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
@@ -103,7 +105,7 @@ class Components(flavours.Flavoured):
         profile = context.get_profile()
         self.assertEqual((profile.kind, profile.rate, profile.participants), (RTC.PERIODIC, 100.0, []))
         self.assertTrue(profile.owner._is_equivalent(component))
-        self.assertEqual(worlds.names(profile), self.context_properties)
+        self.assertEqual(answers.names(profile), self.context_properties)
         self.assertEqual(
             context._is_a(OpenRTM.ExtTrigExecutionContextService._NP_RepositoryId), self.ext_trig
         )

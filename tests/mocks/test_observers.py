@@ -7,7 +7,8 @@ import unittest
 
 import processes
 import worlds
-from worlds import connector, eventually, outcome, raised, value
+from answers import outcome, raised, value
+from worlds import connector, eventually
 
 PART = 5  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"

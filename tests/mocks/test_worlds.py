@@ -11,7 +11,8 @@ import unittest
 
 import processes
 import worlds
-from worlds import connector, eventually, outcome, raised, value
+from answers import outcome, raised, value
+from worlds import connector, eventually
 
 PART = 8  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"

@@ -15,7 +15,8 @@ import subprocess
 import tempfile
 import time
 
-LIMIT = 60.0  # seconds for an answer, on a busy machine
+import worlds
+
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 OPTIONS = ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
            "--disable-extensions", "--disable-component-update", "--disable-background-networking",
@@ -87,7 +88,7 @@ class Browser:
                 return answer["result"]
 
     def receive(self, what):
-        end = time.monotonic() + LIMIT
+        end = time.monotonic() + worlds.LIMIT
         while b"\0" not in self.rest:
             ready, _, _ = select.select([self.reading], [], [], max(0, end - time.monotonic()))
             data = os.read(self.reading, 1 << 20) if ready else b""
@@ -155,14 +156,7 @@ class Page:
 
     def wait(self, expression):
         """Wait until an expression in the page is true; returns it."""
-        end = time.monotonic() + LIMIT
-        while True:
-            value = self.run(expression)
-            if value:
-                return value
-            if time.monotonic() > end:
-                raise Failed("still not: %s" % expression)
-            time.sleep(0.02)
+        return worlds.eventually(lambda: self.run(expression), expression)
 
     def close(self):
         self.call("Page.close")

@@ -23,9 +23,12 @@ ENVIRONMENT = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or proces
 
 
 def eventually(condition, what):
-    """Wait until a condition holds."""
+    """Wait until a condition holds; returns its value."""
     end = time.monotonic() + LIMIT
-    while not condition():
+    while True:
+        value = condition()
+        if value:
+            return value
         if time.monotonic() > end:
             raise AssertionError("not within %g s: %s" % (LIMIT, what))
         time.sleep(0.01)
@@ -114,27 +117,3 @@ def nvlist(**changes):
 
 def connector(ports, connector_id="", **changes):
     return RTC.ConnectorProfile("n", connector_id, ports, nvlist(**changes))
-
-
-def names(profile):
-    return [item.name for item in profile.properties]
-
-
-def value(items, name):
-    return next(item.value.value() for item in items if item.name == name)
-
-
-def raised(function, *arguments):
-    """The name of the exception that a call raises, or None."""
-    try:
-        function(*arguments)
-    except (CORBA.UserException, CORBA.SystemException) as e:
-        return e._NP_RepositoryId.split("/")[-1].split(":")[0]
-    return None
-
-
-def outcome(function, *arguments):
-    """The name of what a call raises or, of its results, returns first."""
-    results = []
-    failure = raised(lambda: results.append(function(*arguments)))
-    return failure or str(results[0][0] if isinstance(results[0], tuple) else results[0])

@@ -5,11 +5,11 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import processes
 import transcripts
+import worlds
 
 PART = 3  # a short run takes one in PART of its tests
 
@@ -198,7 +198,7 @@ class Leaving(unittest.TestCase):
     def test_nothing_outlives_a_session(self):
         marker = "%d.25" % (os.getpid() + 100000)
         self.assertEqual(run("  $ sleep %s &\n" % marker)[0], "pass")
-        self.assertTrue(wait_until(lambda: not survivors(marker)))
+        worlds.eventually(lambda: not survivors(marker), "all have ended")
 
     def test_nothing_outlives_a_killed_runner(self):
         marker = "%d.75" % (os.getpid() + 100000)
@@ -209,9 +209,9 @@ class Leaving(unittest.TestCase):
             env=dict(os.environ, PYTHONPATH=transcripts.jobs.HERE),
         )
         self.addCleanup(runner.wait)
-        self.assertTrue(wait_until(lambda: survivors(marker)))
+        worlds.eventually(lambda: survivors(marker), "the session has begun")
         runner.send_signal(signal.SIGKILL)
-        self.assertTrue(wait_until(lambda: not survivors(marker)))
+        worlds.eventually(lambda: not survivors(marker), "all have ended")
 
 
 def survivors(marker):
@@ -226,15 +226,6 @@ def survivors(marker):
         if marker.encode() in words:
             found.append(number)
     return found
-
-
-def wait_until(condition, seconds=20):
-    deadline = time.monotonic() + seconds
-    while time.monotonic() < deadline:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return False
 
 
 if __name__ == "__main__":
