@@ -130,34 +130,48 @@ def parse(text, cwd=None):
 
     An empty path is the working directory, as for rtshell.
     """
-    wanted = elements(text)
-    if not is_absolute(text):
-        wanted = _elements_above(_typed_directory() if cwd is None else cwd) + wanted
-    directory = wanted[-1] in ("", ".", "..")
-    resolved = []  # type: list
+    if is_absolute(text):
+        above = ROOT
+    else:
+        above = _directory(cwd or _typed_directory())
+    return follow(above, elements(text), text)
+
+
+def follow(above, wanted, text):
+    """The Path that `elements` lead to from a directory, a Path; `text` is what they were typed as.
+    Raises BadPath.
+    """
+    kept = []  # type: list
     for element in wanted:
         if element in ("", "."):
             continue
-        if element == "..":
-            del resolved[-1:]
+        if element != "..":
+            kept.append(element)
+        elif kept:
+            kept.pop()
         else:
-            resolved.append(element)
-    if not resolved:
-        return ROOT
-    server = _server(resolved[0], text)
-    if len(resolved) == 1:
+            above = above.parent()
+    is_directory = wanted[-1] in ("", ".", "..")
+    if not kept:
+        if above.server is None:
+            return ROOT
+        return Path(above.server, above.names, None, is_directory)
+    server = above.server
+    if server is None:
+        server = _server(kept.pop(0), text)
+    if not kept:
         server, port = _split_reference(server, text)
-        return Path(server, (), port, directory)
-    last, port = _split_port(resolved[-1], text)
-    names = tuple(_name(element, text) for element in resolved[1:-1] + [last])
-    if port is not None and directory:
+        return Path(server, (), port, is_directory)
+    last, port = _split_port(kept.pop(), text)
+    if port is not None and is_directory:
         raise errors.BadPath(text, "a port has no directory below it")
-    return Path(server, names, port, directory)
+    names = [_name(element, text) for element in kept]
+    return Path(server, (*above.names, *names, _name(last, text)), port, is_directory)
 
 
 def working_directory():
     """The Path of $RTCSH_CWD, where relative paths start. Raises BadPath."""
-    return _parsed_directory(_typed_directory())
+    return _directory(_typed_directory())
 
 
 def _typed_directory():
@@ -165,16 +179,11 @@ def _typed_directory():
 
 
 @cached(10)
-def _parsed_directory(cwd):
-    return parse(".", cwd)
-
-
-@cached(10)
-def _elements_above(cwd):
-    """The elements of a working directory: all relative paths of a command begin with the same ones."""
+def _directory(cwd):
+    """The Path of a working directory: all relative paths of a command begin with the same one."""
     if not is_absolute(cwd):
         raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
-    return elements(cwd)
+    return follow(ROOT, elements(cwd) + ["."], cwd)
 
 
 def is_absolute(text):

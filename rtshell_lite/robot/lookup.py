@@ -24,6 +24,7 @@ from rtshell_lite.path import (
     Name,
     Path,
     elements,
+    follow,
     has_kind,
     is_absolute,
     parse,
@@ -88,9 +89,10 @@ def _is_no_server(server):
 async def _relative(word, may_be_server):
     """The Path of a word that starts neither at the root nor with a reference."""
     above = working_directory()
-    first, *rest = elements(word or ".")
+    wanted = elements(word)
+    first, *rest = wanted
     is_from_root = _is_address(first) or may_be_server is not None and may_be_server(first, rest)
-    is_to_find = is_found_by_name() and first not in ("", ".", "..")
+    is_to_find = first not in ("", ".", "..") and _is_found_below(above)
     if above in (ROOT, EVERYWHERE):
         if is_to_find and not is_from_root and not (rest and above == ROOT):
             return parse("/**/" + word)
@@ -99,14 +101,16 @@ async def _relative(word, may_be_server):
         return parse("/" + word)
     if is_to_find and not rest and not await _is_here(word, first, rest):
         return parse("/**/" + word)
-    return parse(word)
+    return follow(above, wanted, word)
 
 
 def is_found_by_name():
     """Whether a lone name is to be found wherever it is."""
-    if os.environ.get("RTSHELL_FIND", "") not in ("", "0"):
-        return True
-    return working_directory() == EVERYWHERE
+    return _is_found_below(working_directory())
+
+
+def _is_found_below(above):
+    return above == EVERYWHERE or os.environ.get("RTSHELL_FIND", "") not in ("", "0")
 
 
 async def _is_here(word, first, rest):
@@ -126,10 +130,10 @@ def _is_address(word):
     """Whether the first word of a path is HOST:PORT, an IP address, or a name server of
     RTCTREE_NAMESERVERS.
     """
+    if has_kind(word.partition(":")[0]):
+        return False
     host, port = split_address(word)
     if host in ("", ".", ".."):
-        return False
-    if has_kind(word.partition(":")[0]):
         return False
     known = [split_address(address) for address in tree.servers()]
     if port is None:

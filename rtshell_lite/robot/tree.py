@@ -98,14 +98,17 @@ def _object(reference):
 
 @cached(64)
 def _reference(server):
-    return orb.corbaloc(str(Path(server, (), None, False)), server, "NameService", DEFAULT_PORT)
+    where = str(Path(server, (), None, False))
+    return orb.context(orb.corbaloc(where, server, "NameService", DEFAULT_PORT))
 
 
 def server_endpoint(path):
     """The endpoint of the name server that `path` begins with; None at the root."""
-    if path.server is not None:
-        return _server(path).endpoint
-    return None
+    if path.server is None:
+        return None
+    if path.server.startswith(REFERENCES):
+        return _object(path.server).endpoint
+    return orb.endpoint(_reference(path.server))
 
 
 # ---- from a path to a node ----
@@ -315,7 +318,7 @@ async def at_each(paths, function):
     """Call function(path) for each path, in parallel by name server:
     the values in order, an errors.Error for what failed.
     """
-    return await session.each(paths, function, lambda path: (server_endpoint(path), str(path)))
+    return await session.each(paths, function, lambda path: (server_endpoint(path), path))
 
 
 # ---- listing ----
