@@ -156,7 +156,7 @@ def addresses(ref):
 
 def endpoint(ref):
     """(host, port) of the process that answers for `ref`."""
-    return address(ref)[1:3]
+    return _orb.address(ref)[1:3]
 
 
 def at_address(ref):
@@ -207,7 +207,8 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
     `operation` is the name of one of the IDL, or an operations.Schema, which is asked once, whatever happens.
     `seconds` is a longer deadline for an operation that may take its time; of a Schema it is the deadline.
     `part`: what is needed of the structure that it returns: a number, its first members, and the others may
-    be None; or a name, that property in the list that is its last member, and the others may be left out.
+    be None; or a name, that property in the list that is its last member, and the others may be left out; ""
+    is the first of those.
     Raises Silent, Gone, Unreachable or Refused; made with a nil reference, Garbled: a peer has sent that in
     place of an object.
 
@@ -217,16 +218,15 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
     if ref is None:
         raise errors.Garbled(str(where), f"nothing in place of the object that has {operation}")
     asked = Call(where, ref, operation, args, seconds, part)
-    here = asked.endpoint
-    place = loop.current().running.place
-    now = session.current()
+    here = loop.current()
+    now = here.session or session.current()
     if now.is_over():
         raise errors.Silent(str(where), session.NO_TIME)
-    is_elsewhere = place is not None and here != place
-    if here == place:
-        silence = None
-    else:
-        silence = now.silence(here)
+    place = here.running.place
+    is_elsewhere = place is not None and asked.endpoint != place
+    silence = None
+    if asked.endpoint != place:
+        silence = now.silence(asked.endpoint)
     if silence:
         if is_elsewhere:
             raise errors.Unreachable(str(where), silence)

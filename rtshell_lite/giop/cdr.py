@@ -127,8 +127,11 @@ class Maker:
         return write
 
     def read_struct(self, descriptor):
-        make = factory(descriptor)
-        readers = [self.reader(inner) for _, inner in members(descriptor)]
+        return self.row_reader([inner for _, inner in members(descriptor)], factory(descriptor))
+
+    def row_reader(self, types, make):
+        """read(data, at) of values of these types in a row: make(*values)."""
+        readers = [self.reader(descriptor) for descriptor in types]
 
         def read(data, at):
             values = []

@@ -94,6 +94,7 @@ def id_of(name):
     )
 
 
+@cached(MOST_NAMED)
 def struct(name):
     """The class of a struct by its name (RTC.ConnectorProfile), called with its members."""
     return descriptors.factory(_named(id_of(name)))

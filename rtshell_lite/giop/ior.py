@@ -190,7 +190,9 @@ def check(type_id, profiles):
     """
     if len(profiles) > MOST_PROFILES:
         raise BadReference(f"a reference of {len(profiles)} profiles")
-    size = sum(len(profile) for _, profile in profiles)
+    size = 0
+    for _, profile in profiles:
+        size += len(profile)
     if size > LARGEST:
         raise BadReference("a reference of %d octets" % size)
     if profiles:

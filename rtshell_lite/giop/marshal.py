@@ -109,6 +109,12 @@ class Maker(cdr.Maker):
             return self._pairs_writer()
         return super().write_sequence(descriptor)
 
+    def results_reader(self, types):
+        """read(data, at) of what an operation returns: None, one value, or a tuple of them."""
+        if len(types) == 1:
+            return self.reader(types[0])
+        return self.row_reader(types, lambda *values: values or None)
+
     def read_part(self, structure, part):
         """Read a part of a structure, as in orb.call."""
         inner = [member for _, member in descriptors.members(structure)]
@@ -129,7 +135,10 @@ class Maker(cdr.Maker):
         return read
 
     def _pair_reader(self, name):
-        """Of an NVList at the end, the pair with this name, a text: [], or one pair."""
+        """Of an NVList at the end, the pair with this name, a text, or the first one: [], or one pair."""
+        if not name:
+            first = self._pairs_reader(most=1)
+            return lambda data, at: (first(data, at)[0], len(data))
         mark = self.count.pack(len(name) + 1) + name + b"\0"
         start = struct.Struct(self.order + "III")
         whole = self._pairs_reader()
@@ -140,17 +149,17 @@ class Maker(cdr.Maker):
                 return [pair for pair in whole(data, at)[0] if pair[0] == name], len(data)
             place += len(mark)
             place += -place & 3
-            kind, most, length = start.unpack_from(data, place)
+            kind, bound, length = start.unpack_from(data, place)
             end = place + start.size + length
-            if kind != STRING or most or data[end - 1]:
+            if kind != STRING or bound or data[end - 1]:
                 return whole(data, at)
             return [(name, data[place + start.size : end - 1])], end
 
         return read
 
-    def _pairs_reader(self):
+    def _pairs_reader(self, most=None):
         """An NVList as (octets of the name, octets of the value or an Any) pairs:
-        profiles are full of them.
+        profiles are full of them. Of one at the end, the first `most` may be enough.
         """
         unpack = self.count.unpack_from
         start = struct.Struct(self.order + "III")
@@ -161,28 +170,23 @@ class Maker(cdr.Maker):
             allowance.spend(size)
             found = []
             last = len(data) - start.size
-            for _ in range(size):
-                at += -at & 3
-                end = at + 4 + unpack(data, at)[0]
-                name = data[at + 4 : end - 1]
-                name_end = data[end - 1]
+            for _ in range(size)[:most]:
+                at += 4 + (-at & 3)
+                end = at + unpack(data, at - 4)[0]
+                name = data[at : end - 1]
+                if data[end - 1]:
+                    raise Fault("a string without its end")
                 at = end + (-end & 3)
                 if at <= last:
-                    kind, most, length = start.unpack_from(data, at)
-                else:
-                    kind = None
-                    most = None
-                    length = None
-                if kind == STRING and not most:
-                    end = at + 12 + length
-                    value = data[at + 12 : end - 1]
-                    value_end = data[end - 1]
-                    at = end
-                else:
-                    value_end = 0
-                    value, at = others(data, at)
-                if name_end or value_end:
-                    raise Fault("a string without its end")
+                    kind, bound, length = start.unpack_from(data, at)
+                    if kind == STRING and not bound:  # almost all are
+                        end = at + start.size + length
+                        found.append((name, data[at + start.size : end - 1]))
+                        if data[end - 1]:
+                            raise Fault("a string without its end")
+                        at = end
+                        continue
+                value, at = others(data, at)
                 found.append((name, value))
             return found, at
 
@@ -274,19 +278,19 @@ class Maker(cdr.Maker):
     def write_reference(self, _):
         pack = self.count.pack
 
-        def octets(out, data):
-            out += b"\0" * (-len(out) & 3) + pack(len(data)) + data
+        pair = struct.Struct(self.order + "II").pack
 
         def write(out, ref):
-            octets(out, (b"" if ref is None else ref.type_id) + b"\0")
             if ref is None:
+                type_id = b"\0"
                 profiles = ()  # type: tuple
             else:
+                type_id = ref.type_id + b"\0"
                 profiles = ref.profiles
+            out += b"\0" * (-len(out) & 3) + pack(len(type_id)) + type_id
             out += b"\0" * (-len(out) & 3) + pack(len(profiles))
             for tag, data in profiles:
-                out += b"\0" * (-len(out) & 3) + pack(tag)
-                octets(out, data)
+                out += b"\0" * (-len(out) & 3) + pair(tag, len(data)) + data
 
         return write
 

@@ -29,8 +29,8 @@ _START = struct.Struct("<8sIIIHH")
 _PLAIN = b"GIOP\1\2\1\1"
 _PLAIN_HEAD = struct.Struct("<8sIIII")
 _PADDING = [b"", b"\0\0\0", b"\0\0", b"\0"]
-_ORDERS = [(struct.Struct(order + "I"), struct.Struct(order + "II")) for order in "><"]
-_HEADERS = [struct.Struct(order + "4s4BI") for order in "><"]
+_ORDERS = [tuple(struct.Struct(order + count * "I") for count in (1, 2, 3)) for order in "><"]
+_HEADERS = [struct.Struct(order + "5s3BI") for order in "><"]
 
 
 class Garbled(ValueError):
@@ -112,10 +112,10 @@ def whole(kind, payload=b"", minor=2, order="<", more=False):
     return b"GIOP\1" + bytes([minor, flags, kind]) + struct.pack(order + "I", len(payload)) + payload
 
 
-def size(data):
-    """How many octets follow the header that `data` begins with. Raises Garbled."""
-    magic, major, minor, _, kind, found = _HEADERS[data[6] & LITTLE].unpack_from(data)
-    if magic != b"GIOP" or major != 1 or minor > 2 or kind > FRAGMENT:
+def size(data, at=0):
+    """How many octets follow the header at a place of `data`. Raises Garbled."""
+    magic, minor, _, kind, found = _HEADERS[data[at + 6] & LITTLE].unpack_from(data, at)
+    if magic != b"GIOP\1" or minor > 2 or kind > FRAGMENT:
         raise Garbled("not GIOP")
     if found > LARGEST:
         raise Garbled(f"a message of {found} octets")
@@ -132,12 +132,14 @@ def reply(data):
     Raises Garbled, struct.error.
     """
     little = data[6] & LITTLE
-    one, two = _ORDERS[little]
+    one, two, three = _ORDERS[little]
     if data[5] < 2:
         at = after_contexts(data, HEADER, one)
         number, status = two.unpack_from(data, at)
         return number, status, little, at + 8
-    number, status = two.unpack_from(data, HEADER)
+    number, status, contexts = three.unpack_from(data, HEADER)
+    if not contexts:
+        return number, status, little, HEADER + 12  # which is a multiple of 8
     at = after_contexts(data, HEADER + 8, one)
     return number, status, little, at + -at % 8
 

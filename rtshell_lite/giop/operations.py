@@ -22,8 +22,8 @@ def writer(descriptor):
 
 
 class Operation:
-    """How an operation is called: writers of its arguments, readers of its results by byte order, those of
-    its exceptions by their ids.
+    """How an operation is called: writers of its arguments, read(data, at) of its results, and the ids of
+    its exceptions.
 
     carries_data: among its results are octets, of any number; all others are made of small parts, which take
     long to read. takes_values: it is one of a user's IDL, whose results may be large.
@@ -31,24 +31,25 @@ class Operation:
 
     def __init__(self, given, returned, raised, makers=_MAKERS):
         self.arguments = [makers[1].writer(idl.descriptor(word)) for word in given]
-        self.results = [[maker.reader(idl.descriptor(word)) for word in returned or ()] for maker in makers]
+        returned_types = [idl.descriptor(word) for word in returned or ()]
+        self.results = [maker.results_reader(returned_types) for maker in makers]
         self.raised = raised
         self._returned = returned
         self._of_parts = {}  # type: dict
         self._makers = makers
         self.takes_values = makers is _OF_SCHEMAS
         self.carries_data = any(
-            plain(idl.descriptor(word))[:2] == (SEQUENCE, OCTET)
-            for word in returned or ()
-            if isinstance(plain(idl.descriptor(word)), tuple)
+            plain(returned_type)[:2] == (SEQUENCE, OCTET)
+            for returned_type in returned_types
+            if isinstance(plain(returned_type), tuple)
         )
 
     def of_part(self, part):
-        """Readers of a part of its one result, a structure, by byte order; `part` as in orb.call."""
+        """read(data, at) of a part of its one result, a structure, by byte order; `part` as in orb.call."""
         if part not in self._of_parts:
             (word,) = self._returned
             structure = idl.descriptor(word)
-            self._of_parts[part] = [[maker.read_part(structure, part)] for maker in self._makers]
+            self._of_parts[part] = [maker.read_part(structure, part) for maker in self._makers]
         return self._of_parts[part]
 
     def exception_reader(self, type_id, little):

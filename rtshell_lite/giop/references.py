@@ -55,13 +55,12 @@ class Reference:
 
         Raises OSError where it has no IIOP profile.
         """
-        address = self.address
-        if not address.host:
+        _, host, port, key = self.address
+        if not host:
             raise OSError(0, "no address of IIOP in its reference")
         tag, profile = self.profiles[0]
         number = 0
-        key = address.key
-        if tag != ior.IIOP or via is not None and via != address[1:3]:  # few have more than one profile
+        if tag != ior.IIOP or via is not None and via != (host, port):  # few have more than one profile
             number, profile, key = self._at(via)
         if mode == messages.KEY:
             octets = _LENGTH.pack(len(key)) + key

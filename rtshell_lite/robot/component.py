@@ -62,6 +62,8 @@ async def profile(node, brief=False, names=False):
     """
     if names:
         part = 6
+    elif brief:
+        part = ""
     else:
         part = None
     raw = await once_more(lambda: node.call("get_component_profile", part=part))

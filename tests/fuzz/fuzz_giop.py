@@ -150,7 +150,7 @@ class Answers(Target):
         try:
             _, status, little, at = messages.reply(message)
             if status == messages.NO_EXCEPTION:
-                calls.values(self.operations[name.decode()].results[little], message, at)
+                self.operations[name.decode()].results[little](message, at)
             elif status == messages.SYSTEM_EXCEPTION:
                 calls._system_exception(message, at, little)
         except calls.GARBLED as e:
@@ -194,7 +194,7 @@ class Results(Target):
         octets = bytes(messages.HEADER + 12) + data[1:]
         allowance.begin()
         try:
-            value = calls.values(schema.operation.results[1], octets, messages.HEADER + 12)
+            value, _ = schema.operation.results[1](octets, messages.HEADER + 12)
         except calls.GARBLED as e:
             raise Refused(str(e))
         try:

@@ -305,7 +305,7 @@ class Loop(Calls):
     def test_requests_given_up_before_there_was_a_connection_are_not_sent(self):
         connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
         request = calls.Request(
-            orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None
+            orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None, 3
         )
         connection.send(request)
         connection.give_up(1)

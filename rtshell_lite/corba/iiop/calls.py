@@ -25,7 +25,6 @@ class Request:
     endpoint   (host, port) of the process that is asked
     name       of its operation
     is_oneway  nobody answers it
-    is_idempotent  it changes nothing, as far as its name shows
     is_once    it is an operation of a Schema, and must not be sent twice, whatever happens
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
@@ -41,7 +40,6 @@ class Request:
         "name",
         "operation",
         "is_oneway",
-        "is_idempotent",
         "is_once",
         "seconds",
         "sent",
@@ -51,19 +49,17 @@ class Request:
         "_mode",
     )
 
-    def __init__(self, call, resume):
+    def __init__(self, call, resume, timeout):
         self.call = call
         self.resume = resume
         self.ref = call.ref
         self.endpoint = call.endpoint
-        timeout = session.current().timeout
         if isinstance(call.operation, operations.Schema):
             self._of_schema(call, timeout)
         else:
             self.name = call.operation
             self.operation = operations.operation(call.ref.interface, self.name)
             self.is_oneway = self.is_once = False
-            self.is_idempotent = failures.may_repeat(self.name)
             self.seconds = max(call.seconds or 0, timeout)
         self.sent = None  # type: float
         self.retried = 0
@@ -76,8 +72,12 @@ class Request:
         self.operation = call.operation.operation
         self.is_oneway = call.operation.is_oneway
         self.is_once = True
-        self.is_idempotent = False
         self.seconds = call.seconds or timeout
+
+    @property
+    def is_idempotent(self):
+        """Whether it changes nothing, as far as its name shows."""
+        return not self.is_once and failures.may_repeat(self.name)
 
     @property
     def max_reply(self):
@@ -121,14 +121,16 @@ class Request:
         value = error = None
         allowance.begin()
         try:
-            if len(data) > self.max_reply:
+            if len(data) > messages.LARGE and len(data) > self.max_reply:
                 raise ValueError(f"more than {self.max_reply} octets")
             if status == messages.NO_EXCEPTION:
                 if self.call.part is None:
-                    readers = self.operation.results[little]
+                    read = self.operation.results[little]
                 else:
-                    readers = self.operation.of_part(self.call.part)[little]
-                value = values(readers, data, at, self.is_once)
+                    read = self.operation.of_part(self.call.part)[little]
+                value, end = read(data, at)
+                if self.is_once:
+                    check_end(data, end)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label, completed = _system_exception(data, at, little)
                 if (
@@ -186,6 +188,16 @@ class Request:
             return errors.Raised(where, name, raised)
         return failures.user(where, name, getattr(raised, "description", ""))
 
+    def silent(self, why):
+        """It ends as the process did not answer. The silence of one that it was forwarded to says nothing
+        about the one that is asked.
+        """
+        if self.endpoint == self.call.endpoint:
+            error = errors.Silent(str(self.call.where), why)
+        else:
+            error = errors.Unreachable(str(self.call.where), why)
+        self.resume(None, error)
+
     def failed(self, e):
         """It ends with an errors.Error for an exception."""
         if isinstance(e, GARBLED + (OSError, connections.Closed)):
@@ -238,14 +250,7 @@ def _system_exception(data, at, little):
     return name, "CORBA." + printable(name[:LONGEST_NAME]), completed
 
 
-def values(readers, data, at, is_all=False):
-    """What a reply holds: one value, a tuple, or None. With `is_all`, more octets than those are a fault."""
-    values = []
-    for read in readers:
-        value, at = read(data, at)
-        values.append(value)
-    if is_all and len(data) - at > PADDING:
+def check_end(data, at):
+    """Raise ValueError if there are more octets in a reply than its results, which end at `at`."""
+    if len(data) - at > PADDING:
         raise ValueError(f"{len(data) - at} octets more than it should have")
-    if len(values) == 1:
-        return values[0]
-    return tuple(values) or None

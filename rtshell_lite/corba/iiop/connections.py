@@ -204,7 +204,7 @@ class Connection:
         """Add a request to what is to be sent, see `flush`; its callback gets the error."""
         self._number += 1
         try:
-            octets = self.octets(request, self._number)
+            octets = request.octets(self._number, self._version, self._via)
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()
@@ -359,30 +359,34 @@ class Connection:
                 return
         self._pieces.append(piece)
         self._have += len(piece)
+        if self._have < self._need:
+            return
+        data = b"".join(self._pieces)
+        self._pieces = []
+        start = 0
+        self._need = messages.HEADER
         while self._have >= self._need:
-            if len(self._pieces) == 1:
-                data = self._pieces[0]
-            else:
-                data = b"".join(self._pieces)
-            whole = messages.HEADER + messages.size(data)
+            whole = messages.HEADER + messages.size(data, start)
             size = whole
             if whole > messages.LARGE:
                 size = min(whole, 1 + self._most())
             if self._have < size:
-                self._pieces = [data]
                 self._need = size
-                return
-            rest = data[size:]
+                break
+            message = data[start : start + size]
+            start += size
+            self._have -= size
             self._to_discard = whole - size
             if self._to_discard:
-                rest = self._wanted(rest)
-            if rest:
-                self._pieces = [rest]
+                data = self._wanted(data[start:])
+                start = 0
+                self._have = len(data)
+            if message[7] == messages.REPLY and not message[6] & messages.MORE:  # most are whole
+                found.append(message)
             else:
-                self._pieces = []
-            self._have = len(rest)
-            self._need = messages.HEADER
-            self._message(data[:size] if size < len(data) else data, found)
+                self._other_message(message, found)
+        if self._have:
+            self._pieces = [data[start:]]
 
     def _wanted(self, octets):
         """These octets, but those that are unwanted."""
@@ -402,10 +406,9 @@ class Connection:
             raise messages.Garbled("a reply to another request")
         return messages.LARGE
 
-    def _message(self, data, found):
+    def _other_message(self, data, found):
+        """Take what is not a whole reply."""
         kind = data[7]
-        if kind == messages.REPLY and not data[6] & messages.MORE:  # most are whole
-            return found.append(data)
         if kind == messages.CLOSE:
             raise Closed(not_started=True)
         if kind == messages.ERROR:

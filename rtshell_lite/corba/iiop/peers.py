@@ -10,7 +10,6 @@ from _collections import deque  # as in net/loop.py
 from _functools import partial
 from struct import error as StructError
 
-from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.corba.iiop import calls, connections
 from rtshell_lite.giop import allowance, messages
@@ -30,23 +29,12 @@ async def invoke(call):
     if peers is None:
         peers = here.peers = Peers(here)
     wait = loop.Wait()
-    request = calls.Request(call, wait.end)
+    request = calls.Request(call, wait.end, peers.session.timeout)
     peers.submit(request)
     if here.has_nothing_else():
         peers.ask_alone(request.endpoint)
-    return await _outcome(peers, request, wait)
-
-
-async def _outcome(peers, request, wait):
-    endpoint = request.endpoint
     try:
         return await wait
-    except errors.Silent as e:
-        if (
-            request.endpoint != endpoint
-        ):  # the silence of whom it was forwarded to says nothing about this one
-            raise errors.Unreachable(*e.args)
-        raise
     finally:
         if not wait.is_over:
             peers.withdraw(request)
@@ -68,7 +56,7 @@ class _Repeated:
     def __init__(self, call, otherwise):
         self._call = call
         self._otherwise = otherwise
-        self._readers = call.operation.operation.results[messages.LITTLE]
+        self._read = call.operation.operation.results[messages.LITTLE]
         self._loop = loop.current()
         self._peer = None  # type: _Peer
         self._connection = None  # type: connections.Connection  # that the octets are for
@@ -86,17 +74,22 @@ class _Repeated:
         if at:
             allowance.begin()
             try:
-                value = calls.values(self._readers, data, at, True)
+                value, end = self._read(data, at)
+                calls.check_end(data, end)
                 self._connection.has_taken()
                 return value
             except calls.GARBLED:
                 pass  # it is read again, and what is wrong is said, as for any other request
         wait = loop.Wait()
-        request = calls.Request(self._call, wait.end)
-        request.sent = begun
         peers = self._loop.peers
+        request = calls.Request(self._call, wait.end, peers.session.timeout)
+        request.sent = begun
         peers.take_over(self._peer, number, request)
-        return await _outcome(peers, request, wait)
+        try:
+            return await wait
+        finally:
+            if not wait.is_over:
+                peers.withdraw(request)
 
     def _is_ready(self):
         connection = self._connection
@@ -108,8 +101,9 @@ class _Repeated:
 
     def _prepare(self):
         """Make the octets for the connection that there is, if it speaks GIOP 1.2 and stays."""
-        request = calls.Request(self._call, None)
-        self._peer = self._loop.peers.peer(request.endpoint)
+        peers = self._loop.peers
+        request = calls.Request(self._call, None, peers.session.timeout)
+        self._peer = peers.peer(request.endpoint)
         self._connection = None
         connection = self._peer.connection
         if connection is None or request.is_oneway or request.endpoint in connections.of_one_reply:
@@ -211,7 +205,6 @@ class Peers:
         return self.known.get(endpoint) or self.known.setdefault(endpoint, _Peer(endpoint))
 
     def submit(self, request):
-        request.sent = None
         peer = self.peer(request.endpoint)
         peer.waiting.append(request)
         self._changed.add(peer)
@@ -363,13 +356,13 @@ class Peers:
         number, status, little, at = messages.reply(data)
         if peer.connection.is_stray(number):
             return
+        peer.heard = time.monotonic()
+        self.session.answered[peer.endpoint] = peer.heard
         if number == next(iter(peer.connection.requests), None):
-            peer.moved_on = time.monotonic()
+            peer.moved_on = peer.heard
         request = peer.connection.answered(number)
         if not peer.connection.requests:
             self._asked.discard(peer)
-        self.session.has_answered(peer.endpoint)
-        peer.heard = self.session.answered[peer.endpoint]
         self._changed.add(peer)
         if request is None or not request.answered(status, data, at, little):
             return
@@ -378,7 +371,7 @@ class Peers:
         else:
             silence = self.session.silence(request.endpoint)
         if silence:  # of who it has been forwarded to
-            request.resume(None, errors.Silent(str(request.call.where), silence))
+            request.silent(silence)
         else:
             self.submit(request)
 
@@ -462,7 +455,7 @@ class Peers:
             silence = why or session.no_answer(request.seconds)
             if not is_over and not request.is_once:  # which may take longer than its caller waits
                 self.session.fall_silent(peer.endpoint, silence, request.sent)
-            request.resume(None, errors.Silent(str(request.call.where), silence))
+            request.silent(silence)
         if is_over:
             silence = session.NO_TIME
         else:
@@ -478,7 +471,7 @@ class Peers:
         failed = peer.unanswered(found_silent, self.session.timeout) + list(peer.waiting)
         peer.waiting.clear()
         for request in failed:
-            request.resume(None, errors.Silent(str(request.call.where), silence))
+            request.silent(silence)
 
     def _restart_clocks(self, seconds):
         """We were away for so long: nobody was silent meanwhile."""
