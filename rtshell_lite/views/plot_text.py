@@ -20,39 +20,58 @@ class Canvas:
     def __init__(self, width, height, is_braille):
         self.width = width
         self.height = height
+        self.is_braille = is_braille
+        self._across = self._down = 1  # dots of a character
         if is_braille:
-            self.across, self.down = 2, 4
-        else:
-            self.across, self.down = 1, 1
+            self._across = 2
+            self._down = 4
+        self.right = width * self._across - 1  # the places of the last dots
+        self.top = height * self._down - 1
         self._cells = {}  # (column, row): [dots, number of the series]
 
     def dot(self, x, y, number):
         """Set a dot, counted from the lower left."""
-        if not (0 <= x < self.width * self.across and 0 <= y < self.height * self.down):
+        if not 0 <= x <= self.right:
             return
-        y = self.height * self.down - 1 - y
-        cell = self._cells.setdefault((x // self.across, y // self.down), [0, number])
-        cell[0] |= DOTS[x % self.across][y % self.down]
+        if not 0 <= y <= self.top:
+            return
+        column, column_of_dot = divmod(x, self._across)
+        row, row_of_dot = divmod(self.top - y, self._down)
+        cell = self._cells.setdefault((column, row), [0, number])
+        cell[0] |= DOTS[column_of_dot][row_of_dot]
         cell[1] = number
 
     def line(self, x, y, to_x, to_y, number):
-        count = max(abs(to_x - x), abs(to_y - y), 1)
+        right = to_x - x
+        up = to_y - y
+        count = max(abs(right), abs(up), 1)
         for step in range(count + 1):
-            self.dot(round(x + (to_x - x) * step / count), round(y + (to_y - y) * step / count), number)
+            dot_x = round(x + right * step / count)
+            dot_y = round(y + up * step / count)
+            self.dot(dot_x, dot_y, number)
 
     def rows(self, paint):
         """The lines; `paint` gives characters the colour of a series."""
         for row in range(self.height):
             drawn = [self._cells.get((column, row)) for column in range(self.width)]
-            runs = itertools.groupby(drawn, lambda cell: cell and cell[1])
-            yield "".join(self._run(list(run), number, paint) for number, run in runs)
+            line = ""
+            for number, run in itertools.groupby(drawn, lambda cell: cell and cell[1]):
+                line += self._run(list(run), number, paint)
+            yield line
 
     def _run(self, run, number, paint):
         if number is None:
             return " " * len(run)
-        if self.across == 2:
-            return paint("".join(chr(0x2800 + dots) for dots, _ in run), number)
-        return paint(LETTERS[number % len(LETTERS)] * len(run), number)
+        if self.is_braille:
+            words = "".join(chr(0x2800 + dots) for dots, _ in run)
+        else:
+            words = _letter(number) * len(run)
+        return paint(words, number)
+
+
+def _letter(number):
+    """The letter of a series in ASCII."""
+    return LETTERS[number % len(LETTERS)]
 
 
 def painter(is_coloured):
@@ -64,7 +83,8 @@ def painter(is_coloured):
 
 def on_stdout(picture, height, is_ascii=False):
     """The lines of a picture as stdout shows them: as wide as the terminal, in braille if it has UTF-8."""
-    is_braille = not is_ascii and (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+    encoding = (sys.stdout.encoding or "").lower()
+    is_braille = not is_ascii and encoding in ("utf-8", "utf8")
     return lines(picture, text.width(), height, is_braille, text.colour_wanted())
 
 
@@ -74,17 +94,25 @@ def lines(picture, width, height, is_braille=True, is_coloured=False):
         return ["no values"]
     panels = _apart(picture.panels, is_braille and not is_coloured)
     found = []
-    captions = sum(len(panel.series) + bool(panel.title) for panel in panels)
-    rows = (height - captions - 2) // max(len(panels), 1)
+    for panel in panels:
+        height -= len(panel.series)
+        if panel.title:
+            height -= 1
+    rows = (height - 2) // max(len(panels), 1)
     rows = max(FEWEST, min(rows, ROWS))
-    labels = [_labels(panel, rows) for panel in panels]
-    margin = max([cells(words) for _, row_labels in labels for words in row_labels.values()] + [1]) + 1
+    axes = [_axis(panel, rows) for panel in panels]
+    margin = 1
+    for _, labels in axes:
+        for words in labels.values():
+            margin = max(margin, cells(words))
+    margin += 1
     paint = painter(is_coloured)
-    for panel, (bounds, row_labels) in zip(panels, labels):
+    for panel, (bounds, labels) in zip(panels, axes):
         canvas = Canvas(max(width - margin - 1, 10), rows, is_braille)
-        found += _panel(picture, panel, bounds, row_labels, margin, canvas, paint)
+        found += _panel(picture, panel, bounds, labels, margin, canvas, paint)
     found += _time_axis(picture, width, margin)
-    found += ["%s  %s" % (plot.elapsed(picture, moment), printable(words)) for moment, words in picture.marks]
+    for moment, words in picture.marks:
+        found.append(f"{plot.elapsed(picture, moment)}  {printable(words)}")
     return found
 
 
@@ -101,23 +129,31 @@ def _apart(panels, is_apart):
     return found
 
 
-def _labels(panel, rows):
+def _axis(panel, rows):
     """((least, greatest), {row, counted from above: words}) of a panel's axis."""
     bounds = panel.bounds() or (0.0, 1.0)
     low, high = bounds
-    series = list(panel.series.values())
-    found = {}
-    if series and all(each.names for each in series):
-        known = sorted((value, name) for each in series for value, name in each.names.items())
-        marks = []
-        for value, name in known:
-            if low <= value <= high:
-                marks.append((value, printable(name)))
-    else:
+    bottom = rows - 1
+    marks = _names(panel, low, high)
+    if marks is None:
         marks = plot.ticks(low, high, max(2, rows // 3))
+    labels = {}
     for value, words in marks:
-        found[rows - 1 - round((value - low) / (high - low) * (rows - 1))] = words
-    return bounds, found
+        up = round((value - low) / (high - low) * bottom)
+        labels[bottom - up] = words
+    return bounds, labels
+
+
+def _names(panel, low, high):
+    """[(value, name)] between two bounds where all series have names of enumerators, else None."""
+    known = []
+    for series in panel.series.values():
+        if not series.names:
+            return None
+        known += series.names.items()
+    if not known:
+        return None
+    return [(value, printable(name)) for value, name in sorted(known) if low <= value <= high]
 
 
 def _panel(picture, panel, bounds, labels, margin, canvas, paint):
@@ -125,14 +161,12 @@ def _panel(picture, panel, bounds, labels, margin, canvas, paint):
     if panel.title:
         yield _cut(printable(panel.title), width)
     for number, series in enumerate(panel.series.values()):
-        yield _caption(series, number, paint, canvas.across == 2, width)
+        yield _caption(series, number, paint, canvas.is_braille, width)
         _draw(canvas, picture, series, bounds, number)
     for row, line in enumerate(canvas.rows(paint)):
-        yield (_right(labels.get(row, ""), margin) + "|" + line).rstrip()
-
-
-def _right(words, margin):
-    return " " * (margin - 1 - cells(words)) + words + " "
+        label = labels.get(row, "")
+        blanks = " " * (margin - 1 - cells(label))
+        yield f"{blanks}{label} |{line}".rstrip()
 
 
 def _cut(words, width):
@@ -146,55 +180,62 @@ def _caption(series, number, paint, is_braille, width):
     """`name  min 1  max 3  last 2`"""
     sample = "⠤⠤"
     if not is_braille:
-        sample = LETTERS[number % len(LETTERS)]
-    said = "  no values"
-    if series.last is not None:
-        words = [series.said(value) for value in (series.least, series.greatest, series.last)]
-        said = "  min %s  max %s  last %s" % tuple(words)
-    name = _cut(printable(series.name) or "value", max(width - cells(sample) - 1 - cells(said), 5))
+        sample = _letter(number)
+    if series.last is None:
+        said = "  no values"
+    else:
+        least = series.said(series.least)
+        greatest = series.said(series.greatest)
+        last = series.said(series.last)
+        said = f"  min {least}  max {greatest}  last {last}"
+    room = width - cells(sample) - 1 - cells(said)
+    name = _cut(printable(series.name) or "value", max(room, 5))
     return f"{paint(sample, number)} {name}{said}"
 
 
 def _draw(canvas, picture, series, bounds, number):
     low, high = bounds
-    right = canvas.width * canvas.across - 1
-    top = canvas.height * canvas.down - 1
     span = picture.last - picture.first
-    before = None
+    from_x = from_y = None
     for moment, value, is_after_gap in series.points:
-        x = round((moment - picture.first) / span * right)
-        y = round((value - low) / (high - low) * top)
-        if before is None or is_after_gap:
+        x = round((moment - picture.first) / span * canvas.right)
+        y = round((value - low) / (high - low) * canvas.top)
+        if from_x is None or is_after_gap:
             canvas.dot(x, y, number)
         elif series.is_step:
-            canvas.line(max(before[0], 0), before[1], x, before[1], number)
-            canvas.line(x, before[1], x, y, number)
+            canvas.line(max(from_x, 0), from_y, x, from_y, number)
+            canvas.line(x, from_y, x, y, number)
         elif x >= 0:
-            canvas.line(before[0], before[1], x, y, number)
-        before = x, y
+            canvas.line(from_x, from_y, x, y, number)
+        from_x = x
+        from_y = y
 
 
 def _time_axis(picture, width, margin):
     marks, unit = plot.time_ticks(picture.first, picture.last, max(2, (width - margin) // 12))
+    left = margin + 1
     right = width - margin - 2
-    axis = [" "] * (margin + right + 2)
-    words_below = ""
-    axis[margin] = "+"
-    for place in range(margin + 1, margin + right + 2):
-        axis[place] = "-"
+    span = picture.last - picture.first
+
+    def place_of(moment):
+        return left + round((moment - picture.first) / span * right)
+
+    axis = list(" " * margin + "+" + "-" * (right + 1))
+    below = ""
     for moment, words in marks:
-        place = margin + 1 + round((moment - picture.first) / (picture.last - picture.first) * right)
+        place = place_of(moment)
         axis[place] = "+"
         begin = max(0, place - len(words) // 2)
-        room = len(words_below)
-        if words_below:
+        end = begin + len(words) + 1 + len(unit)
+        room = len(below)
+        if below:
             room += 1
-        if begin >= room and begin + len(words) + 1 + len(unit) <= width:
-            words_below = padded(words_below, begin) + words
+        if begin >= room and end <= width:
+            below = padded(below, begin) + words
     for moment, _ in picture.marks:
-        place = margin + 1 + round((moment - picture.first) / (picture.last - picture.first) * right)
-        if margin < place < len(axis):
+        place = place_of(moment)
+        if left <= place < len(axis):
             axis[place] = "!"
     yield "".join(axis)
-    yield padded(words_below, 0) + f" {unit}"
+    yield f"{below} {unit}"
     yield f"0 is {plot.date(picture.first)}"

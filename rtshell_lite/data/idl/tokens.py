@@ -14,6 +14,8 @@ DEEPEST = conditions.DEEPEST  # files within files
 MACRO = 1000  # tokens that a macro may grow to
 OF_ORBS = ("orb.idl", "omg.idl", "corba.idl")  # built into every ORB
 CLOSING = {'"': '"', "<": ">"}  # of the name of a file
+NESTING = {"(": 1, ")": -1}
+BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
 class Macro:
@@ -56,13 +58,12 @@ def tokens(path, include=(), find=None):
 
 
 def _ended(source, path):
+    last = Token("", "", path, 1, 1)
     if source.found:
         last = source.found[-1]
-    else:
-        last = Token("", "", path, 1, 1)
-    return source.found + [
-        Token("end", "the end of the file", last.file, last.line, last.column + len(last.word))
-    ]
+    column = last.column + len(last.word)
+    source.found.append(Token("end", "the end of the file", last.file, last.line, column))
+    return source.found
 
 
 def of_text(text, name):
@@ -98,7 +99,14 @@ def _read(path):
         raise errors.Failed(printable(path), getattr(e, "strerror", None) or str(e))
     if len(data) > LARGEST:
         raise errors.BadIdl(printable(path), 1, 1, "larger than %d bytes" % LARGEST)
-    return (data[3:] if data[:3] == b"\xef\xbb\xbf" else data).decode("latin-1")
+    if data.startswith(BYTE_ORDER_MARK):
+        data = data[len(BYTE_ORDER_MARK) :]
+    return data.decode("latin-1")
+
+
+def _from(words, seen):
+    """(kind, word) tokens with the names of the macros that they come from."""
+    return [(kind, word, seen) for kind, word in words]
 
 
 class _File:
@@ -115,27 +123,34 @@ class _File:
         self.conditions = []  # a conditions.Open for each #if around this place
 
     def fault(self, why):
-        return errors.BadIdl(printable(self.path), self.line, self.at - self.line_start + 1, why)
+        return errors.BadIdl(printable(self.path), self.line, self._column(), why)
+
+    def _column(self):
+        return self.at - self.line_start + 1
+
+    def _add(self, kind, word):
+        """Add a token of this place."""
+        self.source.found.append(Token(kind, word, self.path, self.line, self._column()))
 
     def scan(self):
         """Add the tokens of the file to those of the source. Raises BadIdl, errors.Failed."""
         fresh = True  # only blanks on this line so far
         while self.at < len(self.text):
             active = not self.conditions or self.conditions[-1].is_taken
-            read = scanner.piece
-            if not active:
-                read = scanner.skipped
-            kind, end = read(self.text, self.at)
+            if active:
+                kind, end = scanner.piece(self.text, self.at)
+            else:
+                kind, end = scanner.skipped(self.text, self.at)
             if kind is None:
                 raise self.fault(self._unreadable())
             if kind == "directive" and fresh:
                 self._directive(scanner.one_line(self.text[self.at : end]), active)
             elif kind == "directive" and active:
                 raise self.fault("a # within a line")
-            elif active and kind not in ("space", "comment"):
-                end = self._token(kind, end)
-            if kind not in ("space", "comment", "directive"):
+            elif kind not in ("space", "comment", "directive"):
                 fresh = False
+                if active:
+                    end = self._token(kind, end)
             fresh = self._pass(end) or fresh
             if len(self.source.found) > MOST_TOKENS:
                 raise self.fault("too long")
@@ -155,27 +170,27 @@ class _File:
         rest = self.text[self.at : self.at + 2]
         if rest == "/*":
             return "a comment without its end"
-        if rest.lstrip("L")[:1] in ("'", '"'):
+        if rest.lstrip("L").startswith(("'", '"')):
             return "a string or character without its end"
-        return "cannot be read: " + printable(self.text[self.at : self.at + 12].split("\n")[0])
+        line, _, _ = self.text[self.at : self.at + 12].partition("\n")
+        return f"cannot be read: {printable(line)}"
 
     def _token(self, kind, end):
         """Add the token that begins here and ends at `end`, or the expansion of the macro of its name; where
         that ends.
         """
         word = self.text[self.at : end]
-        token = Token(kind, word, self.path, self.line, self.at - self.line_start + 1)
         macro = None
         if kind == "name":
             macro = self.source.macros.get(word)
         if macro is None:
-            self.source.found.append(token)
+            self._add(kind, word)
             return end
-        words = [(kind, word, frozenset())]
+        words = [(kind, word)]
         if macro.parameters is not None:
             arguments, end = self._arguments(end)
-            words += [part + (frozenset(),) for part in arguments]
-        self.source.found.extend(self._expanded(words, token))
+            words += arguments
+        self._expand(_from(words, frozenset()))
         return end
 
     def _arguments(self, at):
@@ -188,53 +203,64 @@ class _File:
             if kind in (None, "directive") or len(found) > MACRO:
                 break
             found.append((kind, word))
-            depth += (word == "(") - (word == ")")
+            depth += NESTING.get(word, 0)
             if found[0] != ("mark", "("):
                 return [], at
             if not depth:
                 return found, end
         raise self.fault("the parameters of a macro that cannot be read")
 
-    def _expanded(self, words, token):
-        """The tokens of words, (kind, word, names of the macros that it comes from) each, at the place of a
-        token.
+    def _expand(self, words):
+        """Add the tokens of words, (kind, word, names of the macros that it comes from) each, of which the
+        first is a macro.
         """
-        used = []
+        name = words[0][1]
+        count = 0
         while words:
             kind, word, seen = words.pop(0)
-            macro = None
-            if kind == "name" and word not in seen:
-                macro = self.source.macros.get(word)
-            if macro is None or macro.parameters is not None and (not words or words[0][1] != "("):
-                used.append(Token(kind, word, token.file, token.line, token.column))
+            if self._is_macro(kind, word, seen, words):
+                words[:0] = self._body(word, words, seen | {word})
             else:
-                words[:0] = self._body(macro, words, word, seen | {word})
-            if len(used) + len(words) > MACRO:
-                raise self.fault(f"a macro that grows too large: {token.word}")
-        return used
+                self._add(kind, word)
+                count += 1
+            if count + len(words) > MACRO:
+                raise self.fault(f"a macro that grows too large: {name}")
 
-    def _body(self, macro, words, name, seen):
+    def _is_macro(self, kind, word, seen, following):
+        if kind != "name" or word in seen or word not in self.source.macros:
+            return False
+        if self.source.macros[word].parameters is None:
+            return True
+        return bool(following) and following[0][1] == "("
+
+    def _body(self, name, words, seen):
         """The words of a macro, with its arguments, which are taken from the words that follow."""
-        body = [part + (seen,) for part in macro.body]
+        macro = self.source.macros[name]
+        body = _from(macro.body, seen)
         if macro.parameters is None:
             return body
         given = [[]]
         depth = 0
         while words:
             part = words.pop(0)
-            depth += (part[1] == "(") - (part[1] == ")")
+            _, word, _ = part
+            depth += NESTING.get(word, 0)
             if depth == 0:
                 break
-            if part[1] == "," and depth == 1:
+            if word == "," and depth == 1:
                 given.append([])
-            elif part[1] != "(" or depth > 1:
+            elif word != "(" or depth > 1:
                 given[-1].append(part)
         if given == [[]] and not macro.parameters:
             given = []
         if depth or len(given) != len(macro.parameters):
             raise self.fault(f"a macro with {len(macro.parameters)} parameters: {name}")
         named = dict(zip(macro.parameters, given))
-        return [part for each in body for part in named.get(each[1], [each])]
+        replaced = []
+        for part in body:
+            _, word, _ = part
+            replaced += named.get(word, [part])
+        return replaced
 
     # ---- preprocessor lines ----
 
@@ -256,12 +282,14 @@ class _File:
             if len(self.conditions) > DEEPEST:
                 raise self.fault("conditions within conditions too deep")
             return
-        if not self.conditions or self.conditions[-1].has_else and name != "endif":
+        if not self.conditions:
             raise self.fault(f"#{name} without #if")
         if name == "endif":
             self.conditions.pop()
             return
         last = self.conditions[-1]
+        if last.has_else:
+            raise self.fault(f"#{name} without #if")
         last.is_taken = not last.is_decided and (name == "else" or self._holds("if", rest))
         last.is_decided = last.is_decided or last.is_taken
         last.has_else = name == "else"
@@ -306,7 +334,7 @@ class _File:
         raise self.fault("#error " + printable(rest))
 
     def _pragma(self, rest):
-        self.source.found.append(Token("pragma", rest, self.path, self.line, self.at - self.line_start + 1))
+        self._add("pragma", rest)
 
     def _include(self, rest):
         closing = CLOSING.get(rest[:1], "\n")
@@ -316,7 +344,7 @@ class _File:
         own = os.path.basename(name)
         path = self._included(name, closing == '"')
         if path is None and own in idl.FILES:
-            self.source.found.append(Token("own", own, self.path, self.line, 1))
+            self._add("own", own)
             return
         if path is None and self.source.find:
             path = self.source.find(name)
@@ -324,11 +352,17 @@ class _File:
             return
         if path is None:
             raise self.fault(f"no such file to include: {printable(name)} (-I DIR names where to look)")
-        self.source.found.append(Token("file", "begin", self.path, self.line, 1))
+        self._add("file", "begin")
         self.source.file(path, self.depth + 1)
-        self.source.found.append(Token("file", "end", self.path, self.line, 1))
+        self._add("file", "end")
 
-    def _included(self, name, beside):
+    def _included(self, name, is_beside):
         """The path of a file to include: beside this one, or in the directories given; or None."""
-        places = [os.path.dirname(self.path)] * beside + self.source.include
-        return next(filter(os.path.isfile, (os.path.join(place, name) for place in places)), None)
+        places = list(self.source.include)
+        if is_beside:
+            places.insert(0, os.path.dirname(self.path))
+        for place in places:
+            path = os.path.join(place, name)
+            if os.path.isfile(path):
+                return path
+        return None
