@@ -78,10 +78,8 @@ class Parser:
                 raise self.fault(f"{entry.name} is declared, but not defined", entry.token)
         for entry in self.interfaces.values():
             entry.what.interface.repository_id = entry.type_id  # a pragma may have come after it
-        return Contents(
-            {type_id: descriptor for type_id, descriptor in self.made.values()},
-            {entry.type_id: entry.what.interface for entry in self.interfaces.values()},
-        )
+        interfaces = {entry.type_id: entry.what.interface for entry in self.interfaces.values()}
+        return Contents(dict(self.made.values()), interfaces)
 
     # ---- tokens ----
 
@@ -126,6 +124,13 @@ class Parser:
     def is_word(self, *words):
         return self.token.kind == "name" and self.token.word in words
 
+    def accept(self, mark):
+        """Whether this mark comes next, which is skipped then."""
+        is_next = self.is_mark(mark)
+        if is_next:
+            self.advance()
+        return is_next
+
     def take(self, word):
         """Skip this word or mark. Raises BadIdl when something else is there."""
         if self.token.kind not in ("mark", "name") or self.token.word != word:
@@ -169,16 +174,12 @@ class Parser:
             self._rename(entry, entry.type_id.rpartition(":")[0] + ":" + value)
 
     def _of_pragma(self, name):
-        parts = [part for part in name.split("::") if part]
-        if parts:
-            found = self.scope.find(parts[0])
-        else:
-            found = None
-        for part in parts[1:]:
-            if found and found.scope:
-                found = found.scope.own(part)
-            else:
-                found = None
+        first, *others = name.lstrip(":").split("::")
+        found = self.scope.find(first)
+        for part in others:
+            if found is None or found.scope is None:
+                return None
+            found = found.scope.own(part)
         return found
 
     def _rename(self, entry, type_id):
@@ -212,38 +213,35 @@ class Parser:
 
     def declare(self, entry, token):
         """Add a name to this scope. Raises BadIdl when it is there already, in whatever case."""
-        old = self.scope.names.get(entry.name.lower())
+        name = entry.name.lower()
+        old = self.scope.names.get(name)
         if old is not None:
             raise self.twice(entry.name, old, token)
-        if entry.name.lower() == self.scope.name.lower() and self.scope.name:
+        if name == self.scope.name.lower():
             raise self.fault(f"{entry.name} is the name of what is around it", token)
-        self.scope.names[entry.name.lower()] = entry
+        self.scope.names[name] = entry
         entry.token = entry.token or token
         return entry
 
     def twice(self, name, old, token):
         """The BadIdl for a name whose Entry is there already."""
-        other = old.token and old.token.file != token.file
-        if other:
-            where = f", in {old.token.place()}; leave one of the two out"
-        else:
-            where = ""
-        return self.fault(
-            f"{name} is declared already{'' if old.name == name else ' as ' + old.name}{where}", token
-        )
+        why = f"{name} is declared already"
+        if old.name != name:
+            why += f" as {old.name}"
+        if old.token and old.token.file != token.file:
+            why += f", in {old.token.place()}; leave one of the two out"
+        return self.fault(why, token)
 
     def look_up(self):
         """The Entry of the scoped name that comes next. Raises BadIdl."""
         start = self.token
-        if self.is_mark("::"):
-            self.advance()
+        if self.accept("::"):
             found = self.file_scope.own(self.plain())
         else:
             found = self.scope.find(self.plain())
         written = self._last
         self._same_case(found, written, start)
-        while self.is_mark("::"):
-            self.advance()
+        while self.accept("::"):
             if found.scope is None:
                 raise self.fault(f"{written} holds no names", start)
             found = found.scope.own(self.plain())
@@ -263,23 +261,20 @@ class Parser:
         token = self.token
         if token.kind != "name":
             raise self.fault(f"expected a name, not {printable(token.word)}")
-        if (
-            token.word.lower() in KEYWORDS and token.word in SPELLED
-        ):  # in another case, _Factory may be declared
+        if token.word in SPELLED:  # in another case, _Factory may be declared
             raise self.fault(f"expected a name, not {token.word}")
         self._last = self.advance().word.lstrip("_")
         return self._last
 
     def _same_case(self, found, written, token):
-        last = written.rpartition(":")[2]
         if found is None:
             raise self.fault(f"not declared: {written}", token)
-        if found.name != last:
+        if found.name != self._last:
             raise self.fault(f"{written} is declared as {found.name}", token)
 
     def new_id(self, name):
         """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
-        return f"IDL:{'/'.join(filter(None, [self.scope.prefix, name]))}:1.0"
+        return f"IDL:{self.scope.inner_prefix(name)}:1.0"
 
     # ---- definitions ----
 
@@ -287,24 +282,17 @@ class Parser:
         """One definition with its semicolon."""
         if depth > DEEPEST:
             raise self.fault("nested too deep")
-        if self.is_mark(";"):  # one too many, as people write
-            self.advance()
+        if self.accept(";"):  # one too many, as people write
             return
+        word = ""
         if self.token.kind == "name":
             word = self.token.word
-        else:
-            word = ""
         if word == "module":
             self._module(depth)
         elif word in ("interface", "local", "abstract"):
             self._interface(depth)
         elif word in ("typedef", "const", "native", "exception"):
-            {
-                "typedef": self._typedef,
-                "const": self._const,
-                "native": self._native,
-                "exception": self._exception,
-            }[word](depth)
+            getattr(self, "_" + word)(depth)
         elif word in ("struct", "union", "enum"):
             types.constructed(self, depth)
         elif word in ("valuetype", "custom", "component", "home", "eventtype"):
@@ -361,7 +349,7 @@ class Parser:
 
     def _body(self, entry, token, read):
         """What is between the brackets of a module or an interface; read() reads a part of it."""
-        entry.what.prefix = "/".join(filter(None, [self.scope.prefix, entry.name]))
+        entry.what.prefix = self.scope.inner_prefix(entry.name)
         self.take("{")
         outer = self.scope
         self.scope = entry.what
@@ -394,34 +382,29 @@ class Parser:
         type_id = ""
         if entry.sort == "type":
             type_id = descriptors.type_id(descriptors.target(entry.what))
-        return next((each for each in self.interfaces.values() if each.type_id == type_id), None)
+        for each in self.interfaces.values():
+            if each.type_id == type_id:
+                return each
+        return None
 
     def skip(self):
         """Skip everything up to the next semicolon outside all brackets; returns these tokens, with it."""
         start = self.token
-        open_marks = []
+        closing = []  # the brackets that are still to come
         skipped = []
-        while open_marks or not self.is_mark(";"):
+        while closing or not self.is_mark(";"):
             token = self.token
-            if (
-                token.kind == "end"
-                or token.kind == "mark"
-                and token.word in "})]"
-                and (not open_marks or open_marks[-1] != token.word)
-            ):
-                if open_marks:
-                    wanted = open_marks[-1]
-                else:
-                    wanted = ";"
-                if token.kind == "end":
-                    place = start
-                else:
-                    place = token
-                raise self.fault(f"expected {wanted}, not {printable(token.word)}", place)
-            if token.kind == "mark" and token.word in BRACKETS:
-                open_marks.append(BRACKETS[token.word])
-            elif open_marks and token.kind == "mark" and token.word == open_marks[-1]:
-                open_marks.pop()
+            wanted = ";"
+            if closing:
+                wanted = closing[-1]
+            if token.kind == "end":
+                raise self.fault(f"expected {wanted}, not {printable(token.word)}", start)
+            if self.is_mark(*BRACKETS):
+                closing.append(BRACKETS[token.word])
+            elif self.is_mark(*BRACKETS.values()):
+                if token.word != wanted:
+                    raise self.fault(f"expected {wanted}, not {printable(token.word)}")
+                closing.pop()
             skipped.append(self.advance())
         return skipped + [self.token]
 
@@ -445,7 +428,8 @@ class Parser:
         if word == "typeid":
             self._rename(entry, text)
         elif isinstance(entry.what, Scope):
-            entry.what.prefix = "/".join(filter(None, [text, entry.name]))
+            entry.what.prefix = text
+            entry.what.prefix = entry.what.inner_prefix(entry.name)
         else:
             raise self.fault(f"{entry.name} holds no names", token)
 
@@ -482,12 +466,16 @@ class Parser:
         while True:
             token, name, whole = types.declarator(self, descriptor, "a type")
             made = self.weigh((ALIAS, self.new_id(name), name, whole), *self.weight(whole))
-            entry = self.declare(Entry(name, "type", made, descriptors.type_id(made)), token)
-            self.made[id(entry)] = (descriptors.type_id(made), made)
-            self.kept.append(entry)
-            if not self.is_mark(","):
+            self.define(made, name, token)
+            if not self.accept(","):
                 return
-            self.advance()
+
+    def define(self, made, name, token):
+        """Declare a type that has a descriptor."""
+        type_id = descriptors.type_id(made)
+        entry = self.declare(Entry(name, "type", made, type_id), token)
+        self.made[id(entry)] = (type_id, made)
+        self.kept.append(entry)
 
     # ---- bounds ----
 
@@ -509,10 +497,13 @@ class Parser:
 
     def weighed(self, descriptor, inner):
         """The descriptor, weighed by its `inner` parts."""
-        weights = [self.weight(part) for part in inner]
-        return self.weigh(
-            descriptor, sum(weight for weight, _ in weights), max(depth for _, depth in weights)
-        )
+        types = 0
+        deepest = 0
+        for part in inner:
+            weight, depth = self.weight(part)
+            types += weight
+            deepest = max(deepest, depth)
+        return self.weigh(descriptor, types, deepest)
 
 
 def _unquoted(word):

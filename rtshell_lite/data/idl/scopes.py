@@ -60,6 +60,12 @@ class Scope:
             return self.name
         return f"{self.parent.path()}::{self.name}"
 
+    def inner_prefix(self, name):
+        """The prefix of the repository ids of what is declared inside a name of this scope."""
+        if not self.prefix:
+            return name
+        return f"{self.prefix}/{name}"
+
     def own(self, name):
         """The Entry of a name declared here or in an interface that this one inherits from, or None."""
         todo = [self]

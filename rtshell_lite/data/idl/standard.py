@@ -19,8 +19,8 @@ def interface(type_id):
 
 
 def _operation(name, given, returned, raised, parameters):
-    sent = [idl.descriptor(word) for word in given]
-    received = [idl.descriptor(word) for word in returned or ()]
+    sent = list(map(idl.descriptor, given))
+    received = list(map(idl.descriptor, returned or ()))
     made = Operation(name, raises=map(idl.known, raised), oneway=returned is None)
     if len(received) > parameters.count(">"):
         made.result = received.pop(0)

@@ -21,8 +21,7 @@ def declarator(parser, descriptor, what):
     lengths = []
     if _incomplete(parser, descriptor):
         raise parser.fault("of a type that is declared, but not defined yet", token)
-    while parser.is_mark("["):
-        parser.advance()
+    while parser.accept("["):
         lengths.append(_positive(parser))
         parser.take("]")
     for length in reversed(lengths):
@@ -79,9 +78,11 @@ def type_spec(parser, depth):
 def _basic(parser):
     words = parser.advance().word
     while words.split()[-1] in ("unsigned", "long") and parser.is_word("long", "short", "double"):
-        if words + " " + parser.token.word not in list(BASIC) + ["unsigned long long"]:
+        longer = f"{words} {parser.token.word}"
+        if longer not in BASIC and longer != "unsigned long long":
             break
-        words += " " + parser.advance().word
+        parser.advance()
+        words = longer
     if words not in BASIC:
         raise parser.fault(f"not a type: {words}")
     return BASIC[words]
@@ -105,8 +106,7 @@ def _named(parser):
 
 def _of_corba(parser):
     """CORBA::TypeCode and the like, which no file declares."""
-    if parser.is_mark("::"):
-        parser.advance()
+    parser.accept("::")
     parser.advance()
     parser.take("::")
     name = parser.plain()
@@ -155,9 +155,9 @@ def constructed(parser, depth):
         raise parser.fault("nested too deep")
     word = parser.advance().word
     token = parser.token
-    name = parser.name("a " + word if word != "enum" else "an enum")
     if word == "enum":
-        return _enum(parser, name, token)
+        return _enum(parser, parser.name("an enum"), token)
+    name = parser.name(f"a {word}")
     entry = _announced(parser, name, token)
     if parser.is_mark(";"):
         return None
@@ -165,11 +165,14 @@ def constructed(parser, depth):
         raise parser.twice(name, entry, token)
     if word == "struct" or not parser.is_word("switch"):
         parser.take("{")
-    made = within(
-        parser, entry, lambda: (_struct if word == "struct" else _union)(parser, entry, name, depth)
-    )
+    read = _union
+    if word == "struct":
+        read = _struct
+    made = within(parser, entry, lambda: read(parser, entry, name, depth))
     parser.take("}")
-    entry.sort, entry.what, entry.hole[0] = "type", made, made
+    entry.sort = "type"
+    entry.what = made
+    entry.hole[0] = made
     parser.made[id(entry)] = (descriptors.type_id(made), made)
     return made
 
@@ -188,7 +191,7 @@ def _announced(parser, name, token):
 def within(parser, entry, parse):
     """The result of parse() inside a scope of this name."""
     outer = parser.scope
-    parser.scope = Scope(entry.name, outer, "/".join(filter(None, [outer.prefix, entry.name])))
+    parser.scope = Scope(entry.name, outer, outer.inner_prefix(entry.name))
     entry.members = parser.scope
     try:
         return parse()
@@ -213,9 +216,8 @@ def members(parser, depth):
             token, name, whole = declarator(parser, descriptor, "a member")
             _one_more(parser, name, names, token)
             found.append((name, whole))
-            if not parser.is_mark(","):
+            if not parser.accept(","):
                 break
-            parser.advance()
         parser.take(";")
     return found
 
@@ -253,10 +255,10 @@ def _union(parser, entry, name, depth):
     if not cases:
         raise parser.fault(f"a union without members: {name}", entry.token)
     if default >= 0:
-        cases[default] = (_unused(parser, switch, labels, entry.token),) + cases[default][1:]
-    return parser.weighed(
-        descriptors.union(entry.type_id, name, switch, cases, default), [switch] + [case[2] for case in cases]
-    )
+        _, member, whole = cases[default]
+        cases[default] = (_unused(parser, switch, labels, entry.token), member, whole)
+    made = descriptors.union(entry.type_id, name, switch, cases, default)
+    return parser.weighed(made, [switch] + [whole for _, _, whole in cases])
 
 
 def _labels(parser, switch, labels):
@@ -281,10 +283,9 @@ def _labels(parser, switch, labels):
 def _label(parser, switch):
     """The value of a case label; items of the switch's enum need no scope."""
     inner = descriptors.target(switch)
+    items = ()
     if descriptors.kind(inner) == descriptors.ENUM:
         items = descriptors.items(inner)
-    else:
-        items = ()
     if parser.token.kind == "name" and parser.scope.find(parser.token.word) is None:
         for item in items:
             if item._n == parser.token.word:
@@ -302,11 +303,10 @@ def _unused(parser, switch, labels, token):
         candidates = range(low, high + 1)
     elif kind == descriptors.ENUM:
         candidates = descriptors.items(inner)
+    elif kind == descriptors.BOOLEAN:
+        candidates = (False, True)
     else:
-        if kind == descriptors.BOOLEAN:
-            candidates = (False, True)
-        else:
-            candidates = map(chr, range(256))
+        candidates = map(chr, range(256))
     for candidate in candidates:
         if candidate not in labels:
             return candidate
@@ -320,16 +320,11 @@ def _enum(parser, name, token):
     while True:
         tokens.append(parser.token)
         items.append(parser.name("an item"))
-        if not parser.is_mark(","):
-            break
-        parser.advance()
-        if parser.is_mark("}"):  # a comma too many
+        if not parser.accept(",") or parser.is_mark("}"):  # a comma too many
             break
     parser.take("}")
     made = parser.weigh(descriptors.enum(parser.new_id(name), name, items), 1, 1)
-    entry = parser.declare(Entry(name, "type", made, descriptors.type_id(made)), token)
-    parser.made[id(entry)] = (descriptors.type_id(made), made)
-    parser.kept.append(entry)
+    parser.define(made, name, token)
     for item, where in zip(descriptors.items(made), tokens):
         parser.declare(Entry(item._n, "item", item), where)
     return made
