@@ -94,6 +94,7 @@ def surroundings(top, commands, orb):
         "TERM": "xterm",
         "MOCKS": os.path.join(processes.ROOT, "mock_components"),  # which has IDL files
         "MOCK_PYTHON": sys.executable,  # which has omniORBpy
+        "MOCK_PATH": os.environ.get("PYTHONPATH") or processes.ROOT,  # where it finds the mocks
         # how tests/run finds what was left behind
         "RTSHELL_TESTS": os.environ.get("RTSHELL_TESTS", ""),
     }
