@@ -88,8 +88,7 @@ class Case:
             RTSHELL_TIMEOUT=str(running.TIMEOUT),
         )
         self.found = list(self.problems())
-        self.ran.out = self.ran.out[-2000:]
-        self.ran.err = self.ran.err[-2000:]
+        self.ran = self.ran._replace(out=self.ran.out[-2000:], err=self.ran.err[-2000:])
         return self
 
     def limit(self):
