@@ -21,8 +21,9 @@ from rtshell_lite.views.graph import heads, in_order
 # A row of the stack of boxes: text between its borders, and the borders.
 Row = collections.namedtuple("Row", "left text right")
 
-# The lines from one port: the rows they join, the row where they start, whether they are of a service.
-Net = collections.namedtuple("Net", "rows start service")
+# The lines from one port: the first and the last of the rows they join, these rows, the row where they start,
+# whether they are of a service.
+Net = collections.namedtuple("Net", "first last rows start service")
 
 # Joints by (goes up, goes down, goes right); all come from the left.
 _JOINTS = {
@@ -41,9 +42,10 @@ def lines(picture, ascii_only=False):
     """The lines of the drawing of a graph.Graph; with `ascii_only` nothing but ASCII."""
     rows, row_of = _stack(picture)
     nets = _nets(picture, row_of)
-    wide = max([cells(row.text) for row in rows] or [0])
-    for (number, row), passing in zip(enumerate(rows), _passing(len(rows), nets, _lanes(nets))):
-        beside, border = _beside(number, passing)
+    wide = max([cells(row.text) for row in rows], default=0)
+    passing = _passing(len(rows), nets)
+    for number, row in enumerate(rows):
+        beside, border = _beside(number, next(passing))
         line = (_box_row(row, wide, border) + beside).rstrip()
         if ascii_only:
             line = line.translate(_ASCII).encode("ascii", "backslashreplace").decode()
@@ -52,13 +54,16 @@ def lines(picture, ascii_only=False):
 
 def _box_row(row, wide, border):
     """A Row in its box, `border` where a line starts."""
-    if row.right == ">":
-        return row.left + " " * (wide - cells(row.text)) + row.text + (border or "│")
-    if row.left in "┌├└":
-        fill = "─"
+    left, text, right = row
+    rest = wide - cells(text)
+    if right == ">":
+        text = " " * rest + text
+        right = "│"
+    elif left in "┌├└":
+        text += "─" * rest
     else:
-        fill = " "
-    return row.left + row.text + fill * (wide - cells(row.text)) + (border or row.right)
+        text += " " * rest
+    return left + text + (border or right)
 
 
 def _stack(picture):
@@ -73,58 +78,49 @@ def _stack(picture):
             rows.append(Row("├", "", "┤"))
         else:
             rows.append(Row("┌", "", "┐"))
-        rows += [Row("│", f" {head} ", "│") for head in heads(picture, number)]
+        for head in heads(picture, number):
+            rows.append(Row("│", f" {head} ", "│"))
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
                 row_of[number, port] = len(rows)
                 rows.append(Row("│", f" {printable(box.port_words(port))} ", mark))
-    return rows + [Row("└", "", "┘")] * bool(rows), row_of
+    if rows:
+        rows.append(Row("└", "", "┘"))
+    return rows, row_of
 
 
 def _nets(picture, row_of):
     """The Nets: one for each port where connections start, and kind."""
-    rows = collections.OrderedDict()
+    joined = collections.OrderedDict()
     for source, out, target, into, service in picture.edges:
-        rows.setdefault((row_of[source, out], service), set()).update(
-            [row_of[source, out], row_of[target, into]]
-        )
-    return [Net(joined, start, service) for (start, service), joined in rows.items() if len(joined) > 1]
+        start = row_of[source, out]
+        end = row_of[target, into]
+        joined.setdefault((start, service), {start}).add(end)
+    nets = []
+    for (start, service), rows in joined.items():
+        if len(rows) > 1:
+            nets.append(Net(min(rows), max(rows), rows, start, service))
+    return nets
 
 
-def _lanes(nets):
-    """The lane of each Net, counted from the boxes; no two that overlap are in one, and there are as few as
-    can be.
+def _passing(count, nets):
+    """For each row the {lane: Net} of those that touch it. Lanes are counted from the boxes; no two Nets that
+    overlap are in one, and there are as few as can be.
     """
-    lanes = [0] * len(nets)
-    free = []  # numbers of lanes
-    taken = []  # (row where it ends, lane)
-    for number in sorted(
-        range(len(nets)), key=lambda number: (min(nets[number].rows), max(nets[number].rows))
-    ):
-        first = min(nets[number].rows)
-        while taken and taken[0][0] < first:
-            heapq.heappush(free, heapq.heappop(taken)[1])
-        if free:
-            lanes[number] = heapq.heappop(free)
-        else:
-            lanes[number] = len(taken)
-        heapq.heappush(taken, (max(nets[number].rows), lanes[number]))
-    return lanes
-
-
-def _passing(rows, nets, lanes):
-    """For each row the {lane: Net} of those that touch it."""
-    begin = [[] for _ in range(rows)]
-    end = [[] for _ in range(rows)]
-    for net, lane in zip(nets, lanes):
-        begin[min(net.rows)].append((lane, net))
-        end[max(net.rows)].append(lane)
+    to_come = collections.deque(sorted(nets, key=lambda net: (net.first, net.last)))
+    free = []  # numbers of lanes, a heap
     passing = {}
-    for row in range(rows):
-        passing.update(begin[row])
+    for row in range(count):
+        while to_come and to_come[0].first == row:
+            lane = len(passing)
+            if free:
+                lane = heapq.heappop(free)
+            passing[lane] = to_come.popleft()
         yield passing
-        for lane in end[row]:
-            del passing[lane]
+        for lane, net in list(passing.items()):
+            if net.last == row:
+                del passing[lane]
+                heapq.heappush(free, lane)
 
 
 def _beside(row, passing):
@@ -133,25 +129,24 @@ def _beside(row, passing):
     """
     joined = {lane: net for lane, net in passing.items() if row in net.rows}
     far = max(joined, default=-1)
-    service = int(any(net.service for net in joined.values()))
+    service = any(net.service for net in joined.values())
     arrives = any(row != net.start for net in joined.values())
-    drawn = []
+    drawn = ""
     for lane in range(max(passing, default=-1) + 1):
-        drawn.append(_before_lane(lane, far, service, arrives))
+        drawn += _before_lane(lane, far, service, arrives)
         if lane in joined:
             net = joined[lane]
-            drawn.append(
-                _JOINTS[int(min(net.rows) < row), int(row < max(net.rows)), int(lane < far)][net.service]
-            )
+            joint = _JOINTS[net.first < row, row < net.last, lane < far]
+            drawn += joint[net.service]
         elif lane in passing:
-            drawn.append("│║"[passing[lane].service])
+            drawn += "│║"[passing[lane].service]
         elif lane < far:
-            drawn.append("─═"[service])
+            drawn += "─═"[service]
         else:
-            drawn.append(" ")
+            drawn += " "
     if joined and not arrives:
-        return "".join(drawn), "├╞"[service]
-    return "".join(drawn), ""
+        return drawn, "├╞"[service]
+    return drawn, ""
 
 
 def _before_lane(lane, far, service, arrives):

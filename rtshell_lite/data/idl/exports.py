@@ -8,7 +8,6 @@ its `fault`.
 from rtshell_lite import errors
 from rtshell_lite.data.idl import constants, types
 from rtshell_lite.data.idl.interfaces import Attribute, Operation, Parameter
-from rtshell_lite.text import printable
 
 DIRECTIONS = ("in", "out", "inout")
 CLAUSES = ("raises", "getraises", "setraises")
@@ -25,7 +24,7 @@ def export(parser, interface, depth):
         else:
             interface.operations.append(_operation(parser, depth))
         if not parser.is_mark(";"):
-            raise parser.fault(f"expected ;, not {printable(parser.token.word)}")
+            raise parser.unexpected(";")
     except errors.BadIdl as e:
         parser.go_back(start)
         _unreadable(parser, interface, is_attribute, str(e))
@@ -86,7 +85,7 @@ def _operation(parser, depth):
 
 def _parameter(parser, operation, depth):
     if not parser.is_word(*DIRECTIONS):
-        raise parser.fault(f"expected in, out or inout, not {printable(parser.token.word)}")
+        raise parser.unexpected("in, out or inout")
     direction = parser.advance().word
     descriptor = types.type_spec(parser, depth)
     token = parser.token

@@ -57,10 +57,12 @@ def _declare(parser, type_id, file, token):
         _add(parser, scope, entry, token)
         return inner
     if kind == descriptors.EXCEPTION:
-        _add(parser, scope, Entry(name, "exception", descriptor, type_id, token=own), token)
+        entry = Entry(name, "exception", descriptor, type_id, token=own)
+        _add(parser, scope, entry, token)
         return None
     entry = Entry(name, "type", descriptor, type_id, [descriptor], own)
-    parser.weigh(descriptor, sum(1 for _ in descriptors.walk(descriptor, "")), DEPTH)
+    types = list(descriptors.walk(descriptor, ""))
+    parser.weigh(descriptor, len(types), DEPTH)
     parser.made[id(entry)] = type_id, descriptor
     _add(parser, scope, entry, token)
     if kind == descriptors.ENUM:
@@ -70,8 +72,8 @@ def _declare(parser, type_id, file, token):
 
 
 def _add(parser, scope, entry, token):
-    known = scope.names.get(entry.name.lower())
-    if known is not None:
-        raise parser.twice(entry.name, known, token)
-    scope.names[entry.name.lower()] = entry
+    name = entry.name.lower()
+    if name in scope.names:
+        raise parser.twice(entry.name, scope.names[name], token)
+    scope.names[name] = entry
     parser.kept.append(entry)

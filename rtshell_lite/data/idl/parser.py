@@ -118,6 +118,10 @@ class Parser:
         token = token or self.token
         return errors.BadIdl(printable(token.file), token.line, token.column, why)
 
+    def unexpected(self, wanted, token=None):
+        """The BadIdl for something else than what is wanted here."""
+        return self.fault(f"expected {wanted}, not {printable(self.token.word)}", token)
+
     def is_mark(self, *marks):
         return self.token.kind == "mark" and self.token.word in marks
 
@@ -134,7 +138,7 @@ class Parser:
     def take(self, word):
         """Skip this word or mark. Raises BadIdl when something else is there."""
         if self.token.kind not in ("mark", "name") or self.token.word != word:
-            raise self.fault(f"expected {word}, not {printable(self.token.word)}")
+            raise self.unexpected(word)
         return self.advance()
 
     def _file(self, word):
@@ -201,7 +205,7 @@ class Parser:
         """An identifier that is declared, without an escaping _. Raises BadIdl for a keyword."""
         token = self.token
         if token.kind != "name":
-            raise self.fault(f"expected the name of {what}, not {printable(token.word)}")
+            raise self.unexpected(f"the name of {what}")
         self.advance()
         if token.word.startswith("_"):
             if not token.word[1:2].isalpha():
@@ -260,9 +264,9 @@ class Parser:
         """The name that comes next, without scopes. Raises BadIdl for anything else, keywords included."""
         token = self.token
         if token.kind != "name":
-            raise self.fault(f"expected a name, not {printable(token.word)}")
+            raise self.unexpected("a name")
         if token.word in SPELLED:  # in another case, _Factory may be declared
-            raise self.fault(f"expected a name, not {token.word}")
+            raise self.unexpected("a name")
         self._last = self.advance().word.lstrip("_")
         return self._last
 
@@ -302,7 +306,7 @@ class Parser:
         elif word == "import":
             self.skip()
         else:
-            raise self.fault(f"expected a definition, not {printable(self.token.word)}")
+            raise self.unexpected("a definition")
         self.take(";")
 
     def _module(self, depth):
@@ -398,12 +402,12 @@ class Parser:
             if closing:
                 wanted = closing[-1]
             if token.kind == "end":
-                raise self.fault(f"expected {wanted}, not {printable(token.word)}", start)
+                raise self.unexpected(wanted, start)
             if self.is_mark(*BRACKETS):
                 closing.append(BRACKETS[token.word])
             elif self.is_mark(*BRACKETS.values()):
                 if token.word != wanted:
-                    raise self.fault(f"expected {wanted}, not {printable(token.word)}")
+                    raise self.unexpected(wanted)
                 closing.pop()
             skipped.append(self.advance())
         return skipped + [self.token]

@@ -5,7 +5,6 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, VALUE, WSTRING
 from rtshell_lite.data.idl import constants
 from rtshell_lite.data.idl.scopes import DEEPEST, Entry, Scope
-from rtshell_lite.text import printable
 
 BASIC = {
     words: kind for kind, words in descriptors.NAMES.items() if kind > 1 and kind != descriptors.PRINCIPAL
@@ -276,7 +275,7 @@ def _labels(parser, switch, labels):
         labels.add(label)
         parser.take(":")
     if not found:
-        raise parser.fault(f"expected case or default, not {printable(parser.token.word)}")
+        raise parser.unexpected("case or default")
     return found
 
 
