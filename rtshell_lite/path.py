@@ -132,8 +132,10 @@ def parse(text, cwd=None):
     """
     if is_absolute(text):
         above = ROOT
+    elif cwd is None:
+        above = working_directory()
     else:
-        above = _directory(cwd or _typed_directory())
+        above = _directory(cwd)
     return follow(above, elements(text), text)
 
 
@@ -183,7 +185,10 @@ def _directory(cwd):
     """The Path of a working directory: all relative paths of a command begin with the same one."""
     if not is_absolute(cwd):
         raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
-    return follow(ROOT, elements(cwd) + ["."], cwd)
+    try:
+        return follow(ROOT, elements(cwd) + ["."], cwd)
+    except errors.BadPath as e:
+        raise errors.BadPath(cwd, f"{e.args[1]} (it is the working directory, RTCSH_CWD)")
 
 
 def is_absolute(text):

@@ -62,6 +62,9 @@ Paths are relative to RTCSH_CWD, or absolute.
   $ RTCSH_CWD=localhost rtls
   rtls: localhost: a working directory (RTCSH_CWD) starts with /
   [2]
+  $ RTCSH_CWD=/localhost/Motor0.rtc:out rtls ..
+  rtls: /localhost/Motor0.rtc:out: a port has no directory below it (it is the working directory, RTCSH_CWD)
+  [2]
 
 A name server needs no slash after its TCP port, and need not be in RTCTREE_NAMESERVERS.
 

@@ -38,6 +38,10 @@ class Parsing(unittest.TestCase):
             os.environ["RTCSH_CWD"] = "robot"
             with self.assertRaises(errors.BadPath):
                 parse("C0.rtc")
+            os.environ["RTCSH_CWD"] = "/robot/C0.rtc:out"
+            with self.assertRaisesRegex(errors.BadPath, "^/robot/C0.rtc:out: .*working directory, RTCSH_CWD"):
+                parse("..")
+            self.assertEqual(str(parse("/robot/x")), "/robot/x")
         finally:
             os.environ.pop("RTCSH_CWD", None)
             if before is not None:
