@@ -49,10 +49,8 @@ async def find(paths, wanted):
     for node in nodes:
         if not wanted.names or _matches(node.name, wanted.names):
             named.append(node)
-    if named:
-        close = []
-    else:
-        close = []
+    close = []
+    if not named:
         for node in nodes:
             if node.path.names and _matches(node.path.names[-1].id, wanted.names):
                 close.append(node)
