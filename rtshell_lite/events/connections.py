@@ -35,10 +35,10 @@ async def follow(components, put):
                 followed[where] = _Followed(node, listed)
         owners = {each.identity for each in followed.values()}
 
-        async def look(each):
-            await each.look(owners, put)
+        async def report(each):
+            await each.report_changes(owners, put)
 
-        await session.each(list(followed.values()), look, lambda each: each.place)
+        await session.each(list(followed.values()), report, lambda each: each.place)
 
 
 class _Followed:
@@ -54,7 +54,7 @@ class _Followed:
             self.ports.append(_Port(port.ref))
             self.ports[-1].describe(port)
 
-    async def look(self, owners, put):
+    async def report_changes(self, owners, put):
         """Call put, as in `follow`, for what has changed since the last look. `owners`: identities of the
         components that are followed; a composite shows ports of its members, too. Raises what calls raise.
         """
