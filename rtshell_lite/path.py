@@ -186,9 +186,12 @@ def _directory(cwd):
     if not is_absolute(cwd):
         raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
     try:
-        return follow(ROOT, elements(cwd) + ["."], cwd)
+        path = follow(ROOT, elements(cwd), cwd)
+        if path.port is not None:
+            raise errors.BadPath(cwd, "a port has no directory below it")
     except errors.BadPath as e:
         raise errors.BadPath(cwd, f"{e.args[1]} (it is the working directory, RTCSH_CWD)")
+    return path._replace(directory=False)
 
 
 def is_absolute(text):

@@ -546,6 +546,7 @@ def serve(servant):
     if hasattr(servant, "take"):
         handover = _Handover(here, servant.take)
         servant.take = handover.take
+        servant.hurry = handover.hurry
     for operation in made._omni_op_d:
         method = getattr(servant, operation)
         if handover is None:
@@ -557,7 +558,7 @@ def serve(servant):
     def withdraw():
         poa.deactivate_object(number)
         if handover is not None:
-            handover.pass_on()
+            handover.hurry()
 
     return orb.object_to_string(poa.id_to_reference(number)), withdraw
 
@@ -599,8 +600,8 @@ def _check_open(of):
 
 class _Handover:
     """Values on their way from threads of omniORB, which answer their senders, to the loop, which takes many
-    at a time: to wake it for each one costs more than all the rest. Where many wait, and for large ones, the
-    thread waits for the loop, and the sender with it.
+    at a time: to wake it for each one costs more than all the rest. Where many wait, for large ones, and
+    after `hurry`, the thread waits for the loop, and the sender with it.
     """
 
     def __init__(self, of, take):
@@ -610,11 +611,12 @@ class _Handover:
         self._take_now = _on_loop(of, self._take_last)
         self._waiting = collections.deque()  # type: collections.deque
         self._is_coming = False  # the loop will look for values: it is called, or has a timer
+        self._is_hurried = False
         self._timer = loop.Timer(0, 0, None)
 
     def take(self, received, data):
         """Take a value, on any thread. Raises what the functions of _on_loop raise."""
-        if len(data) > LARGEST_WAITING or len(self._waiting) >= MOST_WAITING:
+        if self._is_hurried or len(data) > LARGEST_WAITING or len(self._waiting) >= MOST_WAITING:
             self._take_now(received, data)
             return
         _check_open(self._loop)
@@ -633,8 +635,15 @@ class _Handover:
             return
         while self._waiting:
             self._take(*self._waiting.popleft())
+        if self._is_hurried:
+            return
         self._timer = self._loop.call_later(GATHER, self.pass_on)
         self._is_coming = True
+
+    def hurry(self):
+        """See servants.InPortCdr; on the loop."""
+        self._is_hurried = True
+        self.pass_on()
 
     def _take_last(self, received, data):
         self.pass_on()

@@ -18,7 +18,7 @@ class InPortCdr:
     value, unless is_full().
 
     With omniORB its method runs on a thread. So is_full only looks, and what `take` is then only appends to a
-    queue, from which the loop takes the values.
+    queue, from which the loop takes the values, until `hurry` is called.
     """
 
     interface = "OpenRTM.InPortCdr"
@@ -34,6 +34,11 @@ class InPortCdr:
             return self.full
         self.take(int(time.time() * 1e9), data)
         return self.done
+
+    def hurry(self):
+        """Have what waits taken now, and each further value before its sender is answered: with our own ORB
+        that is always so.
+        """
 
 
 class DataPushService(InPortCdr):
@@ -51,6 +56,7 @@ class Served:
     """A servant that can be called until `withdraw`, from when on callers get OBJECT_NOT_EXIST."""
 
     def __init__(self, servant):
+        self.servant = servant
         self.reference, self.withdraw = orb.serve(servant)
 
     async def ior(self, peer):

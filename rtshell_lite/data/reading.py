@@ -188,6 +188,8 @@ class Reader(Connection):
             self.stopped = time.monotonic()
             self.count_then = self.count
             self.ended.ring()
+        if self.served is not None:
+            self.served.servant.hurry()
         if self._finds_out():
             self._withdraw()
 

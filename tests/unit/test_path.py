@@ -42,6 +42,9 @@ class Parsing(unittest.TestCase):
             with self.assertRaisesRegex(errors.BadPath, "^/robot/C0.rtc:out: .*working directory, RTCSH_CWD"):
                 parse("..")
             self.assertEqual(str(parse("/robot/x")), "/robot/x")
+            os.environ["RTCSH_CWD"] = "corbaloc:iiop:robot:1/C0.rtc:out"
+            with self.assertRaisesRegex(errors.BadPath, "working directory, RTCSH_CWD"):
+                parse(".")
         finally:
             os.environ.pop("RTCSH_CWD", None)
             if before is not None:

@@ -241,6 +241,27 @@ class Handover(unittest.TestCase):
             loop.run(main())
         self.assertEqual([len(data) for _, data in self.taken], [1, 1, 1, 100])
 
+    def test_a_reader_that_leaves_is_given_each_value_before_its_sender_is_answered(self):
+        """A connector is removed while a value is answered: elsewhere that can end a component."""
+        seen = []
+
+        def send(take):
+            take(2, b"y")
+            seen.append([number for number, _ in self.taken])
+
+        async def main():
+            here = loop.current()
+            here.make_bell()
+            handover = omniorb._Handover(here, self.take)
+            with mock.patch.object(here, "post"):  # the loop does not come
+                handover.take(1, b"x")
+            self.assertEqual(self.taken, [])
+            handover.hurry()
+            self.assertEqual(self.taken, [(1, b"x")])
+            await loop.on_thread(send, handover.take)
+        loop.run(main())
+        self.assertEqual(seen, [[1, 2]])
+
     @unittest.skipUnless(omniorb.is_installed(), "needs omniORBpy")
     def test_a_loop_that_has_ended_takes_nothing(self):
         """So that nobody is told that a value was taken."""
