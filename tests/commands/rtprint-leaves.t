@@ -40,8 +40,9 @@ Nobody reads what rtprint prints; the component goes on:
   $ mkfifo full; sleep 60 >/dev/null <full & reader=$!; rtprint -q Source0.rtc:number >full & pid=$!; until ctl connectors Source0:number | grep -q rtprint; do :; done
   $ before=$(ctl sent Source0:number); sleep 2; after=$(ctl sent Source0:number); test $((after - before)) -gt 800 && echo it goes on
   it goes on
-  $ kill $reader $pid; wait $pid
+  $ kill $pid; wait $pid
   [143]
+  $ kill $reader
 
 Ctrl-Z leaves before it stops, for a stopped reader would stop the component; fg connects again:
 
