@@ -340,17 +340,24 @@ def parse(arguments):
     return place, modes
 
 
+def end_on_sigterm():
+    signal.sigwait([signal.SIGTERM])
+    os._exit(0)
+
+
 def main(arguments):
     """Play the peers that the arguments name, print their ports as JSON, and end with standard input."""
     if not arguments or {"-h", "--help"} & set(arguments):
         print(usage())
         return
     place, modes = parse(arguments)
+    # for a thread to wait for: a handler is not called if the signal comes just before a read
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])
+    threading.Thread(target=end_on_sigterm, daemon=True).start()
     peers = {name: Peer(mode) for name, mode in modes.items()}
     ports = {name: peer.port for name, peer in peers.items()}
     if place:
         bind(place, ports)
-    signal.signal(signal.SIGTERM, lambda *_: os._exit(0))
     timer = threading.Timer(LIFETIME, os._exit, [0])
     timer.daemon = True
     timer.start()
