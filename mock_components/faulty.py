@@ -351,7 +351,7 @@ def main(arguments):
         print(usage())
         return
     place, modes = parse(arguments)
-    # for a thread to wait for: a handler is not called if the signal comes just before a read
+    # a thread waits for it: a handler is not called if the signal comes just before a read
     signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])
     threading.Thread(target=end_on_sigterm, daemon=True).start()
     peers = {name: Peer(mode) for name, mode in modes.items()}

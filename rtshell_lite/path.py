@@ -140,7 +140,7 @@ def parse(text, cwd=None):
 
 
 def follow(above, wanted, text):
-    """The Path that `elements` lead to from a directory, a Path; `text` is what they were typed as.
+    """The Path that `elements` lead to from a directory, a Path; `text`: the path as typed, for errors.
     Raises BadPath.
     """
     kept = []  # type: list
@@ -182,7 +182,7 @@ def _typed_directory():
 
 @cached(10)
 def _directory(cwd):
-    """The Path of a working directory: all relative paths of a command begin with the same one."""
+    """The Path of a working directory, kept: all relative paths of a command start there."""
     if not is_absolute(cwd):
         raise errors.BadPath(cwd, "a working directory (RTCSH_CWD) starts with /")
     try:

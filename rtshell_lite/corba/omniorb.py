@@ -20,8 +20,8 @@ PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # the most that omniORB opens to one process (maxGIOPConnectionPerServer)
 IN_FLIGHT = 4  # calls to a process at a time, each on a thread
 HANDOVER = 5.0  # s that a caller of a servant waits at most for the loop
-GATHER = 0.01  # s between two looks of the loop for values, while they come
-# values that may wait for it, and octets of the largest of them
+GATHER = 0.01  # s until the loop looks again for values, while they come
+# values that may wait for the loop, and octets of the largest of them
 MOST_WAITING = 256
 LARGEST_WAITING = 1 << 14
 
@@ -279,7 +279,7 @@ class _Queue:
             self.session.fall_silent(self.endpoint, error.why, item.begun)
             self._check_rest()
         elif error is None or isinstance(error, errors.Refused):
-            self.session.has_answered(self.endpoint)
+            self.session.has_answered(self.endpoint, time.monotonic())
         item.wait.end(value, error)
 
     # ---- what does not come ----
@@ -599,9 +599,9 @@ def _check_open(of):
 
 
 class _Handover:
-    """Values on their way from threads of omniORB, which answer their senders, to the loop, which takes many
-    at a time: to wake it for each one costs more than all the rest. Where many wait, for large ones, and
-    after `hurry`, the thread waits for the loop, and the sender with it.
+    """Passes values from threads of omniORB, which answer their senders, to the loop, many at a time: waking
+    the loop for each value costs more than all the rest. Where many wait, for large values, and after
+    `hurry`, the thread waits for the loop, and the sender with it.
     """
 
     def __init__(self, of, take):
@@ -612,7 +612,7 @@ class _Handover:
         self._waiting = collections.deque()  # type: collections.deque
         self._is_coming = False  # the loop will look for values: it is called, or has a timer
         self._is_hurried = False
-        self._timer = loop.Timer(0, 0, None)
+        self._timer = loop.Timer(0, 0, None)  # of the next look; this one is never due
 
     def take(self, received, data):
         """Take a value, on any thread. Raises what the functions of _on_loop raise."""
@@ -626,8 +626,8 @@ class _Handover:
             self._loop.post(self.pass_on)
 
     def pass_on(self):
-        """Have those taken that wait, and look again later; without a value in between, have the loop called
-        for the next one.
+        """Take what waits, and look again after GATHER seconds. After a look that finds nothing, the next
+        value calls the loop.
         """
         self._timer.cancel()
         self._is_coming = False  # before the look at what waits: what comes after it calls the loop

@@ -206,9 +206,9 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
 
     `operation` is the name of one of the IDL, or an operations.Schema, which is asked once, whatever happens.
     `seconds` is a longer deadline for an operation that may take its time; of a Schema it is the deadline.
-    `part`: what is needed of the structure that it returns: a number, its first members, and the others may
-    be None; or a name, that property in the list that is its last member, and the others may be left out; ""
-    is the first of those.
+    `part`: what is needed of the structure that it returns: a number N, its first N members (the
+    others may be None); a name, the property of that name in the list that is its last member (the others
+    may be left out); "", the first property in that list.
     Raises Silent, Gone, Unreachable or Refused; made with a nil reference, Garbled: a peer has sent that in
     place of an object.
 

@@ -17,8 +17,8 @@ class InPortCdr:
     """Receives what an out port pushes by corba_cdr: take(nanoseconds since 1970, bytes) is called for each
     value, unless is_full().
 
-    With omniORB its method runs on a thread. So is_full only looks, and what `take` is then only appends to a
-    queue, from which the loop takes the values, until `hurry` is called.
+    With omniORB, `put` runs on a thread: is_full must only look, and omniorb.py replaces `take` by a function
+    that appends to a queue, from which the loop takes the values until `hurry` is called.
     """
 
     interface = "OpenRTM.InPortCdr"
@@ -36,8 +36,8 @@ class InPortCdr:
         return self.done
 
     def hurry(self):
-        """Have what waits taken now, and each further value before its sender is answered: with our own ORB
-        that is always so.
+        """Have what waits in the queue taken now, and from now on each value before its sender is answered;
+        our own ORB always does so.
         """
 
 

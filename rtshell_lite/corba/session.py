@@ -73,9 +73,9 @@ class Session:
         if self.answered.get(endpoint, 0) <= since:
             self.silent[endpoint] = time.monotonic(), why
 
-    def has_answered(self, endpoint):
-        """Note that a process has answered a call."""
-        self.answered[endpoint] = time.monotonic()
+    def has_answered(self, endpoint, when):
+        """Note that a process has answered a call; `when` by time.monotonic()."""
+        self.answered[endpoint] = when
 
     def sweep(self):
         """Forget what is too old to matter, in a session that lasts."""

@@ -188,10 +188,10 @@ class Reader(Connection):
             self.stopped = time.monotonic()
             self.count_then = self.count
             self.ended.ring()
-        if self.served is not None:
-            self.served.servant.hurry()
         if self._finds_out():
             self._withdraw()
+        elif self.served is not None:  # so that `is_at_rest` learns of a value while its sender is answered
+            self.served.servant.hurry()
 
     def _subscription(self):
         return self.agreed.get(SUBSCRIPTION, "").lower()

@@ -135,7 +135,7 @@ class Maker(cdr.Maker):
         return read
 
     def _pair_reader(self, name):
-        """Of an NVList at the end, the pair with this name, a text, or the first one: [], or one pair."""
+        """Of an NVList at the end, the pair with this name, or the first pair for b"": [], or one pair."""
         if not name:
             first = self._pairs_reader(most=1)
             return lambda data, at: (first(data, at)[0], len(data))
@@ -159,7 +159,7 @@ class Maker(cdr.Maker):
 
     def _pairs_reader(self, most=None):
         """An NVList as (octets of the name, octets of the value or an Any) pairs:
-        profiles are full of them. Of one at the end, the first `most` may be enough.
+        profiles are full of them. It stops after `most` pairs, of a list at the end of an answer.
         """
         unpack = self.count.unpack_from
         start = struct.Struct(self.order + "III")
@@ -277,7 +277,6 @@ class Maker(cdr.Maker):
 
     def write_reference(self, _):
         pack = self.count.pack
-
         pair = struct.Struct(self.order + "II").pack
 
         def write(out, ref):

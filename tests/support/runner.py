@@ -81,7 +81,7 @@ def source(module):
 
 def says(module, word):
     """What a module says of ALONE (it measures times), ONCE (one Python of the matrix is enough), BOTH (each
-    ORB has its turn), PART (a short run takes one in so many of its tests); "" if it does not.
+    ORB has its turn), PART (a short run takes one test in PART); "" if it does not.
     """
     with open(source(module), encoding="utf-8") as file:
         return next((line[len(word):].split()[1] for line in file if line.startswith(word + " =")), "")

@@ -264,7 +264,7 @@ class Handover(unittest.TestCase):
 
     @unittest.skipUnless(omniorb.is_installed(), "needs omniORBpy")
     def test_a_loop_that_has_ended_takes_nothing(self):
-        """So that nobody is told that a value was taken."""
+        """Nobody gets PORT_OK for a value that is lost."""
         from omniORB import CORBA
 
         async def main():

@@ -189,8 +189,8 @@ class Request:
         return failures.user(where, name, getattr(raised, "description", ""))
 
     def silent(self, why):
-        """It ends as the process did not answer. The silence of one that it was forwarded to says nothing
-        about the one that is asked.
+        """It ends, as the process did not answer. When it was forwarded, that says nothing about the process
+        that was asked first.
         """
         if self.endpoint == self.call.endpoint:
             error = errors.Silent(str(self.call.where), why)

@@ -204,7 +204,7 @@ class Connection:
         """Add a request to what is to be sent, see `flush`; its callback gets the error."""
         self._number += 1
         try:
-            octets = request.octets(self._number, self._version, self._via)
+            octets = self.octets(request, self._number)
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
         request.sent = time.monotonic()

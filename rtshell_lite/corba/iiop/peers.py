@@ -357,7 +357,7 @@ class Peers:
         if peer.connection.is_stray(number):
             return
         peer.heard = time.monotonic()
-        self.session.answered[peer.endpoint] = peer.heard
+        self.session.has_answered(peer.endpoint, peer.heard)
         if number == next(iter(peer.connection.requests), None):
             peer.moved_on = peer.heard
         request = peer.connection.answered(number)

@@ -119,7 +119,7 @@ class Parser:
         return errors.BadIdl(printable(token.file), token.line, token.column, why)
 
     def unexpected(self, wanted, token=None):
-        """The BadIdl for something else than what is wanted here."""
+        """The BadIdl for something other than what is wanted here."""
         return self.fault(f"expected {wanted}, not {printable(self.token.word)}", token)
 
     def is_mark(self, *marks):
@@ -129,7 +129,7 @@ class Parser:
         return self.token.kind == "name" and self.token.word in words
 
     def accept(self, mark):
-        """Whether this mark comes next, which is skipped then."""
+        """Skip this mark if it comes next; returns whether it does."""
         is_next = self.is_mark(mark)
         if is_next:
             self.advance()
