@@ -1,4 +1,4 @@
-"""What tests/run without arguments runs: the same every time, in 3 to 5 minutes on two quiet cores.
+"""What tests/run without arguments runs: the same every time, in about 8 minutes on two quiet cores.
 
 Each transcript under one shell and with one ORB, some of those about failures, and of a test module that says
 PART = N one in N tests.
@@ -10,7 +10,7 @@ import transcripts
 
 OF_FAILURES = 3  # every third of the transcripts about failures
 OF_OMNIORB = 4  # every fourth transcript is played with omniORB, the others with our own ORB
-BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: 3 to 5 minutes on two quiet cores.
+BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: about 8 minutes on two quiet cores.
 A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""  # noqa: E501
 
 
