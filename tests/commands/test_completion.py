@@ -39,7 +39,6 @@ HOSTILE = [
 ]
 PART = 8  # a short run takes one in PART of its tests
 ONCE = "three shells are tried: one Python is enough"
-LIMIT = 1.0  # seconds from TAB to the next key, with a name server that hangs
 
 # How each shell starts, without the user's own files; the key Ctrl-G writes down the line as it is then.
 SHELLS = {
@@ -253,15 +252,10 @@ class InShell:
         return spelt[0] if spelt[0].isalnum() or spelt[0] == "-" else "\\" + spelt[0]
 
     def test_a_name_server_that_hangs(self):
-        """The line is there again within a second, unchanged, and no message comes."""
-        begun = time.monotonic()
-        self.check("rtls --rec", "rtls --recurse ")
-        start_up = time.monotonic() - begun
+        """The line is there again, unchanged, and no message comes; how soon, rtcwd.t measures."""
         with SilentPort() as port:
             self.terminal.said = b""
-            begun = time.monotonic()
             self.check("rtls /localhost:%d/a" % port, "rtls /localhost:%d/a" % port)
-            self.assertLess(time.monotonic() - begun, LIMIT + 2 * start_up)
             self.assertNotIn(b"answer", self.terminal.said)
 
 

@@ -6,7 +6,6 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 import unittest
 
 import processes
@@ -81,11 +80,10 @@ class CtrlC(unittest.TestCase):
             self.assertTrue(peer.wait_for_request())
             self.assertIsNone(process.poll(), "it did not wait for its peer")
             killer.start()
-            waited = tools.waited_for_processor(process.pid)
-            begun = time.monotonic()
+            watch = tools.Stopwatch(process.pid)
             process.send_signal(signal.SIGINT)
             os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
-            taken = time.monotonic() - begun - (tools.waited_for_processor(process.pid) - waited)
+            taken = watch.seconds()
             out, err = process.communicate()
         finally:
             killer.cancel()

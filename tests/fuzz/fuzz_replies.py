@@ -16,7 +16,6 @@ import struct
 import subprocess
 import sys
 import threading
-import time
 
 import fuzz
 import listening
@@ -226,7 +225,7 @@ class Replies(fuzz.Target):
                 stderr=subprocess.PIPE,
                 env=dict(os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb),
             )
-        begun = time.monotonic() - tools.waited_for_processor(self.child.pid)
+        watch = tools.Stopwatch(self.child.pid)
         # faulthandler says where it hangs
         timer = threading.Timer(5 * LIMIT, self.child.send_signal, [signal.SIGABRT])
         timer.start()
@@ -254,8 +253,7 @@ class Replies(fuzz.Target):
                 0,
             )
         answer = json.loads(answer.decode())
-        seconds = time.monotonic() - tools.waited_for_processor(self.child.pid) - begun
-        return answer["status"], answer["said"], seconds, answer["grown"]
+        return answer["status"], answer["said"], watch.seconds(), answer["grown"]
 
     def _end(self):
         if self.child:

@@ -219,6 +219,28 @@ def waited_for_processor(process):
         return 0.0
 
 
+class Stopwatch:
+    """Measures how long something takes, as if it had had a processor whenever it was ready.
+
+    `processes` are the numbers of those that do it, by default this one. What several threads of this process
+    waited at the same time is taken off for each.
+    """
+
+    def __init__(self, *processes):
+        self.processes = processes
+        self.before = self._waits()
+        self.begun = time.monotonic()
+
+    def seconds(self):
+        taken = time.monotonic() - self.begun
+        waits = self._waits()
+        return taken - sum(waits[thread] - self.before.get(thread, 0) for thread in waits)
+
+    def _waits(self):
+        threads = self.processes or ["self/task/" + thread for thread in os.listdir("/proc/self/task")]
+        return {thread: waited_for_processor(thread) for thread in threads}
+
+
 NAMES = [name[5:].replace("_", "-") for name in sorted(globals()) if name.startswith("play_")] + list(SIGNALS)
 
 
