@@ -13,9 +13,13 @@ import subprocess
 import tempfile
 import time
 import unittest
+from unittest import mock
 
 import running
 import worlds
+from rtshell_lite import cli
+from rtshell_lite.net import loop
+from rtshell_lite.shell import installation
 
 LONG = 30.0  # seconds; more than ending at once takes on a busy machine
 STUBBORN = "sh -c 'trap \"\" TERM INT; echo ready; while :; do sleep 0.1; done'"
@@ -238,6 +242,30 @@ class Processes(unittest.TestCase):
         worlds.eventually(lambda: not children(first), "no zombie stays")
         os.kill(first, signal.SIGTERM)
         self.assertEqual(self.process.wait(LONG), 0, self.said())
+
+
+class Printing(unittest.TestCase):
+    def test_what_is_being_printed_when_rtkeep_leaves(self):
+        """All is printed before it ends, though the terminal has just taken nothing."""
+        printed = []
+        slow = loop.Wait()
+
+        async def write(text):
+            await slow
+            printed.append(text)
+
+        async def leave():
+            printer = installation.load(installation.commands()["rtkeep"], "keep")._Printer()
+            async with loop.background(printer.run()):
+                printer.add("ended")
+                await loop.sleep(0.01)
+                loop.current().call_later(0.1, slow.done)
+                printer.add("last")
+                await printer.until_printed()
+
+        with mock.patch.object(cli, "write", write):
+            loop.run(leave())
+        self.assertEqual("".join(printed), "ended\nlast\n")
 
 
 if __name__ == "__main__":
