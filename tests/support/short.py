@@ -1,14 +1,14 @@
 """What tests/run without arguments runs: the same every time, in about 8 minutes on two quiet cores.
 
-Each transcript under one shell and with one ORB, some of those about failures, and of a test module that says
-PART = N one in N tests.
+The transcript of each command, every second of those about one side of a command, each under one shell and
+with one ORB, and of a test module that says PART = N one in N tests.
 """
 import os
 import zlib
 
 import transcripts
 
-OF_FAILURES = 3  # every third of the transcripts about failures
+OF_SIDES = 2  # every second of the transcripts about one side of a command, such as rtls-aliases.t
 OF_OMNIORB = 4  # every fourth transcript is played with omniORB, the others with our own ORB
 BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: about 8 minutes on two quiet cores.
 A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""  # noqa: E501
@@ -57,5 +57,5 @@ def has_turn(path, shell, orb):
     turns = orbs()[-1:] + (OF_OMNIORB - 1) * orbs()[:1]
     number, chosen_shell = divmod(number, len(known))
     number, chosen_orb = divmod(number, len(turns))
-    is_meant = number % OF_FAILURES == 0 or not path.endswith(("-faults.t", "-failures.t"))
+    is_meant = number % OF_SIDES == 0 or "-" not in os.path.basename(path)
     return is_meant and shell == known[chosen_shell] and orb == turns[chosen_orb]
