@@ -141,7 +141,7 @@ Again and again, with statistics:
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
   1 call, 1 failed, in \d+\.\d{3} s (re)
   [4]
-  $ timeout --preserve-status -s INT 3 rtcall Robot0.rtc:svc speed -r 20 2>/dev/null | sed 's/^[0-9]* calls, 0 failed, in .*/ok/'
+  $ interrupt 2 rtcall Robot0.rtc:svc speed -r 20 2>/dev/null | sed 's/^[0-9]* calls, 0 failed, in .*/ok/'
   ok
 
 A call that does not end; an operation whose provider dies of it:
@@ -149,7 +149,7 @@ A call that does not end; an operation whose provider dies of it:
   $ rtcall Robot0.rtc:svc rest 5 --limit 0.2
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
   [4]
-  $ timeout --preserve-status -s INT 1 rtcall Robot0.rtc:svc rest 5
+  $ interrupt 1 rtcall Robot0.rtc:svc rest 5
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: interrupted; it may have been done, or be going on
   [130]
   $ rtcall Robot0.rtc:svc lose

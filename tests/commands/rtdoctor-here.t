@@ -47,8 +47,8 @@ The name of this host, which components may publish:
   warn  here: this host's name, robot1, means 198.51.100.2, which is not this host; try: give it its real address in /etc/hosts
   $ HOSTS="robot1=unknown" doctor -q
   warn  here: this host's name, robot1, is not known here (Name or service not known); try: give it its real address in /etc/hosts
-  $ HOSTS="robot1=slow" doctor -q --timeout 0.5
-  warn  here: this host's name, robot1, is not known here (no answer within 0.5s); try: give it its real address in /etc/hosts
+  $ HOSTS="robot1=slow" doctor -q --timeout 2
+  warn  here: this host's name, robot1, is not known here (no answer within 2s); try: give it its real address in /etc/hosts
   $ HOSTS="robot1=198.51.100.1 localhost=unknown" doctor -q
   fail  here: localhost is not known here (Name or service not known); try: write into /etc/hosts: 127.0.0.1 localhost
   fail  /localhost:$PORT: host name localhost not known here (Name or service not known); try: correct the name, or write its address into /etc/hosts
