@@ -35,6 +35,7 @@ REST = 0.2  # seconds that an interrupted command waits, at most, until the last
 LONGEST = 60.0  # seconds to linger at most, unless the user says otherwise
 ANNOUNCED = 2.0  # seconds: a longer wait is announced, with its reason
 TICK = 0.1  # seconds between two looks whether it is worth lingering
+MOMENT = 0.001  # seconds that are too few to sleep
 # seconds for which a value that a full buffer has refused is offered again, unless it is to wait for the
 # reader
 LATE = 1.0
@@ -504,22 +505,18 @@ async def linger(writers, seconds):
         notes.note(
             f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)"
         )
-    while True:  # for those that have not failed meanwhile
-        left = (
-            begun
-            - time.monotonic()
-            + max(
-                (
-                    seconds
-                    for writer, seconds in zip(writers, needed)
-                    if writer.failure is None or isinstance(writer.failure, errors.Silent)
-                ),
-                default=0,
-            )
-        )
-        if left <= 0:
+    slept = 0.0  # but for what we were woken late by: such a computer is too busy to read in time, too
+    while True:
+        left = _longest_of_the_working(writers, needed)
+        if seconds is None:
+            left -= slept
+        else:
+            left -= time.monotonic() - begun
+        if left < MOMENT:
             break
-        await loop.sleep(min(TICK, left))
+        pause = min(TICK, left)
+        await loop.sleep(pause)
+        slept += pause
     results = await session.each(writers, Writer.judge, lambda writer: (writer.endpoint, writer.where))
     for writer, result in zip(writers, results):
         if isinstance(result, errors.Error):
@@ -529,6 +526,18 @@ async def linger(writers, seconds):
             writer.failure = refused
         elif refused:
             notes.fail(refused)
+
+
+def _longest_of_the_working(writers, needed):
+    """The longest of the times `needed` by Writers that have not failed meanwhile, but by silence."""
+    return max(
+        (
+            seconds
+            for writer, seconds in zip(writers, needed)
+            if writer.failure is None or isinstance(writer.failure, errors.Silent)
+        ),
+        default=0,
+    )
 
 
 def _needed(writer, seconds):

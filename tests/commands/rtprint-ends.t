@@ -81,7 +81,7 @@ Hung for a while: that is reported, and it continues:
 
 Hung when it ends:
 
-  $ start rtprint ConsoleIn0.rtc:out; hang two; kill $pid; within 0-2 tail --pid=$pid -f /dev/null; wait $pid
+  $ rm lines; start rtprint ConsoleIn0.rtc:out >lines; until [ -s lines ]; do ctl write ConsoleIn0:out 1; done; hang two; kill $pid; within 0-2 tail --pid=$pid -f /dev/null; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 0.5s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]

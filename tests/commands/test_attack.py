@@ -48,6 +48,7 @@ class Attack(unittest.TestCase):
         self.around = running.Surroundings()
         self.addCleanup(self.around.close)
         self.server = self.around.name_server()
+        self.was_refused = threading.Event()
 
     def start(self, *words):
         """Start a command, whose ORB is to be attacked."""
@@ -69,7 +70,9 @@ class Attack(unittest.TestCase):
                         clients.append(socket.create_connection(("127.0.0.1", self.at), 1))
                     for client in clients:
                         talk(client)
-                except OSError:
+                except OSError as e:
+                    if isinstance(e, ConnectionError):
+                        self.was_refused.set()
                     for client in clients[:1]:
                         client.close()
                     del clients[:1]
@@ -101,6 +104,7 @@ class Attack(unittest.TestCase):
     def test_many_that_ask(self):
         self.printing()
         self.attack(lambda client: client.sendall(QUESTION), CROWD)
+        self.assertTrue(self.was_refused.wait(worlds.LIMIT))
         self.assertIn("were turned away", self.values_come())
         self.assertEqual(self.command.returncode, 5)
 

@@ -124,6 +124,50 @@ class Rest(unittest.TestCase):
         self.assertEqual((self.slept(0.1), self.slept(10.0, taken=0)), (writing.REST, 0))
 
 
+class Lingering(unittest.TestCase):
+    def lingered(self, seconds, late):
+        """How long a value that is read within 0.35 s is waited for, when each sleep takes `late` more."""
+        now = [100.0]
+        writer = mock.Mock(
+            taken=1,
+            backlog=mock.Mock(rate=10.0, seconds=lambda: 0.35),
+            failure=None,
+            judge=mock.Mock(),
+            refusals=lambda: None,
+        )
+
+        async def sleep(pause):
+            now[0] += pause + late
+
+        async def each(writers, *_):
+            return [None] * len(writers)
+
+        with mock.patch.object(writing.time, "monotonic", lambda: now[0]), mock.patch.object(
+            writing.loop, "sleep", sleep
+        ), mock.patch.object(writing.session, "each", each):
+            loop_over(writing.linger([writer], seconds))
+        return now[0] - 100.0
+
+    def test_as_long_as_reading_takes(self):
+        self.assertAlmostEqual(self.lingered(None, 0.0), 0.35, 2)
+
+    def test_longer_on_a_computer_that_wakes_us_late(self):
+        self.assertAlmostEqual(self.lingered(None, 0.5), 0.35 + 4 * 0.5, 2)
+
+    def test_no_longer_than_the_user_wants(self):
+        self.assertAlmostEqual(self.lingered(0.2, 0.0), 0.2, 2)
+        self.assertAlmostEqual(self.lingered(0.2, 0.3), 0.4, 2)  # one sleep
+
+
+def loop_over(coroutine):
+    """Run a coroutine that awaits nothing of a loop."""
+    try:
+        coroutine.send(None)
+    except StopIteration:
+        return
+    raise AssertionError("it waits")
+
+
 class Readers(unittest.TestCase):
     def reading(self, *cycles):
         """(why a component does not read, at which rate it does) with these contexts: (state, running, rate).
