@@ -1,6 +1,6 @@
 """What tests/run without arguments runs: the same every time, in about 8 minutes on two quiet cores.
 
-The transcript of each command, every second of those about one side of a command, each under one shell and
+The transcript of each command, every third of those about one side of a command, each under one shell and
 with one ORB, and of a test module that says PART = N one in N tests.
 """
 import os
@@ -8,7 +8,7 @@ import zlib
 
 import transcripts
 
-OF_SIDES = 2  # every second of the transcripts about one side of a command, such as rtls-aliases.t
+OF_SIDES = 3  # every third of the transcripts about one side of a command, such as rtls-aliases.t
 OF_OMNIORB = 4  # every fourth transcript is played with omniORB, the others with our own ORB
 BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: about 8 minutes on two quiet cores.
 A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""  # noqa: E501
