@@ -12,6 +12,7 @@ import environments
 import rtshell_lite
 
 ROOT = environments.ROOT
+PART = 5  # a short run takes one in PART of its tests
 ONCE = "one Python builds the wheel"
 
 

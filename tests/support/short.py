@@ -1,6 +1,6 @@
-"""What tests/run without arguments runs: the same every time, in about 8 minutes on two quiet cores.
+"""What tests/run without arguments runs: the same every time, in about 5 minutes on two quiet cores.
 
-The transcript of each command, every third of those about one side of a command, each under one shell and
+The transcript of each command, every fourth of those about one side of a command, each under one shell and
 with one ORB, and of a test module that says PART = N one in N tests.
 """
 import os
@@ -8,9 +8,9 @@ import zlib
 
 import transcripts
 
-OF_SIDES = 3  # every third of the transcripts about one side of a command, such as rtls-aliases.t
+OF_SIDES = 4  # every fourth of the transcripts about one side of a command, such as rtls-aliases.t
 OF_OMNIORB = 4  # every fourth transcript is played with omniORB, the others with our own ORB
-BEGINNING = """Each transcript under one shell and with one ORB, a part of the long test modules: about 8 minutes on two quiet cores.
+BEGINNING = """Each command's transcript, some of the others, a part of the long test modules: about 5 minutes on two quiet cores.
 A word runs what has it in its name (tests/run rtls), --all everything; --help says more."""  # noqa: E501
 
 
@@ -42,9 +42,10 @@ def at_once(processors, measures=False):
     """How many jobs run at once, for they wait more than they compute: half as many of those that measure
     times.
 
-    Parts are short; whole modules, for which there is a limit of time, hinder each other.
+    Parts are short; whole modules, for which there is a limit of time, hinder each other. With more jobs all
+    takes longer: many wait in a loop.
     """
-    number = (4 if is_chosen() else 2) * processors
+    number = (3 if is_chosen() else 2) * processors
     return number // 2 if measures else number
 
 
