@@ -234,7 +234,7 @@ class Stopwatch:
     def seconds(self):
         taken = time.monotonic() - self.begun
         waits = self._waits()
-        return taken - sum(waits[thread] - self.before.get(thread, 0) for thread in waits)
+        return taken - sum(max(0.0, waits[thread] - self.before.get(thread, 0.0)) for thread in waits)
 
     def _waits(self):
         threads = self.processes or ["self/task/" + thread for thread in os.listdir("/proc/self/task")]
