@@ -36,6 +36,7 @@ LONGEST = 60.0  # seconds to linger at most, unless the user says otherwise
 ANNOUNCED = 2.0  # seconds: a longer wait is announced, with its reason
 TICK = 0.1  # seconds between two looks whether it is worth lingering
 MOMENT = 0.001  # seconds that are too few to sleep
+BUSIEST = 10.0  # seconds that lingering may take longer, at most, on a busy computer
 # seconds for which a value that a full buffer has refused is offered again, unless it is to wait for the
 # reader
 LATE = 1.0
@@ -495,23 +496,24 @@ async def linger(writers, seconds):
     """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it
     takes).
 
+    On a computer that wakes us late, components may read late, too: that time does not count, up to BUSIEST.
+
     The failure of those that cannot have read all, have refused some, or have stopped reading, becomes
     errors.Unread.
     """
-    begun = time.monotonic()
     needed = [_needed(writer, seconds) for writer in writers]
     if max(needed, default=0) > ANNOUNCED:
         slowest = writers[needed.index(max(needed))]
         notes.note(
             f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)"
         )
-    slept = 0.0  # but for what we were woken late by: such a computer is too busy to read in time, too
+    most = max(needed, default=0) + BUSIEST
+    if seconds is not None:
+        most = min(most, seconds)
+    end = time.monotonic() + most
+    slept = 0.0
     while True:
-        left = _longest_of_the_working(writers, needed)
-        if seconds is None:
-            left -= slept
-        else:
-            left -= time.monotonic() - begun
+        left = min(_longest_of_the_working(writers, needed) - slept, end - time.monotonic())
         if left < MOMENT:
             break
         pause = min(TICK, left)

@@ -87,7 +87,7 @@ class Attack(unittest.TestCase):
     def printing(self):
         """Have rtprint wait for VALUES, the first of which comes before any attack."""
         self.world = self.around.world(self.server, "two")
-        self.start("rtprint", "-n", str(VALUES), "-t", "30", self.server + TARGET + ":out")
+        self.start("rtprint", "-n", str(VALUES), "-t", "100", self.server + TARGET + ":out")
         worlds.eventually(lambda: self.around.ctl(self.world, "connectors", "ConsoleIn0:out"), "connected")
         self.around.ctl(self.world, "write", "ConsoleIn0:out", "0")
 

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
@@ -270,10 +271,13 @@ class Network(unittest.TestCase):
         self.ask_without_cable()
         for process in lasting:  # while what they hold is out of reach
             watch = tools.Stopwatch(process.pid)
+            killer = threading.Timer(running.LIMIT, process.kill)
+            killer.start()
             process.send_signal(signal.SIGINT)
             os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
             taken = watch.seconds()
-            process.wait(running.LIMIT)
+            killer.cancel()
+            process.wait()
             self.assertLess(taken, BOUND + self.start_up, process.args)
         cable("robot2", "up")
         end = time.monotonic() + running.LIMIT

@@ -42,8 +42,8 @@ def at_once(processors, measures=False):
     """How many jobs run at once, for they wait more than they compute: half as many of those that measure
     times.
 
-    Parts are short; whole modules, for which there is a limit of time, hinder each other. With more jobs all
-    takes longer: many wait in a loop.
+    Parts are short; whole modules, for which there is a limit of time, hinder each other. With more jobs
+    everything takes longer, as many of them wait in busy loops.
     """
     number = (3 if is_chosen() else 2) * processors
     return number // 2 if measures else number

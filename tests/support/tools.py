@@ -232,12 +232,13 @@ class Stopwatch:
         self.begun = time.monotonic()
 
     def seconds(self):
+        """Seconds since it was made."""
         taken = time.monotonic() - self.begun
         waits = self._waits()
         return taken - sum(max(0.0, waits[thread] - self.before.get(thread, 0.0)) for thread in waits)
 
     def _waits(self):
-        threads = self.processes or ["self/task/" + thread for thread in os.listdir("/proc/self/task")]
+        threads = self.processes or ["self/task/" + number for number in os.listdir("/proc/self/task")]
         return {thread: waited_for_processor(thread) for thread in threads}
 
 

@@ -245,27 +245,33 @@ class Processes(unittest.TestCase):
 
 
 class Printing(unittest.TestCase):
-    def test_what_is_being_printed_when_rtkeep_leaves(self):
-        """All is printed before it ends, though the terminal has just taken nothing."""
+    """What rtkeep prints before it ends, on a terminal that takes its time."""
+
+    def printed(self, pause):
+        """What is printed of a line that comes `pause` seconds (or None: at once) before rtkeep ends."""
         printed = []
-        slow = loop.Wait()
 
         async def write(text):
-            await slow
+            await loop.sleep(0.1)
             printed.append(text)
 
         async def leave():
             printer = installation.load(installation.commands()["rtkeep"], "keep")._Printer()
             async with loop.background(printer.run()):
                 printer.add("ended")
-                await loop.sleep(0.01)
-                loop.current().call_later(0.1, slow.done)
-                printer.add("last")
+                if pause is not None:
+                    await loop.sleep(pause)
                 await printer.until_printed()
 
         with mock.patch.object(cli, "write", write):
             loop.run(leave())
-        self.assertEqual("".join(printed), "ended\nlast\n")
+        return printed
+
+    def test_a_line_that_has_just_come(self):
+        self.assertEqual(self.printed(None), ["ended\n"])
+
+    def test_a_line_that_is_being_printed(self):
+        self.assertEqual(self.printed(0.01), ["ended\n"])
 
 
 if __name__ == "__main__":

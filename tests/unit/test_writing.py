@@ -145,7 +145,7 @@ class Lingering(unittest.TestCase):
         with mock.patch.object(writing.time, "monotonic", lambda: now[0]), mock.patch.object(
             writing.loop, "sleep", sleep
         ), mock.patch.object(writing.session, "each", each):
-            loop_over(writing.linger([writer], seconds))
+            run_at_once(writing.linger([writer], seconds))
         return now[0] - 100.0
 
     def test_as_long_as_reading_takes(self):
@@ -153,13 +153,17 @@ class Lingering(unittest.TestCase):
 
     def test_longer_on_a_computer_that_wakes_us_late(self):
         self.assertAlmostEqual(self.lingered(None, 0.5), 0.35 + 4 * 0.5, 2)
+        self.assertAlmostEqual(self.lingered(5.0, 0.5), 0.35 + 4 * 0.5, 2)
+
+    def test_not_for_ever_on_such_a_computer(self):
+        self.assertAlmostEqual(self.lingered(None, 10.0), 20.2, 2)  # two sleeps
 
     def test_no_longer_than_the_user_wants(self):
         self.assertAlmostEqual(self.lingered(0.2, 0.0), 0.2, 2)
         self.assertAlmostEqual(self.lingered(0.2, 0.3), 0.4, 2)  # one sleep
 
 
-def loop_over(coroutine):
+def run_at_once(coroutine):
     """Run a coroutine that awaits nothing of a loop."""
     try:
         coroutine.send(None)
