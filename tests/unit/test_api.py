@@ -454,9 +454,9 @@ class Robot(unittest.TestCase):
     def test_events(self):
         path = self.home + "SequenceInComponent0.rtc"
         with contextlib.closing(api.watch(path, timeout=worlds.LIMIT)) as happening:
-            threading.Timer(0.3, api.component(path).activate).start()
-            event = next(happening)
-            while event is not None and event.event != "ACTIVE" and "ACTIVE" not in event.event:
+            event = next(happening)  # a heartbeat: it is being watched
+            threading.Thread(target=api.component(path).activate).start()
+            while event is not None and "ACTIVE" not in event.event:
                 event = next(happening)
         self.assertEqual(event.path, path)
         api.component(path).deactivate(wait=10)
