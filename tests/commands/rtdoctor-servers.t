@@ -34,8 +34,8 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   $ doctor -q --timeout 0.5 localhost:$SILENT
   fail  /localhost:$SILENT: hung: accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :$SILENT there names its process
   [1]
-  $ doctor -q --timeout 0.5 localhost:$LATE_SILENT
-  fail  /localhost:$LATE_SILENT: its names cannot be listed (no answer within 0.5s); try: restart the name server that has it
+  $ doctor -q --timeout 2 localhost:$LATE_SILENT
+  fail  /localhost:$LATE_SILENT: its names cannot be listed (no answer within 2s); try: restart the name server that has it
   [1]
 
 All of them at once take no longer than one, and every one is reported:

@@ -32,7 +32,7 @@ class Once(Calls):
         self.addCleanup(peer.close)
         return peer, client.from_url("w", "corbaloc::127.0.0.1:%d/x" % peer.port)
 
-    def failure(self, *answers, schema=MOVE, seconds=0.3):
+    def failure(self, *answers, schema=MOVE, seconds=30.0):
         """(the errors.Error of a call, how often the provider was asked)"""
         peer, ref = self.provider(*answers)
         with self.assertRaises(errors.Error) as caught:
@@ -88,7 +88,7 @@ class Once(Calls):
                 self.assertEqual((error.exception, asked), ((name, completed), 1))
 
     def test_silence(self):
-        error, asked = self.failure(b"")
+        error, asked = self.failure(b"", seconds=0.3)
         self.assertEqual((type(error), error.why, asked), (errors.Silent, "no answer within 0.3s", 1))
         self.assertEqual(self.session.silent, {}, "it may take longer than its caller waits: others are "
                                                   "asked all the same")
