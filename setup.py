@@ -14,7 +14,7 @@ from setuptools.command.build_py import build_py
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
-except ImportError:
+except ImportError:  # before setuptools 70.1; pyproject.toml asks for `wheel`, to build only
     from wheel.bdist_wheel import bdist_wheel
 
 os.chdir(os.path.dirname(os.path.abspath(__file__)))

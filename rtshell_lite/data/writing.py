@@ -496,7 +496,8 @@ async def linger(writers, seconds):
     """Wait until the components can have read what these Writers sent, or for `seconds` (None: as long as it
     takes).
 
-    On a computer that wakes us late, components may read late, too: that time does not count, up to BUSIEST.
+    A computer that wakes us late may let components read late, too: the wait then takes longer, by BUSIEST at
+    most.
 
     The failure of those that cannot have read all, have refused some, or have stopped reading, becomes
     errors.Unread.
@@ -507,13 +508,13 @@ async def linger(writers, seconds):
         notes.note(
             f"{slowest.where}: waiting {max(needed):.1f} s until it has read the values (--linger limits it)"
         )
-    most = max(needed, default=0) + BUSIEST
+    limit = max(needed, default=0) + BUSIEST
     if seconds is not None:
-        most = min(most, seconds)
-    end = time.monotonic() + most
+        limit = min(limit, seconds)
+    end = time.monotonic() + limit
     slept = 0.0
     while True:
-        left = min(_longest_of_the_working(writers, needed) - slept, end - time.monotonic())
+        left = min(_longest_needed(writers, needed) - slept, end - time.monotonic())
         if left < MOMENT:
             break
         pause = min(TICK, left)
@@ -530,8 +531,8 @@ async def linger(writers, seconds):
             notes.fail(refused)
 
 
-def _longest_of_the_working(writers, needed):
-    """The longest of the times `needed` by Writers that have not failed meanwhile, but by silence."""
+def _longest_needed(writers, needed):
+    """The longest of the times `needed` by Writers, without those that have failed other than by silence."""
     return max(
         (
             seconds

@@ -111,7 +111,7 @@ What does not exist, or does not answer:
   $ interrupt 0.3 rtcwd /localhost:$SILENT
   [130]
 
-What a shell asks at TAB is answered in about a second, if only by nothing:
+Completion gives up after about a second when a name server hangs:
 
   $ within 0.7-1.2 rtcwd --shell fish --line "rtls /localhost:$SILENT/a"
 

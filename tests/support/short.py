@@ -1,7 +1,7 @@
 """What tests/run without arguments runs: the same every time, in about 5 minutes on two quiet cores.
 
-The transcript of each command, every fourth of those about one side of a command, each under one shell and
-with one ORB, and of a test module that says PART = N one in N tests.
+Each command's own transcript, every fourth of the transcripts about one side of a command, and one in N tests
+of a module that says PART = N. A transcript is played under one shell and with one ORB.
 """
 import os
 import zlib

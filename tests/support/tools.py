@@ -220,10 +220,10 @@ def waited_for_processor(process):
 
 
 class Stopwatch:
-    """Measures how long something takes, as if it had had a processor whenever it was ready.
+    """Measures how long something takes, without the time for which it waits for a processor.
 
-    `processes` are the numbers of those that do it, by default this one. What several threads of this process
-    waited at the same time is taken off for each.
+    `processes` are the numbers of the processes that do it, by default this one, whose threads all count:
+    what they wait at the same time is subtracted for each.
     """
 
     def __init__(self, *processes):
@@ -232,7 +232,7 @@ class Stopwatch:
         self.begun = time.monotonic()
 
     def seconds(self):
-        """Seconds since it was made."""
+        """Seconds since it was made, without those waits."""
         taken = time.monotonic() - self.begun
         waits = self._waits()
         return taken - sum(max(0.0, waits[thread] - self.before.get(thread, 0.0)) for thread in waits)

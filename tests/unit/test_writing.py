@@ -126,7 +126,8 @@ class Rest(unittest.TestCase):
 
 class Lingering(unittest.TestCase):
     def lingered(self, seconds, late):
-        """How long a value that is read within 0.35 s is waited for, when each sleep takes `late` more."""
+        """How long a value that is read within 0.35 s is waited for; each sleep takes `late` seconds longer.
+        """
         now = [100.0]
         writer = mock.Mock(
             taken=1,
@@ -155,7 +156,7 @@ class Lingering(unittest.TestCase):
         self.assertAlmostEqual(self.lingered(None, 0.5), 0.35 + 4 * 0.5, 2)
         self.assertAlmostEqual(self.lingered(5.0, 0.5), 0.35 + 4 * 0.5, 2)
 
-    def test_not_for_ever_on_such_a_computer(self):
+    def test_that_delay_has_a_limit(self):
         self.assertAlmostEqual(self.lingered(None, 10.0), 20.2, 2)  # two sleeps
 
     def test_no_longer_than_the_user_wants(self):
