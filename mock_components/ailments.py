@@ -1,6 +1,8 @@
 """Worlds for a doctor: connections gone wrong, names that lead astray, components that nothing executes."""
 
-from . import naming
+from rtshell_lite.giop import ior
+
+from . import giop, naming
 from .idl import RTC, OpenRTM
 from .properties import nvlist, put
 from .serviceport import MyService
@@ -107,4 +109,20 @@ def idle(stage):
     stage.add("Mock", "Bare0", contexts=0)
 
 
-WORLDS = {world.__name__: world for world in (crossed, astray, aliased, idle)}
+def secured(stage):
+    """Tls0 and Unix0, which listen with TLS and with a UNIX socket only, and Other0 with a transport that
+    nobody knows; they live, but their references name no TCP port
+    """
+    # as omniORB 4.2 writes them: TAG_SSL_SEC_TRANS (no options, TLS port 47537), TAG_OMNIORB_UNIX_TRANS
+    for name, components in (
+        ("Tls0", [(20, b"\1\0\x66\0\x66\0\xb1\xb9")]),
+        ("Unix0", [(0x41545402, b"\1\0\0\0" + giop.cdr(b"robot1", b"/tmp/unix0.sock"))]),
+        ("Other0", []),
+    ):
+        mock = stage.add("Mock", name, names=[])
+        key = ior.address(stage.process.orb.object_to_string(mock.reference)).key
+        text = giop.stringified(0, key=key, components=components)
+        stage.names.bind(stage.home() + [(name, "rtc")], stage.process.orb.string_to_object(text))
+
+
+WORLDS = {world.__name__: world for world in (crossed, astray, aliased, idle, secured)}

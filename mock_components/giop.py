@@ -109,10 +109,11 @@ def bad_operation(request):
     return reply(request, cdr(b"IDL:omg.org/CORBA/BAD_OPERATION:1.0", 0, 1), SYSTEM_EXCEPTION)
 
 
-def reference(port, type_id=COMPONENT, key=b"faulty"):
-    """An object reference (CDR of an IOR) to a port of this host."""
+def reference(port, type_id=COMPONENT, key=b"faulty", components=()):
+    """An object reference (CDR of an IOR) to a port of this host; `components` are (tag, octets)."""
     host = cdr(b"127.0.0.1") + struct.pack("<H", port)
-    profile = b"\1\1\2\0" + host + cdr(sequence(key), 0)     # little endian, IIOP 1.2; no tagged components
+    tagged = [value for tag, octets in components for value in (tag, sequence(octets))]
+    profile = b"\1\1\2\0" + host + cdr(sequence(key), len(components), *tagged)  # little endian, IIOP 1.2
     return cdr(type_id.encode(), 1, 0, sequence(profile))
 
 
@@ -121,9 +122,9 @@ def sequence(octets):
     return Raw(struct.pack("<I", len(octets)) + octets)
 
 
-def stringified(port, type_id=COMPONENT):
+def stringified(port, type_id=COMPONENT, **more):
     """The same as text: IOR:..."""
-    data = b"\1\0\0\0" + reference(port, type_id)
+    data = b"\1\0\0\0" + reference(port, type_id, **more)
     return "IOR:" + "".join(f"{byte:02x}" for byte in data)
 
 

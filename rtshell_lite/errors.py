@@ -173,8 +173,24 @@ class LostMember(Unreachable):
     message = "{}: {}"  # a port that a composite exports: the process of its member is gone
 
 
-class Silent(Unreachable):
-    message = "{}: {}"
+class Unanswered(Unreachable):
+    message = "{}: {}"  # nothing has come from it: it is Silent, or was NotAsked
+
+
+class Silent(Unanswered):
+    message = "{}: {}"  # it was asked, and did not answer in time
+
+
+class NotAsked(Unanswered):
+    message = "{}: not asked: {}"  # a process that others found silent, and the like
+
+
+class Unspoken(NotAsked):
+    message = "{}: listens with {} only, which is not spoken here"  # TLS and the like; it may well live
+
+
+class NoTime(NotAsked):
+    message = "{}: {}"  # a command that promises to end in time had none left
 
 
 class Late(Unreachable):
@@ -190,7 +206,7 @@ class ProcessGone(ConnectionRefused):
 
 
 class MaybeGone(ConnectionRefused):
-    message = "{}: connection refused; its process is gone, or a firewall refuses"
+    message = "{}: refuses: dead, or a firewall closes this port"
 
 
 class NoNameServer(ConnectionRefused):

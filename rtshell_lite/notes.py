@@ -113,5 +113,5 @@ class Tally:
         if not self.statuses:
             return 0
         if not self.done and len(self.statuses) == 1:
-            return self.statuses.pop()
+            return next(iter(self.statuses))
         return errors.Partial.status

@@ -13,6 +13,28 @@ def may_repeat(operation):
     return operation.startswith(("get_", "is_", "_")) or operation in ("list", "resolve")
 
 
+# Operations that a component, port or manager may answer only when others have answered it: a port asks the
+# far ends of its connections, a component its ports, a master its slaves.
+_ASKING_OTHERS = frozenset((
+    "get_port_profile",
+    "get_connector_profiles",
+    "get_connector_profile",
+    "get_component_profile",
+    "get_component_profiles",
+    "get_components",
+    "get_components_by_name",
+    "get_factory_profiles",
+    "get_loadable_modules",
+))
+
+
+def asks_others(operation):
+    """Whether an operation of OpenRTM's IDL may wait for other processes, so that its silence says nothing
+    about the process that is asked.
+    """
+    return isinstance(operation, str) and operation in _ASKING_OTHERS
+
+
 def system(where, name, label):
     """The errors.Error for a CORBA system exception; `label` is the name of its minor code, or its own."""
     if name == "TIMEOUT":

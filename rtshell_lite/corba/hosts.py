@@ -1,10 +1,13 @@
-"""Where hosts are, by their names."""
+"""Where hosts are, by their names, and the networks of this one."""
 
 import _socket  # which `socket` is made of: that one takes long to import
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
 
+# of Linux
+SIOCGIFADDR = 0x8915
+SIOCGIFNETMASK = 0x891B
 MOST = 32  # names that are looked up at a time, with a thread each
 
 _looking_up = {}  # type: dict  # {host: LookUp}
@@ -81,3 +84,49 @@ def _places(host, flags=0):
     except UnicodeError:
         name = host.encode("utf-8", "surrogateescape")
     return _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)
+
+
+# ---- networks ----
+
+
+def together(one, other):
+    """Whether two IP addresses are in the same network; None if the networks of this host do not show it."""
+    if one == other:
+        return True
+    import ipaddress  # takes long, and few need it
+
+    numbers = [ipaddress.ip_address(address.partition("%")[0]) for address in (one, other)]
+    if all(number.is_loopback for number in numbers):
+        return True
+    known = False
+    for network in [interface.network for _, interface in interfaces()]:
+        inside = [number in network for number in numbers]
+        if all(inside):
+            return True
+        known = known or any(inside)
+    if known:
+        return False
+    return None
+
+
+def interfaces():
+    """[(name, ipaddress.IPv4Interface)] of this host."""
+    import ipaddress
+    import socket
+    import struct
+
+    found = []
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
+        for _, name in socket.if_nameindex():
+            request = struct.pack("256s", name.encode()[:15])
+            try:
+                import fcntl
+
+                address, mask = [
+                    socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
+                    for number in (SIOCGIFADDR, SIOCGIFNETMASK)
+                ]
+            except (OSError, ImportError):  # it has no such address, or this is no Linux
+                continue
+            found.append((name, ipaddress.ip_interface(f"{address}/{mask}")))
+    return found

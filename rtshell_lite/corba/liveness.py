@@ -1,61 +1,81 @@
 """What a refused connection proves.
 
 On this host, that nothing listens there: the process is gone. Another host may refuse because of a firewall,
-which answers with a reset, or with an ICMP message that the port is unreachable. There, the process counts as
-gone only while another process of that host answers at another port above 1023. A name server does not count:
-firewalls often let its port alone through.
+for this one port: that proves nothing. Nor does an address that means this host here, but may mean another
+one where the reference was published: a loopback address, or one of a private network that is not that of
+the name server.
 """
-
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import hosts, session
 
-PRIVILEGED = 1023  # the highest port that only root may listen at
-AT_THE_SAME_TIME = 3  # times the timeout
 
+async def is_gone(endpoint, home=None):
+    """Whether the process at `endpoint`, (host, port), which has refused a connection, is known to be gone.
 
-async def is_gone(endpoint):
-    """Whether the process at `endpoint`, (host, port), which has refused a connection,
-    is known to be gone.
+    home  the host of the name server, or process, that has given the endpoint; None for this one
     """
-    return await is_this_host(endpoint[0]) or bool(_witnesses(endpoint))
+    if not await is_this_host(endpoint[0]):
+        return False
+    return home is None or await means_the_same_to(endpoint[0], home)
 
 
-async def shows_death(e, endpoint):
-    """Whether an errors.Error of a call to an object at `endpoint` shows that the object is gone."""
-    return isinstance(e, errors.Gone) or isinstance(e, errors.ConnectionRefused) and await is_gone(endpoint)
+async def shows_death(e, endpoint, home=None):
+    """Whether an errors.Error of a call to an object at `endpoint` shows that the object is gone; for `home`
+    see `is_gone`.
+    """
+    return isinstance(e, errors.Gone) or isinstance(e, errors.ConnectionRefused) and await is_gone(
+        endpoint, home
+    )
 
 
-async def refusal(where, endpoint):
+async def refusal(where, endpoint, home=None):
     """The errors.ConnectionRefused for an object at `endpoint` that says what is known."""
-    if await is_gone(endpoint):
+    if await is_gone(endpoint, home):
         return errors.ProcessGone(str(where))
     return errors.MaybeGone(str(where))
 
 
-def _witnesses(endpoint):
-    """The endpoints of other processes of its host that have answered."""
-    host, port = endpoint
-    now = session.current()
-    since = time.monotonic() - AT_THE_SAME_TIME * now.timeout
-    return [
-        other
-        for other, when in now.answered.items()
-        if other[0] == host
-        and other[1] not in (port, None)
-        and other[1] > PRIVILEGED
-        and other not in now.name_servers
-        and when >= since
-    ]
+async def means_the_same_to(host, home):
+    """`means_the_same` to another host, a name or an IP address."""
+    return await means_the_same(host, await _addresses(home))
+
+
+async def means_the_same(host, homes):
+    """Whether a host means the same one here as at `homes`, the IP addresses of another host, or of this one.
+
+    Addresses of private networks may not, nor may a name that means this host here.
+    """
+    if any(is_own(home) for home in homes):
+        return True
+    import ipaddress  # takes long, and few need it
+
+    known = await _addresses(host)
+    if not _is_address(host) and any(is_own(address) for address in known):
+        return False
+    for address in known:
+        is_private = ipaddress.ip_address(address.partition("%")[0]).is_private
+        if is_private and not any(hosts.together(home, address) for home in homes):
+            return False
+    return True
 
 
 async def is_this_host(host):
     """Whether a host, a name or an IP address, is this one."""
     if host == "localhost":
         return True
+    return any(is_own(address) for address in await _addresses(host))
+
+
+async def _addresses(host):
+    """The IP addresses of a host, [] for one that is not known. Raises Silent."""
     found = await session.on_thread(host, lambda: hosts.places(host))
-    return any(is_own(place[0]) for *_, place in found)
+    return [place[0] for *_, place in found]
+
+
+def _is_address(host):
+    """Whether a host is an IP address, and not a name."""
+    return ":" in host or not host.strip("0123456789.")
 
 
 def is_own(address):

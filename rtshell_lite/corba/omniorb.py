@@ -19,6 +19,7 @@ from rtshell_lite.text import from_wire, printable, to_wire
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
 CONNECTIONS = 5  # the most that omniORB opens to one process (maxGIOPConnectionPerServer)
 IN_FLIGHT = 4  # calls to a process at a time, each on a thread
+ASKING_OTHERS = 2  # of these, calls that may wait for other processes, see corba/iiop/connections.py
 HANDOVER = 5.0  # s that a caller of a servant waits at most for the loop
 GATHER = 0.01  # s until the loop looks again for values, while they come
 # values that may wait for the loop, and octets of the largest of them
@@ -199,7 +200,7 @@ class _Item:
     and `wait` for its outcome.
     """
 
-    __slots__ = ("call", "seconds", "queue", "begun", "wait", "is_withdrawn", "may_take_long")
+    __slots__ = ("call", "seconds", "queue", "begun", "wait", "is_withdrawn", "may_take_long", "asks_others")
 
     def __init__(self, call, queue):
         self.call = call
@@ -210,18 +211,24 @@ class _Item:
         self.may_take_long = isinstance(call.operation, Schema)
         if call.seconds and self.may_take_long:
             self.seconds = call.seconds
+        self.asks_others = failures.asks_others(call.operation)
         self.begun = None
         self.wait = loop.Wait()
 
 
 class _Queue:
-    """What one process is asked, by IN_FLIGHT threads at most. The first silence fails the rest."""
+    """What one process is asked, by IN_FLIGHT threads at most. After the first silence, the rest is not
+    asked.
+    """
 
     def __init__(self, of, endpoint):
         self.loop = of
         self.session = session.current()
         self.endpoint = endpoint
         self.waiting = collections.deque()  # type: collections.deque
+        self.waiting_for_others = collections.deque()  # type: collections.deque
+        # one for each thread that may make a call that waits for others: threads take them, and put them back
+        self._turns = collections.deque(ASKING_OTHERS * [None])
         self.open = set()
         self.has_answered = False  # set by threads, too: another may wait for what the loop has not heard yet
         self._threads = 0
@@ -230,7 +237,10 @@ class _Queue:
     def add(self, item):
         """Have a call made. Raises Shortage where there is no thread for it."""
         self.has_answered = self.has_answered or self.endpoint in self.session.answered
-        self.waiting.append(item)
+        if item.asks_others:
+            self.waiting_for_others.append(item)
+        else:
+            self.waiting.append(item)
         self.open.add(item)
         self._start()
         if self._checking is None:
@@ -242,30 +252,56 @@ class _Queue:
         item.is_withdrawn = True
 
     def _start(self):
-        if self.waiting and self._threads < IN_FLIGHT:
+        may_go_on = self.waiting or self.waiting_for_others and self._turns
+        if may_go_on and self._threads < IN_FLIGHT:
             self._threads += 1
             _Worker.give(self)
 
     def work(self):
         """Make calls until none waits; on a thread."""
         while True:
-            try:
-                item = self.waiting.popleft()
-            except IndexError:
+            item = self._next()
+            if item is None:
                 break
-            if item.is_withdrawn:
-                continue
-            item.begun = time.monotonic()
             value = error = None
             try:
-                value = _made(item)
-                self.has_answered = True
+                value = self._made(item)
             except BaseException as e:
                 error = e
+            finally:
+                if item.asks_others:
+                    self._turns.append(None)
+            if item.begun is None:  # withdrawn
+                continue
             self.loop.post(self._end, item, value, error)
             if isinstance(error, errors.Silent):  # the loop decides whether the others are to be asked
                 break
         self.loop.post(self._leave)
+
+    def _next(self):
+        """An _Item to make now, None for none; on a thread."""
+        try:
+            return self.waiting.popleft()
+        except IndexError:
+            pass
+        try:
+            self._turns.popleft()
+        except IndexError:
+            return None
+        try:
+            return self.waiting_for_others.popleft()
+        except IndexError:
+            self._turns.append(None)
+        return None
+
+    def _made(self, item):
+        """The result of a call, made on this thread; None where nobody waits for it."""
+        if item.is_withdrawn:
+            return None
+        item.begun = time.monotonic()
+        value = _made(item)
+        self.has_answered = True
+        return value
 
     def _leave(self):
         self._threads -= 1
@@ -276,7 +312,7 @@ class _Queue:
         if item.wait.is_over:  # given up before
             return
         if isinstance(error, errors.Silent) and not item.may_take_long:
-            self.session.fall_silent(self.endpoint, error.why, item.begun)
+            self.session.fall_silent(self.endpoint, error.why, item.begun, item.asks_others)
             self._check_rest()
         elif error is None or isinstance(error, errors.Refused):
             self.session.has_answered(self.endpoint, time.monotonic())
@@ -292,32 +328,32 @@ class _Queue:
         for item in list(self.open):
             if item.begun is None:
                 continue
+            where = str(item.call.where)
             if is_over:
-                self._give_up(item, session.NO_TIME)
+                self._give_up(item, errors.NoTime(where, session.NO_TIME))
             elif now - item.begun > item.seconds + session.GRACE:
+                why = session.no_answer(item.seconds)
                 if not item.may_take_long:
-                    self.session.fall_silent(self.endpoint, session.no_answer(item.seconds), item.begun)
-                self._give_up(item, session.no_answer(item.seconds))
+                    self.session.fall_silent(self.endpoint, why, item.begun, item.asks_others)
+                self._give_up(item, errors.Silent(where, why))
         self._check_rest()
         if self.open:
             self._checking = self.loop.call_later(session.TICK, self._check)
 
     def _check_rest(self):
-        """Fail what waits for a process that has been found silent."""
-        if self.session.is_over():
-            silence = session.NO_TIME
-        else:
-            silence = self.session.silence(self.endpoint)
-        while silence:
-            try:
-                item = self.waiting.popleft()
-            except IndexError:
-                return
-            self._give_up(item, silence)
+        """End what is not to be asked now, by what has been found of the process."""
+        for queue, asks_others in ((self.waiting, False), (self.waiting_for_others, True)):
+            failure = self.session.why_not_asked("", self.endpoint, asks_others)
+            while failure is not None:
+                try:
+                    item = queue.popleft()  # threads take some, too
+                except IndexError:
+                    break
+                self._give_up(item, type(failure)(str(item.call.where), failure.args[-1]))
 
-    def _give_up(self, item, why):
+    def _give_up(self, item, failure):
         self.open.discard(item)
-        item.wait.failed(errors.Silent(str(item.call.where), why))
+        item.wait.failed(failure)
 
 
 class _Worker:
@@ -479,6 +515,8 @@ def _error(where, e, seconds, ref):
     from omniORB import CORBA
 
     label = _label(e)
+    if not address(ref).port and isinstance(e, CORBA.TRANSIENT):
+        return errors.Unspoken(where, " or ".join(ior.transports(to_text(ref)) or [ior.OTHER]))
     if isinstance(e, CORBA.TIMEOUT):
         return errors.Silent(where, session.no_answer(seconds))
     if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):

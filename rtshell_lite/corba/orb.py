@@ -9,10 +9,10 @@ from _functools import partial  # as in net/loop.py
 import types  # noqa: F401  in a type comment
 
 from rtshell_lite import errors
-from rtshell_lite.corba import session
+from rtshell_lite.corba import failures, session
 from rtshell_lite.giop import idl, ior
 from rtshell_lite.net import loop
-from rtshell_lite.path import PROTOCOLS, SCHEMES, split_address
+from rtshell_lite.path import DEFAULT_PORT, PROTOCOLS, REFERENCES, SCHEMES, split_address
 from rtshell_lite.text import printable, to_wire
 
 _orb = None  # type: types.ModuleType  # the module of the ORB, omniorb or iiop.client
@@ -172,12 +172,22 @@ def identity(ref):
 
 def reference_at(ref, host, port):
     """A reference to the object with the key of `ref` in the process at another endpoint; contacts nobody."""
-    key = "".join(f"%{octet:02x}" for octet in address(ref).key)
+    return _orb.from_url(host, _corbaloc(host, port, address(ref).key))
+
+
+def as_corbaloc(ref):
+    """The address and key of a reference, as corbaloc:iiop:HOST:PORT/KEY."""
+    host, port, key = identity(ref)
+    return _corbaloc(host, port, key).replace("1.2@", "")
+
+
+def _corbaloc(host, port, key):
     if ":" in host:
-        place = f"[{host}]"
-    else:
-        place = host
-    return _orb.from_url(host, "corbaloc:iiop:1.2@%s:%d/%s" % (place, port, key))
+        host = f"[{host}]"
+    octets = "".join(
+        chr(octet) if chr(octet).isalnum() and octet < 128 else f"%{octet:02x}" for octet in key
+    )
+    return "corbaloc:iiop:1.2@%s:%d/%s" % (printable(host), port, octets)
 
 
 # ---- calls ----
@@ -209,8 +219,8 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
     `part`: what is needed of the structure that it returns: a number N, its first N members (the
     others may be None); a name, the property of that name in the list that is its last member (the others
     may be left out); "", the first property in that list.
-    Raises Silent, Gone, Unreachable or Refused; made with a nil reference, Garbled: a peer has sent that in
-    place of an object.
+    Raises Silent, NotAsked, Gone, Unreachable or Refused; made with a nil reference, Garbled: a peer has
+    sent that in place of an object.
 
     In a task that asks one process, see session.each, the silence of another is raised as Unreachable: it
     says nothing about the first.
@@ -220,25 +230,22 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
     asked = Call(where, ref, operation, args, seconds, part)
     here = loop.current()
     now = here.session or session.current()
-    if now.is_over():
-        raise errors.Silent(str(where), session.NO_TIME)
     place = here.running.place
     is_elsewhere = place is not None and asked.endpoint != place
-    silence = None
-    if asked.endpoint != place:
-        silence = now.silence(asked.endpoint)
-    if silence:
-        if is_elsewhere:
-            raise errors.Unreachable(str(where), silence)
-        raise errors.Silent(str(where), silence)
     try:
+        if now.silent or now.stalled or now.end is not None:  # seldom
+            asks_others = failures.asks_others(operation)
+            # a task that asks this process may look what has become of a call that was not answered
+            failure = now.why_not_asked(where, asked.endpoint, asks_others, insists=asked.endpoint == place)
+            if failure:
+                raise failure
         if now.slots is None:
             return await _orb.invoke(asked)
         async with now.slots:
             return await _orb.invoke(asked)
-    except errors.Silent as e:
-        if is_elsewhere:
-            raise errors.Unreachable(*e.args)
+    except errors.Unanswered as e:
+        if is_elsewhere and not isinstance(e, errors.NoTime):
+            raise errors.Unreachable(str(where), e.why)
         raise
 
 
@@ -270,12 +277,35 @@ async def is_alive(where, ref):
     try:
         gone = await call(where, ref, "_non_existent")
     except errors.ConnectionRefused:
-        from rtshell_lite.corba import liveness  # few need it
-
-        raise await liveness.refusal(where, endpoint(ref))
+        raise await refusal(where, endpoint(ref))
     if gone:
         raise errors.Gone(str(where))
     return True
+
+
+async def refusal(where, process):
+    """The errors.ConnectionRefused for an object whose `process`, (host, port), refuses; a Path `where` tells
+    the name server that has given its reference.
+    """
+    from rtshell_lite.corba import liveness  # few need it
+
+    return await liveness.refusal(where, process, _home(where))
+
+
+async def is_near(where, ref):
+    """Whether the address of a reference means the same host here as to the name server of a Path."""
+    from rtshell_lite.corba import liveness
+
+    home = _home(where)
+    return home is None or await liveness.means_the_same_to(endpoint(ref)[0], home)
+
+
+def _home(where):
+    """The host of the name server of a Path; None for others, and for a reference that the user has given."""
+    server = getattr(where, "server", None)
+    if server is None or server.startswith(REFERENCES):
+        return None
+    return endpoint(corbaloc(str(where), server, "NameService", DEFAULT_PORT))[0]
 
 
 def serve(servant):

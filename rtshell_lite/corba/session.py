@@ -33,8 +33,9 @@ class Session:
     silent       {endpoint: (when it was found silent, the words for it)}: it is not asked again for the
                  length of a timeout, so that the next step of a command, or a question about another
                  component, does not cost one more
+    stalled      the same for processes that answer, but not what needs the answers of others: only calls of
+                 that kind (failures.asks_others) are not made
     turned_away  how many connections to this command were turned away
-    name_servers endpoints of name servers, which firewalls often let through
     on_end       function(endpoint), called when a connection with a process has ended, or None
     answered     {endpoint: when it last answered}, by time.monotonic(); of all commands of this process,
                  which keeps connections
@@ -49,7 +50,7 @@ class Session:
         self.shortage = None
         self.turned_away = 0
         self.silent = {}
-        self.name_servers = set()
+        self.stalled = {}
         self.on_end = None
 
     def is_over(self):
@@ -57,33 +58,62 @@ class Session:
         return self.end is not None and time.monotonic() > self.end
 
     def silence(self, endpoint):
-        """Why the process at `endpoint` is not to be asked now, or None."""
-        found = self.silent.get(endpoint)
+        """Why the process at `endpoint` is not to be asked anything now, or None."""
+        return self._why_not(self.silent.get(endpoint), "its process gave %s")
+
+    def stall(self, endpoint):
+        """Why the process at `endpoint` is not to be asked now what it answers only when others have
+        answered, or None.
+        """
+        return self._why_not(self.stalled.get(endpoint), "questions like it got %s from its process")
+
+    def _why_not(self, found, words):
         if found is None:
             return None
         since, why = found
         if time.monotonic() - since < self.timeout:
-            return why
+            return words % why
         return None
 
-    def fall_silent(self, endpoint, why, since):
-        """Fail what the process is asked, unless it has answered others `since`:
-        one object may hang though its process does not.
+    def why_not_asked(self, where, endpoint, asks_others=False, insists=False):
+        """The errors.NotAsked for a call to the process at `endpoint` that is not to be made now, or None.
+        A caller that `insists` knows that it was silent.
         """
-        if self.answered.get(endpoint, 0) <= since:
+        if self.is_over():
+            return errors.NoTime(str(where), NO_TIME)
+        why = not insists and self.silence(endpoint) or asks_others and self.stall(endpoint)
+        if why:
+            return errors.NotAsked(str(where), why)
+        return None
+
+    def fall_silent(self, endpoint, why, since, asks_others=False):
+        """A call made at `since` got no answer. What else the process is asked fails, unless it has answered
+        others since: one object may hang though its process does not. A call that waits for others
+        (`asks_others`) shows nothing but that.
+        """
+        if asks_others:
+            self.stalled[endpoint] = time.monotonic(), why
+        elif self.answered.get(endpoint, 0) <= since:
             self.silent[endpoint] = time.monotonic(), why
 
+    def ask_again(self, endpoint):
+        """Have a process asked, though it was silent a moment ago."""
+        self.silent.pop(endpoint, None)
+        self.stalled.pop(endpoint, None)
+
     def has_answered(self, endpoint, when):
-        """Note that a process has answered a call; `when` by time.monotonic()."""
+        """Note that a process has answered a call, so that it is not silent; `when` by time.monotonic()."""
         self.answered[endpoint] = when
+        if self.silent:
+            self.silent.pop(endpoint, None)
 
     def sweep(self):
         """Forget what is too old to matter, in a session that lasts."""
         now = time.monotonic()
         answered = self.answered
-        self.silent = {
-            endpoint: found for endpoint, found in self.silent.items() if now - found[0] < self.timeout
-        }
+        for known in (self.silent, self.stalled):
+            for endpoint in [each for each, found in known.items() if now - found[0] >= self.timeout]:
+                del known[endpoint]
         for endpoint in sorted(answered, key=answered.__getitem__, reverse=True)[MOST_ANSWERED:]:
             del answered[endpoint]
 
@@ -118,7 +148,7 @@ async def each(items, function, place):
     an errors.Error for what failed.
 
     `place(item)` gives (endpoint of that process, or anything hashable; the path of the object, or a text,
-    for errors). The first silence of a process fails what it has not been asked yet.
+    for errors). After the first silence of a process, what it has not been asked yet fails as NotAsked.
     """
     items = list(items)
     places = list(map(place, items))
@@ -141,12 +171,9 @@ def _attempt(items, function, places):
 
     async def attempt(number):
         endpoint, where = places[number]
-        if here.is_over():
-            why = NO_TIME
-        else:
-            why = here.silence(endpoint)
-        if why:
-            raise errors.Silent(str(where), why)
+        failure = here.why_not_asked(where, endpoint)
+        if failure:
+            raise failure
         return await function(items[number])
 
     return attempt

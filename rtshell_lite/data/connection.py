@@ -325,7 +325,7 @@ class Connections:
     async def _close_all(self):
         for connection in self.connections:
             if connection.failure is None:  # another component of its process may be the one that hangs
-                session.current().silent.pop(connection.endpoint, None)
+                session.current().ask_again(connection.endpoint)
         await self._each("close", self.connections)
         for connection in self.connections:
             if connection.connector:
@@ -368,7 +368,7 @@ class Connections:
             for connection in self.connections
             if connection.failure is None
             or connection.connector
-            and isinstance(connection.failure, errors.Silent)
+            and isinstance(connection.failure, errors.Unanswered)
         ]
 
     async def _each(self, step, connections):
@@ -380,7 +380,7 @@ class Connections:
         for connection, result in zip(connections, results):
             if isinstance(result, errors.Error):
                 connection.failure = connection.failure or result
-            elif isinstance(connection.failure, errors.Silent) and step == "check":
+            elif isinstance(connection.failure, errors.Unanswered) and step == "check":
                 connection.failure = None
 
     async def _watch(self):

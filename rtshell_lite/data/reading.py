@@ -173,7 +173,7 @@ class Reader(Connection):
         """
         try:
             data = await fetch()
-        except errors.Silent as e:
+        except errors.Unanswered as e:
             self.failure = e
             return
         self.failure = None
@@ -225,7 +225,7 @@ class Reader(Connection):
         except errors.Refused:
             return False
         except errors.Unreachable as e:
-            if isinstance(e, errors.Silent):
+            if isinstance(e, errors.Unanswered):
                 self.left = (connector, SILENT)
             else:
                 self.left = None
@@ -253,15 +253,15 @@ class Reader(Connection):
             if has_come and not orb.answers_at_once():
                 await loop.sleep(ANSWERING)
             return True
-        if isinstance(self.failure, errors.Silent) or not await self.idle.wait(
+        if isinstance(self.failure, errors.Unanswered) or not await self.idle.wait(
             session.current().timeout + GRACE
         ):
             return False
         await loop.sleep(self.answered + ANSWERED - time.monotonic())
-        return not isinstance(self.failure, errors.Silent)
+        return not isinstance(self.failure, errors.Unanswered)
 
     def why_left(self):
-        has_unanswered_fetch = self.dataflow == "pull" and isinstance(self.failure, errors.Silent)
+        has_unanswered_fetch = self.dataflow == "pull" and isinstance(self.failure, errors.Unanswered)
         if has_unanswered_fetch:
             return BUSY
         return SILENT

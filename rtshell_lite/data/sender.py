@@ -148,7 +148,7 @@ class Injection:
         return healthy or [
             (writer, i)
             for i, writer in enumerate(self.writers)
-            if writer.connector and isinstance(writer.failure, errors.Silent)
+            if writer.connector and isinstance(writer.failure, errors.Unanswered)
         ]
 
     async def _send(self, expressions, until):
@@ -167,7 +167,7 @@ class Injection:
         for writer, _ in live:
             if isinstance(failed.get(writer), errors.Unreachable):
                 writer.failure = failed[writer]
-            elif isinstance(writer.failure, errors.Silent):
+            elif isinstance(writer.failure, errors.Unanswered):
                 writer.failure = None
         return [failure for _, failure in failures]
 

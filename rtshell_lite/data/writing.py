@@ -287,7 +287,7 @@ class Writer(Connection):
         try:
             status = str(await orb.call(self.where, self.sink, self.operation, data))
         except errors.Error as e:
-            self.unanswered = isinstance(e, errors.Silent)
+            self.unanswered = isinstance(e, errors.Unanswered)
             if isinstance(e, errors.Gone):
                 raise errors.Unreachable(self.where, self.lost())
             raise
@@ -371,10 +371,10 @@ class Writer(Connection):
         return not self.unanswered
 
     def is_due(self):
-        return isinstance(self.failure, errors.Silent) or self.audience is not None
+        return isinstance(self.failure, errors.Unanswered) or self.audience is not None
 
     async def check(self):
-        if isinstance(self.failure, errors.Silent):
+        if isinstance(self.failure, errors.Unanswered):
             await super().check()
         try:
             why = self.audience and self.connector and await self.audience.why_not_reading()
@@ -537,7 +537,7 @@ def _longest_needed(writers, needed):
         (
             seconds
             for writer, seconds in zip(writers, needed)
-            if writer.failure is None or isinstance(writer.failure, errors.Silent)
+            if writer.failure is None or isinstance(writer.failure, errors.Unanswered)
         ),
         default=0,
     )

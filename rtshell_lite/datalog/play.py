@@ -225,5 +225,5 @@ class Playing:
             failure = failed.get(writer)
             if isinstance(failure, errors.Refused):
                 self.tally.add(failure)
-            elif failure or isinstance(writer.failure, errors.Silent):
+            elif failure or isinstance(writer.failure, errors.Unanswered):
                 writer.failure = failure

@@ -87,19 +87,21 @@ async def complete(snapshots):
 # ---- findings ----
 
 
-async def findings(snapshots, rates, hung, stated=False, logs=None):
+async def findings(snapshots, rates, culprits, stated=False, logs=None):
     """Findings on all components, sorted by path.
 
-    rates   what was measured, see rates.measured
-    hung    Nodes that do not answer at all: components connected to one wait for it, and seem to hang, too
-    logs    see `logs`
-    stated  whether a profile says which states they should have
+    rates     what was measured, see rates.measured
+    culprits  see waiting.culprits
+    logs      see `logs`
+    stated    whether a profile says which states they should have
     """
     found = []
+    reporting = {snapshot.node.endpoint for snapshot in snapshots if "ports" in snapshot.known}
     for snapshot in snapshots:
-        troubles = await _troubles(snapshot, hung, (logs or {}).get(snapshot.where, "")) + rates.get(
-            snapshot.where, []
-        )
+        troubles = await _troubles(snapshot, (logs or {}).get(snapshot.where, ""))
+        if snapshot.error is not None:
+            troubles.append(await _stopped_answering(snapshot, culprits, reporting))
+        troubles += rates.get(snapshot.where, [])
         found += troubles
         has_failed = any(finding.level == "fail" for finding in troubles)
         if not has_failed and snapshot.error is None:
@@ -111,11 +113,12 @@ async def findings(snapshots, rates, hung, stated=False, logs=None):
     return found + started.findings(snapshots, failed)
 
 
-async def _troubles(snapshot, hung, log):
+async def _troubles(snapshot, log):
+    """Findings on what a component has reported."""
     found = _names(snapshot) + _ports(snapshot)
-    if snapshot.error is not None:
-        return found + [await _stopped_answering(snapshot, hung)]
-    return found + _contexts(snapshot, log)
+    if "states" in snapshot.known:
+        found += _contexts(snapshot, log)
+    return found
 
 
 async def _summary(snapshot):
@@ -137,39 +140,50 @@ async def _summary(snapshot):
     )
 
 
-async def _stopped_answering(snapshot, hung):
+async def _stopped_answering(snapshot, culprits, reporting):
+    """The Finding on a component that has not reported everything. `reporting`: endpoints of processes of
+    which one has reported its ports.
+    """
     e = snapshot.error
     where = snapshot.where
     word = shell_word(where)
-    if e.why == session.NO_TIME:
+    if isinstance(e, errors.NoTime):
         return limits.late("component", where)
-    if isinstance(e, errors.Silent) and not snapshot.asking:
-        message = "not looked at: others of its process hang"
-        return warn("component", where, message, remedies.words("others first", path=word))
+    if isinstance(e, errors.NotAsked):
+        cause = waiting.blamed(snapshot.node.endpoint, culprits)
+        cure = remedies.not_asked(e, where)
+        return warn("component", where, _not_asked(snapshot), cure, cause)
     if isinstance(e, errors.Refused) and e.name in ("BAD_OPERATION", "NO_IMPLEMENT"):
         message = "somebody else's: it is registered as a component, but is not one"
         return fail("reference", where, message, remedies.words("name of another", path=word))
     if isinstance(e, errors.Silent):
-        return await _hangs(snapshot, hung)
+        return await _hangs(snapshot, culprits.get(snapshot.node.endpoint), reporting)
     cure = await remedies.of_silence(e, snapshot.node.endpoint, where)
     return fail("component", where, f"does not report {snapshot.asking} ({reason(e)})", cure)
 
 
-async def _hangs(snapshot, hung):
+def _not_asked(snapshot):
+    if not snapshot.asking:
+        return "not looked at: others of its process hang"
+    return f"not asked for {snapshot.asking}: others of its process hang when asked"
+
+
+async def _hangs(snapshot, culprits, reporting):
     """It is silent when asked for one of its parts."""
     e = snapshot.error
     where = snapshot.where
     endpoint = snapshot.node.endpoint
     message = "hangs when asked for " + snapshot.asking
-    paths = []
-    if "port" in snapshot.asking:
-        paths, known = await waiting.culprits(snapshot, hung)
-    if paths:  # a port asks the far ends of its connections before it answers
-        if known:
+    if culprits and culprits.paths and "port" in snapshot.asking:
+        # a port asks the far ends of its connections before it answers
+        if culprits.is_certain:
             message += ", waiting for a far end that does not answer"
         else:
             message += ", maybe waiting for a far end that does not answer"
-        return fail("component", where, message, remedies.words("hung first", paths=" and ".join(paths)))
+        cure = remedies.words("hung first", paths=" and ".join(culprits.paths))
+        return fail("component", where, message, cure, culprits.endpoint)
+    if endpoint in reporting:  # large answers of its process arrive
+        return fail("component", where, message, remedies.words("restart", port=endpoint[1]), endpoint)
     if await remedies.may_be_lost(e, endpoint):
         message = f"answers small questions, but not when asked for {snapshot.asking}: "
         message += "perhaps large packets are lost on the way"
@@ -177,7 +191,7 @@ async def _hangs(snapshot, hung):
         message = f"{reason(e)} when asked for {snapshot.asking}"
         patience = remedies.words("more time", path=shell_word(where))
         return fail("component", where, message, await remedies.of_silence(e, endpoint, where, patience))
-    return fail("component", where, message, await remedies.of_silence(e, endpoint, where))
+    return fail("component", where, message, await remedies.of_silence(e, endpoint, where), endpoint)
 
 
 def _restart(snapshot):

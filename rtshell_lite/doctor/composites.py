@@ -1,7 +1,7 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb, session
+from rtshell_lite.corba import liveness, orb
 from rtshell_lite.doctor import limits, remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
 from rtshell_lite.robot import composites, tree
@@ -20,7 +20,7 @@ async def findings(snapshots):
     for snapshot, answer in zip(candidates, answers):
         where = snapshot.where
         if isinstance(answer, errors.Error):
-            if answer.why == session.NO_TIME:
+            if isinstance(answer, errors.NoTime):
                 found.append(limits.late("composite", where))
                 continue
             message = f"does not report its members ({reason(answer)})"
@@ -51,8 +51,12 @@ def _may_be_composite(snapshot):
 
 async def _lost(snapshot, error, ref):
     shown = printable(await published(ref))
-    if error.why == session.NO_TIME:
+    if isinstance(error, errors.NoTime):
         return limits.late("composite", snapshot.where)
+    if isinstance(error, errors.NotAsked):
+        message = f"its member at {shown} was {reason(error)}"
+        cure = remedies.not_asked(error, snapshot.where)
+        return warn("composite", snapshot.where, message, cure, orb.endpoint(ref))
     if await liveness.shows_death(error, orb.endpoint(ref)):
         return fail(
             "composite",
@@ -68,4 +72,5 @@ async def _lost(snapshot, error, ref):
         snapshot.where,
         f"its member at {shown} hangs ({reason(error)})",
         remedies.words("restart", port=orb.endpoint(ref)[1]),
+        orb.endpoint(ref),
     )

@@ -3,8 +3,8 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb, session
-from rtshell_lite.doctor import limits, networks, remedies, services
+from rtshell_lite.corba import liveness, orb
+from rtshell_lite.doctor import limits, networks, remedies, services, waiting
 from rtshell_lite.doctor.finding import fail, listed, reason, warn
 from rtshell_lite.robot import component, connectors, places, ports
 from rtshell_lite.system import capture
@@ -16,19 +16,20 @@ Link = collections.namedtuple("Link", "snapshot port connector")
 SETTLED = [key for key, _ in ports.DEFAULTS]  # what ports agree on when they are connected
 
 
-async def findings(snapshots, ends):
+async def findings(snapshots, ends, culprits):
     """Findings on all connections of the components, sorted by path.
 
-    `ends` are those of `all_ends`. A connection with trouble is looked at twice: it may just be changing.
+    `ends` are those of `all_ends`, `culprits` those of waiting.culprits. A connection with trouble is looked
+    at twice: it may just be changing.
     """
     links = _links(snapshots)
     found = []
     for link in links:
-        troubles = await _troubles(link, ends)
+        troubles = await _troubles(link, ends, culprits)
         if troubles:
             again = await _again(link, ends)
             if again:
-                troubles = await _troubles(again, ends)
+                troubles = await _troubles(again, ends, culprits)
             else:
                 troubles = []
         found += troubles
@@ -148,7 +149,7 @@ async def all_ends(snapshots):
     silent = {
         snapshot.node.endpoint: snapshot.error
         for snapshot in snapshots
-        if isinstance(snapshot.error, errors.Silent)
+        if isinstance(snapshot.error, errors.Unanswered) and not snapshot.answered
     }
     ends = await places.far_ends(own, silent)
     for port in own:
@@ -193,7 +194,7 @@ async def _again(link, ends):
 # ---- what can be wrong ----
 
 
-async def _troubles(link, ends):
+async def _troubles(link, ends, culprits):
     where = ports.label(link.port)
     connector = link.connector
     undo = remedies.command("disconnect", id=connector.id, port=where)
@@ -209,7 +210,7 @@ async def _troubles(link, ends):
     found = []
     for end in others:
         if end.port is None:
-            found.append(await _lost(link, where, end, undo))
+            found.append(await _lost(link, where, end, undo, culprits))
         elif connector.id not in [connector.id for connector in end.port.connectors]:
             message = f"connection {_called(connector)} is one-sided: {_name(end)} does not know it"
             found.append(fail("connection", where, message, _redo(link, others)))
@@ -236,12 +237,16 @@ def _redo(link, others):
     return remedies.reconnect(connector.id, where, connectors.command(labels, connector.name, "", given))
 
 
-async def _lost(link, where, end, undo):
+async def _lost(link, where, end, undo, culprits):
     """The far end of a connection does not answer."""
-    if end.error.why == session.NO_TIME:
+    if isinstance(end.error, errors.NoTime):
         return limits.late("connection", where)
     name = _name(end)
     endpoint = orb.endpoint(end.ref)
+    if isinstance(end.error, errors.NotAsked):
+        message = f"the far end of a connection, at {name}, was {reason(end.error)}"
+        cure = remedies.not_asked(end.error, where)
+        return warn("connection", where, message, cure, waiting.blamed(endpoint, culprits))
     homes = await networks.homes_of(link.snapshot.node.ref)
     misled = await networks.misled("connection", where, end.ref, homes)
     if misled and misled.level == "fail":
@@ -255,14 +260,13 @@ async def _lost(link, where, end, undo):
         )
         return fail("connection", where, message, remedies.network(endpoint))
     message = f"the far end of a connection, at {name}, cannot be asked ({reason(end.error)})"
-    return fail(
-        "connection",
-        where,
-        message,
-        await remedies.of_silence(
-            end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])
-        ),
+    cause = None
+    if isinstance(end.error, errors.Silent):
+        cause = waiting.blamed(endpoint, culprits)
+    cure = await remedies.of_silence(
+        end.error, endpoint, where, remedies.words("restart its process", port=endpoint[1])
     )
+    return fail("connection", where, message, cure, cause)
 
 
 def _differences(link, end, remedy):

@@ -78,25 +78,28 @@ async def _name_servers():
 
 async def _robot(tops, seconds, stated, keep):
     from rtshell_lite.doctor import buffers, components, composites, connections, managers
-    from rtshell_lite.doctor import references, servers
+    from rtshell_lite.doctor import references, servers, waiting
 
     visits = await servers.visits(tops)
     yield [finding for visit in visits for finding in visit.findings] + await _same_server(visits)
     yield [finding for visit in visits for finding in await references.findings(visit)]
     nodes = [node for visit in visits for node in visit.nodes]
     examined = await components.examined(nodes)
+    other = (errors.ConnectionRefused, errors.Unspoken, errors.Garbled)
+    hung = [node for node in nodes if node.kind == "silent" and not isinstance(node.error, other)]
+    hung.sort(key=lambda node: str(node.path))
+    culprits = await waiting.culprits(examined, hung)
     ends = await connections.all_ends(examined)
-    links = await connections.findings(examined, dict(ends))
+    links = await connections.findings(examined, dict(ends), culprits)
     answers = await managers.asked(nodes)
     managed = await managers.findings(answers)
     members = await composites.findings(examined)
-    hung = [node for node in nodes if node.kind == "silent"]
-    hung.sort(key=lambda node: str(node.path))
     if seconds:
         rates = await _rates(examined, seconds)
     else:
         rates = {}
-    yield await components.findings(examined, rates, hung, stated, await components.logs(examined, nodes))
+    logs = await components.logs(examined, nodes)
+    yield await components.findings(examined, rates, culprits, stated, logs)
     yield members
     yield links + buffers.findings(examined)
     yield managed

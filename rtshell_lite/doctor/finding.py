@@ -16,23 +16,32 @@ SHOWN = 3
 HERE = "here"  # in the place of a path: this host and this shell
 
 # `level` is ok, warn or fail; `check` the kind of check; `path` the object, spelt for the terminal, or HERE;
-# `remedy` a command that can be pasted, or words, see remedies; '' where nothing is wrong.
-Finding = collections.namedtuple("Finding", "level check path message remedy")
+# `remedy` a command that can be pasted, or words, see remedies; '' where nothing is wrong; `cause` HOST:PORT
+# of the process whose silence explains it, '' where none is known to.
+Finding = collections.namedtuple("Finding", "level check path message remedy cause")
 
 
 def ok(check, path, message):
     """A Finding that all is well."""
-    return Finding("ok", check, path, message, "")
+    return Finding("ok", check, path, message, "", "")
 
 
-def warn(check, path, message, remedy):
-    """A Finding that may be the trouble; `remedy` is a remedies.Remedy."""
-    return Finding("warn", check, path, message, remedy.text)
+def warn(check, path, message, remedy, cause=None):
+    """A Finding that may be the trouble; `remedy` is a remedies.Remedy, `cause` (host, port) of a process."""
+    return Finding("warn", check, path, message, remedy.text, _process(cause))
 
 
-def fail(check, path, message, remedy):
-    """A Finding that something does not work; `remedy` is a remedies.Remedy."""
-    return Finding("fail", check, path, message, remedy.text)
+def fail(check, path, message, remedy, cause=None):
+    """A Finding that something does not work; `remedy` is a remedies.Remedy, `cause` (host, port) of a
+    process.
+    """
+    return Finding("fail", check, path, message, remedy.text, _process(cause))
+
+
+def _process(endpoint):
+    if endpoint is None:
+        return ""
+    return f"{printable(endpoint[0])}:{endpoint[1]}"
 
 
 async def published(ref):
@@ -48,6 +57,26 @@ async def published(ref):
 def sorted_by_level(findings):
     """The Findings, failures first, then warnings, each in their order."""
     return sorted(findings, key=lambda finding: LEVELS.index(finding.level))
+
+
+def explained(findings):
+    """The Findings without those that the silence of a process explains, from MANY on: (Findings, how many
+    were left out). The first that fails of each such process stays, and has their number; it comes first.
+    """
+    causes = collections.OrderedDict()
+    for finding in sorted_by_level(findings):
+        if finding.cause:
+            causes.setdefault(finding.cause, []).append(finding)
+    heads = []
+    folded = set()
+    for effects in causes.values():
+        head, *others = effects
+        if len(effects) >= MANY and head.level == "fail":
+            more = f"; this explains {len(others)} more findings (-v shows them)"
+            heads.append(head._replace(message=head.message + more))
+            folded.update(map(id, effects))
+    rest = [finding for finding in findings if id(finding) not in folded]
+    return heads + rest, len(folded) - len(heads)
 
 
 def grouped(findings):

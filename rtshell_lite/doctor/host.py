@@ -12,8 +12,7 @@ import time
 
 import rtshell_lite
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
-from rtshell_lite.doctor import networks
+from rtshell_lite.corba import hosts, orb
 from rtshell_lite.text import quoted
 
 MOST = 1 << 16  # characters of a file that are taken
@@ -70,7 +69,7 @@ def _first_line(name, words):
 
 
 def _interfaces():
-    for name, interface in networks.interfaces():
+    for name, interface in hosts.interfaces():
         yield f"{name}  {interface}"
     for line in _content("/proc/net/if_inet6").splitlines():
         words = line.split()

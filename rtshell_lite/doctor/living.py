@@ -1,8 +1,8 @@
 """Components of a profile that live though no name leads to them: their name server was started again, empty.
 
-They are asked at the addresses that the file has: object references of data ports, which RTSystemEditor saves
-with connections, managers by address, and the usual port of managers on the hosts after which naming contexts
-are named.
+They are asked at the addresses that the file has: those of the components, which rtcryo saves, object
+references of data ports, which RTSystemEditor saves with connections, managers by address, and the usual port
+of managers on the hosts after which naming contexts are named.
 """
 
 from rtshell_lite import errors
@@ -38,7 +38,8 @@ def findings(profile, missing, known):
                 verb = "live"
             message = (
                 f"has none of its {counted(len(components), 'component')} in the file, though "
-                f"{listed(living)} {verb}: perhaps it was started again, and they were not"
+                f"{listed(living)} {verb}: perhaps it was started again, and they were not, or it is another "
+                "name server"
             )
             yield warn("name server", server, message, remedies.words("bind again"))
 
@@ -55,9 +56,13 @@ def _by_server(components):
 
 
 async def _at_references(profile, missing):
-    """`found`, by references to data ports."""
+    """`found`, by their references, and those to data ports."""
     locate = capture.locator(profile)
     refs = {}
+    for component in missing:
+        ref = capture.saved_reference(component)
+        if ref is not None:
+            refs[capture.shown_path(component)] = ref, "it answers"
     for connector in profile.connectors:
         for each in connector.properties:
             end = SIDES.get(each.name)
@@ -71,12 +76,12 @@ async def _at_references(profile, missing):
                 ref = orb.from_text(connector.name, each.value or "")
             except errors.Unreachable:
                 continue
-            refs.setdefault(capture.shown_path(component), ref)
+            refs.setdefault(capture.shown_path(component), (ref, "its port answers"))
     asked = list(refs.items())[:MOST]
-    answers = await orb.each([ref for _, ref in asked], lambda ref: orb.is_alive("", ref))
+    answers = await orb.each([ref for _, (ref, _) in asked], lambda ref: orb.is_alive("", ref))
     return {
-        path: "its port answers at %s:%d" % orb.endpoint(ref)
-        for (path, ref), answer in zip(asked, answers)
+        path: "%s at %s:%d" % (words, *orb.endpoint(ref))
+        for (path, (ref, words)), answer in zip(asked, answers)
         if answer is True
     }
 

@@ -1,9 +1,8 @@
 """Each manager: whether it answers, and whether what it lists lives."""
 
 from rtshell_lite import errors
-from rtshell_lite.corba import session
 from rtshell_lite.doctor import limits, networks, remedies
-from rtshell_lite.doctor.finding import fail, ok, published, reason
+from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.robot import component, tree
 from rtshell_lite.text import counted, shell_word
 
@@ -58,7 +57,11 @@ async def _troubles(node, answer):
             found.append(misled._replace(message=what + misled.message))
         if misled and misled.level == "fail":
             continue
-        if child.kind in ("zombie", "silent") and await _is_of_network(child, homes):
+        if child.kind == "unasked":
+            message = what + "was " + reason(child.error)
+            cure = remedies.not_asked(child.error, where)
+            found.append(warn("manager", where, message, cure, child.endpoint))
+        elif child.kind in ("zombie", "silent") and await _is_of_network(child, homes):
             message = what + f"cannot be reached from here ({reason(child.error)})"
             found.append(fail("manager", where, message, remedies.network(child.endpoint)))
         elif child.kind == "zombie":
@@ -66,15 +69,19 @@ async def _troubles(node, answer):
             found.append(fail("manager", where, what + "is gone", cure))
         elif child.kind == "silent":
             message = what + f"does not answer ({reason(child.error)})"
-            found.append(fail("manager", where, message, remedies.words("hung below", path=word)))
+            cure = remedies.words("hung below", path=word)
+            found.append(fail("manager", where, message, cure, child.endpoint))
     has = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}"
     shown = await published(node.ref)
     return found or [ok("manager", where, f"manager of {has}, at {shown}")]
 
 
 async def _no_answer(node, where, e):
-    if e.why == session.NO_TIME:
+    if isinstance(e, errors.NoTime):
         return limits.late("manager", where)
+    if isinstance(e, errors.NotAsked):
+        cure = remedies.not_asked(e, where)
+        return warn("manager", where, reason(e), cure, node.endpoint)
     name = "restart"
     if isinstance(e, errors.Silent):
         name = "restart manager or slave"

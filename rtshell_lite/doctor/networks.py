@@ -3,19 +3,12 @@ to this host, and to the one where the references are bound.
 """
 
 import collections
-import ipaddress
-import socket
-import struct
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import hosts, liveness, orb
 from rtshell_lite.doctor import addresses, remedies
 from rtshell_lite.doctor.finding import fail, published, warn
 from rtshell_lite.text import printable
-
-# of Linux
-SIOCGIFADDR = 0x8915
-SIOCGIFNETMASK = 0x891B
 
 
 async def misled(check, where, ref, homes, elsewhere=""):
@@ -73,17 +66,9 @@ async def misled(check, where, ref, homes, elsewhere=""):
 
 
 async def is_certain(ref, homes):
-    """True if the addresses of `ref` mean the same host here as to what published them.
-
-    Those of private networks may not, nor may a name that means this host here.
-    """
-    if await names_here(ref, homes):
-        return False
-    for address in await _numeric(orb.addresses(ref)):
-        number = ipaddress.ip_address(address.partition("%")[0])
-        if not number.is_private:
-            continue
-        if not any(together(home, address) or addresses.is_own(home) for home in homes):
+    """True if the addresses of `ref` mean the same host here as to what published them."""
+    for host, _ in orb.addresses(ref):
+        if host and not await liveness.means_the_same(host, homes):
             return False
     return True
 
@@ -110,7 +95,7 @@ async def is_apart(ref, homes):
         return False
     for address in own:
         for home in homes:
-            if together(home, address) is not False:
+            if hosts.together(home, address) is not False:
                 return False
     return True
 
@@ -139,47 +124,6 @@ async def _is_here(host):
     else:
         numeric = await _numeric([(host, 0)])
     return _is_loopback(host) or any(addresses.is_own(address) for address in numeric)
-
-
-def together(one, other):
-    """Whether two IP addresses are in the same network; None if the networks of this host do not show it."""
-    if one == other:
-        return True
-    if addresses.is_loopback(one) and addresses.is_loopback(other):
-        return True
-    known = False
-    for network in _networks():
-        inside = [ipaddress.ip_address(address.partition("%")[0]) in network for address in (one, other)]
-        if all(inside):
-            return True
-        known = known or any(inside)
-    if known:
-        return False
-    return None
-
-
-def _networks():
-    """The IPv4 networks of this host's interfaces."""
-    return [interface.network for _, interface in interfaces()]
-
-
-def interfaces():
-    """[(name, ipaddress.IPv4Interface)] of this host."""
-    found = []
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
-        for _, name in socket.if_nameindex():
-            request = struct.pack("256s", name.encode()[:15])
-            try:
-                import fcntl
-
-                address, mask = [
-                    socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
-                    for number in (SIOCGIFADDR, SIOCGIFNETMASK)
-                ]
-            except (OSError, ImportError):  # it has no such address, or this is no Linux
-                continue
-            found.append((name, ipaddress.ip_interface(f"{address}/{mask}")))
-    return found
 
 
 async def _numeric(offered):

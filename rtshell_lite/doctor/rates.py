@@ -61,7 +61,7 @@ async def measured(snapshots, seconds):
         batch, waiting = _batch(waiting)
         if found and time.monotonic() - begun > session.current().timeout:
             found.update(
-                (watched.where, [_unmeasured(watched.where, errors.Silent(watched.where, session.NO_TIME))])
+                (watched.where, [_unmeasured(watched.where, errors.NoTime(watched.where, session.NO_TIME))])
                 for watched in batch
             )
             continue
@@ -113,7 +113,7 @@ def _smallest(out_ports):
 
 
 def _unmeasured(where, e):
-    if isinstance(e, errors.Silent) and e.why != session.NO_TIME:
+    if isinstance(e, errors.Silent):
         return warn(
             "rate",
             where,

@@ -3,9 +3,10 @@ where it leads, whether it can be reached, whether its object lives.
 """
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb, session
+from rtshell_lite.corba import orb
 from rtshell_lite.doctor import addresses, limits, local, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
+from rtshell_lite.robot import tree
 from rtshell_lite.text import printable, shell_word
 
 
@@ -44,6 +45,8 @@ async def _unreachable(visit, node):
                 remedies.command("delete name", path=where),
             )
         ]
+    if isinstance(node.error, errors.Unspoken):
+        return [warn("reference", where, reason(node.error), remedies.words("unspoken"))]
     offered = orb.addresses(node.ref)
     if not offered:
         return []  # of another transport
@@ -55,13 +58,24 @@ async def _unreachable(visit, node):
         also = [misled]
     else:
         also = []
-    if node.kind == "zombie":
+    if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone) and await _is_own(offered):
         return [await _dead(visit, node, shown)] + also
-    if node.kind == "silent":
+    if node.kind == "unasked" and not isinstance(node.error, errors.NoTime):
+        cure = remedies.words("others first", path=shell_word(where))
+        return [warn("reference", where, reason(node.error), cure, node.endpoint)] + also
+    if node.kind in tree.DOUBTFUL:
         return [await _silent(visit, node, offered, shown)] + also
     if node.kind == "unknown" and _out_of_reach(visit, offered):
         return [await _silent(visit, node, offered, shown)] + also
     return also or _half_reachable(visit, where, offered)
+
+
+async def _is_own(offered):
+    """Whether an object publishes an address of this host, which refuses, though it may not be this one."""
+    for host, _ in offered:
+        if await addresses.is_this_host(host):
+            return True
+    return False
 
 
 async def _dead(visit, node, shown):
@@ -93,7 +107,7 @@ async def _silent(visit, node, offered, shown):
     where = str(node.path)
     e = node.error
     rule = local.transport_rule()
-    if e is not None and e.why == session.NO_TIME:
+    if isinstance(e, errors.NoTime):
         return limits.late("reference", where)
     if _out_of_reach(visit, offered):
         return await _unreached(visit, node, offered[0], shown)
@@ -117,7 +131,7 @@ async def _silent(visit, node, offered, shown):
         message = f"at {shown}, answers the question whether it is there with {reason(e)}"
         return fail("reference", where, message, remedies.words("exception", port=port))
     message = f"hung: {shown} accepts TCP, but {reason(e)}"
-    return fail("reference", where, message, remedies.words("restart", port=port))
+    return fail("reference", where, message, remedies.words("restart", port=port), node.endpoint)
 
 
 async def _unreached(visit, node, endpoint, shown):
@@ -126,7 +140,8 @@ async def _unreached(visit, node, endpoint, shown):
     failure = visit.probes[endpoint]
     if isinstance(failure, errors.ConnectionRefused):
         if await networks.is_certain(node.ref, visit.addresses):
-            return await _refused(where, endpoint, shown)
+            message = f"{shown} refuses: dead, or a firewall closes this port"
+            return fail("reference", where, message, remedies.words("firewall", port=endpoint[1]))
     message = f"cannot tell from here whether it lives: publishes {shown}, "
     if failure.why == errors.NO_USABLE_ADDRESS or not await networks.homes_of(node.ref):
         message += "a host name that is not known here"
@@ -136,19 +151,6 @@ async def _unreached(visit, node, endpoint, shown):
         message += "of another network than its name server, "
     message += f"out of reach ({reason(failure)})"
     return fail("reference", where, message, remedies.network(endpoint))
-
-
-async def _refused(where, endpoint, shown):
-    """Nobody listens, or a firewall refuses: see corba/liveness.py."""
-    if await liveness.is_gone(endpoint):
-        return fail(
-            "reference",
-            where,
-            "dead: nothing listens at " + shown,
-            remedies.command("delete zombie", path=where),
-        )
-    message = f"cannot tell from here whether it lives: {shown} refuses the connection, as a firewall would"
-    return fail("reference", where, message, remedies.words("firewall", port=endpoint[1]))
 
 
 def _out_of_reach(visit, offered):
@@ -190,7 +192,7 @@ async def _not_what_it_says(node):
     if kind not in expected and node.kind == "unknown":
         shown = await published(node.ref)
         return [ok("reference", str(node.path), f"another CORBA object, {what}, at {shown}")]
-    if kind not in expected or node.kind in ("zombie", "silent"):
+    if kind not in expected or node.kind in ("zombie", *tree.DOUBTFUL):
         return []
     if node.kind == expected[kind]:
         return []

@@ -9,7 +9,6 @@ import collections
 import re
 
 from rtshell_lite import errors
-from rtshell_lite.corba import session
 from rtshell_lite.doctor import addresses
 from rtshell_lite.text import printable, shell_word
 
@@ -56,8 +55,8 @@ WORDS = {
         "process"
     ),
     "firewall": (
-        "netstat -ltnp | grep :{port} there shows whether its process runs: if so, let this host through "
-        "its firewall; if not, start it again"
+        "on that host: rtdoctor, rtdel -z; netstat -ltnp | grep :{port} there shows whether its process "
+        "runs: if so, let this host through its firewall; if not, start it again"
     ),
     "name in reference": (
         "write the address of {host} into /etc/hosts here, or have its process publish an address: "
@@ -94,6 +93,10 @@ WORDS = {
         "look again in some time, as many bind their names again by themselves (naming.update.enable); "
         "restart those that do not"
     ),
+    "nothing bound": (
+        "start the components; those that run already bind their names again by themselves "
+        "(naming.update.enable), or when they are restarted"
+    ),
     "restart name server": "restart the name server that has it",
     "restart": "restart it; netstat -ltnp | grep :{port} there names its process",
     "correct port": "correct the port; netstat -ltnp | grep omniNames there shows it",
@@ -106,8 +109,11 @@ WORDS = {
     # components
     "more time": "ask it with more time: rtdoctor --timeout 30 {path}",
     "in parts": "examine the system in parts (rtdoctor PATH), or with more time: rtdoctor --timeout 30",
-    "others first": "mend those first, then: rtdoctor {path}",
+    "others first": "mend those that do not answer first, then: rtdoctor {path}",
     "hung first": "mend {paths} first",
+    "unspoken": (
+        "to look at it from here, have its process listen with TCP, too: corba.endpoints in rtc.conf"
+    ),
     "look at contexts": "look at its contexts: rtec {path}",
     "active once": "see whose they are (rtec {path}), and leave all but one: rtdeact -e N {path}",
     "activate": "if it is to move, activate it: rtact {path}",
@@ -205,8 +211,10 @@ async def of_silence(e, endpoint, path, restart=None):
 
     Only if a call is known to have reached it is it to be restarted; `restart` is the Remedy then.
     """
-    if e.why == session.NO_TIME:
+    if isinstance(e, errors.NoTime):
         return words("more time", path=shell_word(path))
+    if isinstance(e, errors.NotAsked):
+        return not_asked(e, path)
     if await is_of_network(e, endpoint):
         return network(endpoint)
     if await may_be_lost(e, endpoint):
@@ -214,19 +222,24 @@ async def of_silence(e, endpoint, path, restart=None):
     return restart or words("restart", port=endpoint[1])
 
 
+def not_asked(e, path):
+    """The Remedy for what was not asked, by an errors.NotAsked."""
+    if isinstance(e, errors.Unspoken):
+        return words("unspoken")
+    return words("others first", path=shell_word(path))
+
+
 async def may_be_lost(e, endpoint):
     """True if the errors.Error of a process may mean that its answer was too large for the network on the
     way.
     """
-    if not isinstance(e, errors.Silent) or e.why == session.NO_TIME:
+    if not isinstance(e, errors.Silent):
         return False
     return await addresses.loses_large(endpoint)
 
 
 async def is_of_network(e, endpoint):
     """True if the network between here and the process at `endpoint` may have caused an errors.Error."""
-    if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused)):
+    if isinstance(e, (errors.Refused, errors.Gone, errors.ConnectionRefused, errors.NotAsked)):
         return False
-    return (
-        not isinstance(e, errors.Silent) or e.why != session.NO_TIME and not await addresses.arrives(endpoint)
-    )
+    return not isinstance(e, errors.Silent) or not await addresses.arrives(endpoint)

@@ -9,7 +9,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.data import clocks
 from rtshell_lite.doctor import host
 from rtshell_lite.doctor.finding import LEVELS, Finding, sorted_by_level
-from rtshell_lite.robot import ports
+from rtshell_lite.robot import component, ports, tree
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.views import live_graph, page
 from rtshell_lite.xmlprofile import rtsprofile
@@ -17,7 +17,8 @@ from rtshell_lite.text import counted
 
 CONFIGURATION = ("conf.", "configuration.")  # begins the names of properties with what is configured
 WINDOW = 30  # seconds of a log that are shown, its last ones
-BOUND = ("component", "manager", "silent", "zombie", "other", "unsure")  # kinds of Nodes that are objects
+# kinds of Nodes that are objects
+BOUND = ("component", "manager", "zombie", "other", "unsure", *tree.DOUBTFUL)
 
 
 def html(seen, findings, title, log=None, values=True, environment=True):
@@ -31,9 +32,9 @@ def html(seen, findings, title, log=None, values=True, environment=True):
     """
     if seen is not None and not values:
         _leave_out_values(seen.snapshots)
-    system, lost = _system(seen)
+    system, lost, states = _system(seen)
     profile = rtsprofile.dump(system.profile, rtsprofile.YAML)
-    drawing = live_graph.of_system(system, lost)
+    drawing = live_graph.of_system(system, lost, states)
     remarks = sorted_by_level(findings)
     for line in drawing.notes:
         remarks.append(page.Remark("note", "", "", line, ""))
@@ -54,7 +55,7 @@ def findings_in(text, name):
     page_file.profile(text, name)  # other pages have none
     try:
         found = [
-            Finding(*[str(each[field]) for field in Finding._fields])
+            Finding(*[str(each.get(field, "")) for field in Finding._fields])
             for each in page_file.read(text, name)["findings"]
         ]
     except (KeyError, TypeError):
@@ -81,15 +82,19 @@ def _contents(log, values, environment):
 
 
 def _system(seen):
-    """(the capture.System that was seen; of other components {path: (host, port) of the process})."""
+    """(the capture.System that was seen; of other components {path: (host, port) of the process}, and of
+    those that have reported it, {path: state}).
+    """
     if seen is None:
-        return capture.of_snapshots([], {}), {}
+        return capture.of_snapshots([], {}), {}, {}
     whole = [snapshot for snapshot in seen.snapshots if _is_whole(snapshot)]
     system = capture.of_snapshots(whole, seen.ends)
-    lost = [snapshot.node for snapshot in seen.snapshots if not _is_whole(snapshot)]
+    rest = [snapshot for snapshot in seen.snapshots if not _is_whole(snapshot)]
+    lost = [snapshot.node for snapshot in rest]
     for visit in seen.visits:
-        lost += [node for node in visit.nodes if node.kind in ("silent", "zombie")]
-    return system, {str(node.path): node.endpoint for node in lost}
+        lost += [node for node in visit.nodes if node.kind in ("zombie", *tree.DOUBTFUL)]
+    states = {each.where: component.merged(each.states) for each in rest if "states" in each.known}
+    return system, {str(node.path): node.endpoint for node in lost}, states
 
 
 def _is_whole(snapshot):

@@ -94,8 +94,8 @@ async def _visit(place, tops, used):
 
 
 async def _unbound(visit):
-    """Findings on components that live though the name server has nothing:
-    it was started again, and they were not.
+    """Findings on a name server that has nothing: it may have been started again, and components that live
+    were not.
     """
     host = orb.endpoint((await tree.resolve(visit.path)).ref)[0]
     where = str(visit.path)
@@ -105,9 +105,10 @@ async def _unbound(visit):
     try:
         living = await manager.components(await manager.find(word))
     except errors.Error:
-        return []
+        living = []
     if not living:
-        return []
+        message = "nothing is bound in it: nothing was started, or it was restarted"
+        return [warn("name server", where, message, remedies.words("nothing bound"))]
     message = (
         f"has no names, though a manager at port {path.MANAGER_PORT} of its host has "
         f"{counted(len(living), 'component')} ({listed(printable(name) for name, _ in living)}): "
@@ -244,7 +245,7 @@ async def _is_there(where, ref):
         gone = await orb.call(where, ref, "_non_existent")
     except errors.Gone:
         gone = True
-    except errors.Silent as e:
+    except errors.Unanswered as e:
         if await remedies.is_of_network(e, endpoint):
             raise _Stop(
                 where,
@@ -282,7 +283,7 @@ async def _is_there(where, ref):
 
 
 def _restart(e, where, port):
-    if e.why == session.NO_TIME:
+    if isinstance(e, errors.NoTime):
         return remedies.words("more time", path=shell_word(where))
     return remedies.words("restart", port=port)
 

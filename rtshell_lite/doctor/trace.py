@@ -319,7 +319,7 @@ class Trace:
 
     async def find_cause(self, stage):
         """Note what a Stage waits for, if it lives: asked for its ports, it asks their far ends."""
-        session.current().silent.pop(stage.node.endpoint, None)  # its process may answer smaller questions
+        session.current().ask_again(stage.node.endpoint)  # its process may answer smaller questions
         others = []
         for node in await _bound(stage.node):
             if node.endpoint != stage.node.endpoint:

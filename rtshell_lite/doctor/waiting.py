@@ -1,9 +1,10 @@
-"""What a component that hangs waits for: the far end of one of its connections, found through the connections
-of its process.
+"""What components wait for that answer, but do not report their ports: the far end of one of their
+connections, found through the connections of their process.
 
-Its ports cannot be asked, as they wait. On this host the kernel knows the TCP connections of its process.
+Their ports cannot be asked, as they wait. On this host the kernel knows the TCP connections of their process.
 """
 
+import collections
 import glob
 import ipaddress
 import os
@@ -18,26 +19,54 @@ TABLES = ("/proc/net/tcp", "/proc/net/tcp6")
 READINGS = 3  # the kernel gives a table in pieces, and a row can slip through while sockets come and go
 
 
-async def culprits(snapshot, hung):
-    """(paths of those Nodes `hung` that the component of a Snapshot waits for, whether that is certain).
+# What components of a process wait for: `paths` of hung components, whether that `is_certain`, and
+# `endpoint`, that of the process to blame: of the only one that is hung, or else their own.
+Culprits = collections.namedtuple("Culprits", "paths is_certain endpoint")
 
-    It waits for one that its process calls. If its connections are hidden, it may be any; of several Nodes of
-    one process the first is named.
+
+async def culprits(snapshots, hung):
+    """{endpoint: Culprits} of the processes of which a component has answered and then hung, by Snapshots,
+    and the Nodes `hung` that do not answer at all.
+    """
+    processes = {
+        snapshot.node.endpoint
+        for snapshot in snapshots
+        if isinstance(snapshot.error, errors.Silent) and snapshot.answered
+    }
+    return {endpoint: await _culprits_of(endpoint, hung) for endpoint in sorted(processes)}
+
+
+def blamed(process, culprits):
+    """The endpoint of the process to blame for what a process does not answer, by what `culprits` returns."""
+    if process in culprits:
+        return culprits[process].endpoint
+    return process
+
+
+async def _culprits_of(process, hung):
+    """The Culprits of one process: those that it calls. If its connections are hidden, it may be any; of
+    several Nodes of one process the first is named. Without any, those beside it in the process that hang.
     """
     others = {}
+    beside = []
     for node in hung:
-        if node.endpoint != snapshot.node.endpoint:
+        if node.endpoint == process:
+            beside.append(str(node.path))
+        else:
             others.setdefault(node.endpoint, str(node.path))
     # the rest may take until there is no time to ask
     numeric = {endpoint: await _numeric(endpoint) for endpoint in others}
     if others:
-        own = await _sockets(snapshot.node.endpoint)
+        own = await _sockets(process)
     else:
         own = set()
     called = _called_by(own)
-    return sorted(path for endpoint, path in others.items() if not own or numeric[endpoint] & called), bool(
-        own
-    )
+    ends = [endpoint for endpoint in others if not own or numeric[endpoint] & called]
+    if not ends:
+        return Culprits(beside[:1], False, process)
+    if len(ends) == 1 and own:
+        process = ends[0]
+    return Culprits(sorted(others[endpoint] for endpoint in ends), bool(own), process)
 
 
 async def _numeric(endpoint):

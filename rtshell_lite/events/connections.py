@@ -67,7 +67,7 @@ class _Followed:
                 return
             try:
                 events = await port.changes(self.node)
-            except errors.Silent:
+            except errors.Unanswered:
                 port.wait()
                 continue
             except errors.Error:

@@ -56,7 +56,7 @@ class Poll:
         news = []
         if first or now - self._thorough >= THOROUGH:
             self._thorough = now
-            await orb.is_alive(self.where, self.node.ref)
+            await orb.is_alive(self.node.path, self.node.ref)
             if self.kinds & {"RTC_STATUS", "EC_EVENT"}:
                 news += await self._contexts()
             if "CONFIG_EVENT" in self.kinds:

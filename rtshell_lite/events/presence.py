@@ -197,23 +197,28 @@ class Presence:
             if each.shown is shown:  # not another one that has come meanwhile
                 self.failed(each, e)
             return
-        session.current().silent.pop(each.endpoint, None)
+        session.current().ask_again(each.endpoint)
         each.heard = max(each.heard, time.monotonic() - LATE + BEAT)
         if each.is_hung:
             each.is_hung = False
             each.answered()
 
     def failed(self, each, error):
-        """A component was asked in vain: it is gone, with all of its process where that refuses, or
-        it hangs.
+        """A component was asked in vain: it is gone, or may be, with all of its process where that refuses,
+        or it hangs.
         """
         if not each.is_there:
             return
         if isinstance(error, errors.Gone):
             self._lose(each, error, "has exited")
-        elif isinstance(error, errors.ProcessGone):
+        elif isinstance(error, errors.ConnectionRefused):
+            # also where it may live: its name may lead to another object now
+            if isinstance(error, errors.ProcessGone):
+                seen = "its process is gone"
+            else:
+                seen = error.why
             for other in self.of_process(each.endpoint):
-                self._lose(other, error, "its process is gone")
+                self._lose(other, error, seen)
         elif not each.is_hung:
             each.is_hung = True
             each.hung(error)
@@ -392,9 +397,9 @@ async def _alive(each):
     ref = each.shown.node.ref
     for _ in range(TRIES):
         try:
-            return await orb.is_alive(each.where, ref)
-        except (errors.Silent, errors.Gone, errors.ConnectionRefused):
+            return await orb.is_alive(each.path, ref)
+        except (errors.Unanswered, errors.Gone, errors.ConnectionRefused):
             raise
         except errors.Unreachable:
             await loop.sleep(PAUSE)
-    return await orb.is_alive(each.where, ref)
+    return await orb.is_alive(each.path, ref)

@@ -149,13 +149,13 @@ class Watched:
                     self.watch.put(self, item)
             elif self._in_doubt(now):
                 self.looked = now
-                await orb.is_alive(self.where, self.node.ref)
+                await orb.is_alive(self.node.path, self.node.ref)
             await self._answers(now)
         except (errors.Gone, errors.ConnectionRefused) as e:
             await self._gone(e)
         except errors.Unreachable as e:
             if (
-                isinstance(e, errors.Silent) or self.doubtful
+                isinstance(e, errors.Unanswered) or self.doubtful
             ):  # a process that ends drops its connections first
                 self._silent("NO_ANSWER", e.why)
             self.doubtful = True
@@ -226,6 +226,8 @@ class Watched:
         self.node = self.subscription = self.poll = None
         if exited:
             self._report("EXITED")
+        elif isinstance(error, errors.MaybeGone):
+            self._silent("NO_ANSWER", error.why)
         else:
             self._report("DIED")
 
@@ -385,7 +387,7 @@ class Watch:
             try:
                 await subscription.detach()
             except errors.Error as e:
-                if isinstance(e, errors.Silent):
+                if isinstance(e, errors.Unanswered):
                     raise
             stuck.remove(subscription)
 

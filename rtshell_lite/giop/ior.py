@@ -19,6 +19,10 @@ from rtshell_lite.records import cached, item
 
 IIOP = 0  # the tag of a profile, TAG_INTERNET_IOP
 ALTERNATE = 3  # the tag of a component of a profile, TAG_ALTERNATE_IIOP_ADDRESS (CORBA 3.0, 13.6.6.8)
+# Other transports by the tag of such a component: TAG_SSL_SEC_TRANS and TAG_CSI_SEC_MECH_LIST (CORBA 3.0,
+# 13.6.7), TAG_OMNIORB_UNIX_TRANS (IOP.h of omniORB 4.2). The IIOP profile has port 0 if there is no other.
+TRANSPORTS = {20: "TLS", 33: "TLS", 0x41545402: "UNIX sockets"}
+OTHER = "another transport"
 MOST_PROFILES = 64  # real references have one to three, for each address of the host at most one
 LARGEST = 1 << 14  # octets of a reference; real ones have less than 1,000
 LONGEST_TYPE = 1024  # octets of a repository id
@@ -59,6 +63,7 @@ def parts(text):
 def parsed(type_id, profiles):
     """What a reference says, given as its parts."""
     type_id = sys.intern(type_id.decode("latin-1"))  # one text for all 20,000
+    without_tcp = None
     try:
         for tag, profile in profiles:
             if tag == IIOP:
@@ -75,10 +80,13 @@ def parsed(type_id, profiles):
                     raise IndexError
                 host = profile[8 : end - 1].decode("latin-1")
                 port = ushort(profile, end + 1 & ~1)[0]
-                return Address((type_id, sys.intern(host), port, profile[at + 4 : at + 4 + size]))
+                found = Address((type_id, sys.intern(host), port, profile[at + 4 : at + 4 + size]))
+                if port:
+                    return found
+                without_tcp = without_tcp or found
     except (IndexError, struct.error):
         return Address(("", "", 0, b""))
-    return Address((type_id, "", 0, b""))
+    return without_tcp or Address((type_id, "", 0, b""))
 
 
 def _unhexed(text):
@@ -94,16 +102,34 @@ def _unhexed(text):
 
 def addresses(text):
     """Every (host, port) that a stringified IOR offers, in its order:
-    IIOP profiles and the alternatives named in them.
+    IIOP profiles and the alternatives named in them; not those without a port, see `transports`.
     """
-    reader = _Cdr(_unhexed(text))
+    found, _ = _offered(text)
+    return [address for address in found if address[1]]
+
+
+def transports(text):
+    """In words, how else than with TCP the object of a stringified IOR can be called: ["TLS"]; [] if no other
+    way is known.
+    """
+    found, others = _offered(text)
+    if not others and any(not port for _, port in found):
+        return [OTHER]
+    return others
+
+
+def _offered(text):
+    """(every (host, port), transports in words) that a stringified IOR offers, each once."""
     found = []
+    others = []
     try:
+        reader = _Cdr(_unhexed(text))
         reader.octets()  # the type id
         for _ in range(reader.ulong()):
             tag = reader.ulong()
             profile = reader.octets()
             if tag != IIOP:
+                others.append(OTHER)
                 continue
             body = _Cdr(profile)
             minor = profile[2]
@@ -115,9 +141,11 @@ def addresses(text):
                 data = body.octets()
                 if component == ALTERNATE:
                     found.append(_Cdr(data).host_and_port())
+                elif component in TRANSPORTS:
+                    others.append(TRANSPORTS[component])
     except (IndexError, struct.error):
         pass  # keep what came before the garbage
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys(found)), list(dict.fromkeys(others))
 
 
 _LITTLE, _BIG = [

@@ -2,7 +2,6 @@
 
 import time
 
-from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.mount.attempt import attempt
 from rtshell_lite.net import loop
@@ -104,9 +103,9 @@ class CachedAnswer:
             wait.end(value, error and loop.drop_traceback(error))
 
     async def _ask_process(self, endpoint, where):
-        silence = session.current().silence(endpoint)
-        if silence:
-            raise errors.Silent(str(where), silence)
+        failure = session.current().why_not_asked(where, endpoint)
+        if failure:
+            raise failure
         return await self._ask()
 
     def _keep(self, value):

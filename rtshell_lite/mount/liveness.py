@@ -73,7 +73,7 @@ class Liveness:
         if node.kind not in ASKED or node.error is not None:
             return node
         kind, error, until = self._known.get(orb.identity(node.ref), UNKNOWN)
-        if until < time.monotonic() or kind in (node.kind, "silent"):
+        if until < time.monotonic() or kind in (node.kind, *tree.DOUBTFUL):
             return node
         return tree.Node(node.path, kind, node.ref, error)
 

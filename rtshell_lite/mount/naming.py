@@ -238,5 +238,4 @@ class Zombie(Link):
         return "zombie: its object is gone"
 
     async def remove(self):
-        async for _ in naming.delete(self._target.path, self.mount.complain, zombie_only=True):
-            pass
+        await naming.delete_zombie(self._target.path)

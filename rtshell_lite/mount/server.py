@@ -21,7 +21,7 @@ ERRNOS = (
     (errors.NotFound, errno.ENOENT),
     (errors.NoSuch, errno.ENOENT),
     (errors.WrongKind, errno.ENOENT),
-    (errors.Silent, errno.ETIMEDOUT),
+    (errors.Unanswered, errno.ETIMEDOUT),
     (errors.Late, errno.ETIMEDOUT),
     (errors.Unread, errno.EIO),
     (errors.ConnectionRefused, errno.ECONNREFUSED),

@@ -112,7 +112,7 @@ async def once_more(call, failures=None):
     """
     try:
         return await call()
-    except (errors.Silent, errors.Refused):
+    except (errors.Unanswered, errors.Refused):
         raise
     except errors.Unreachable as e:
         if failures is not None:

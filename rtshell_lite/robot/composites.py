@@ -212,7 +212,7 @@ def _stays(node, m, error):
     """The error for a Member that cannot be removed, as it, or one that may have its name,
     has failed with `error`.
     """
-    if isinstance(error, errors.Silent):
+    if isinstance(error, errors.Unanswered):
         why = "a member that does not answer"
     else:
         why = "a dead member"

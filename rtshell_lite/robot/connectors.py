@@ -183,7 +183,7 @@ async def _forgetting_failed(port, operation, connector_id):
     """Ask a port to forget a connector; the errors.Error that says why it may still have it, or None."""
     try:
         code = str(await orb.call(ports.label(port), port.ref, operation, connector_id))
-    except errors.Silent:
+    except errors.Unanswered:
         raise
     except errors.Unreachable as e:  # may be the far end's death, passed on
         return e

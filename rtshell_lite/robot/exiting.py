@@ -71,7 +71,7 @@ async def _exit(node):
     await orb.is_alive(node.path, node.ref)  # if it is dead afterwards, this call has ended it
     try:
         code = str(await node.call("exit"))
-    except (errors.Silent, errors.Refused):
+    except (errors.Unanswered, errors.Refused):
         raise
     except errors.Unreachable:
         if not await _has_ended(node):
@@ -91,7 +91,7 @@ async def _has_ended(node):
         (now,) = await tree.check_alive([node])
         if now.kind == "zombie":
             return True
-        if isinstance(now.error, errors.Silent) or time.monotonic() > limit:
+        if isinstance(now.error, errors.Unanswered) or time.monotonic() > limit:
             return False
         await loop.sleep(component.POLL)
 

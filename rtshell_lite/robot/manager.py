@@ -543,7 +543,7 @@ async def _ended(node, seconds):
         code = str(await node.call("shutdown"))
         if code != "RTC_OK":
             return errors.Refused(str(node.path), f"does not shut down ({code})")
-    except (errors.Silent, errors.Refused) as e:
+    except (errors.Unanswered, errors.Refused) as e:
         return e
     except errors.Unreachable:
         pass  # it may have ended before it answered

@@ -8,21 +8,32 @@ from rtshell_lite.path import REFERENCES, Path
 from rtshell_lite.robot import aliases, tree
 from rtshell_lite.text import counted, printable, shell_word
 
-MOST_WITNESSES = 8  # objects that are asked to find out whether a host lives
-WHY_LEFT = (
-    "its host refuses the connection, as a firewall would, and no other process there answers; "
-    "netstat -ltnp | grep :%d there shows whether its process runs; -f deletes the name all the same"
+WHY_LEFT = "refuses: dead, or a firewall closes this port; on that host: rtdoctor, rtdel -z; here: rtdel -zf"
+WHY_DOUBTED = (
+    "what answers at its address here may be another host than there; where it runs: rtdoctor, rtdel -z; "
+    "here: rtdel -zf"
 )
 
 
-async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, force=False):
+async def delete(path, note, recursive=False, dry_run=False):
     """Unbind what `path` names; yields a line (see `cli.report`) for each name, deepest first.
 
-    note         called with a line on each naming context that has another name, and loses only this one
-    zombie_only  refuse all but zombies, each verified twice
-    recursive    delete a naming context with all that is below it; otherwise only an empty one
-    force        with zombie_only: what refuses a connection is a zombie, even if a firewall may refuse
-    Raises what `tree.resolve` raises, WrongKind, Refused, LeftAlone for what may live behind a firewall.
+    note       called with a line on each naming context that has another name, and loses only this one
+    recursive  delete a naming context with all that is below it; otherwise only an empty one
+    Raises what `tree.resolve` raises, WrongKind, Refused.
+    """
+    node, above = await _named(path)
+    if node.kind == "directory":
+        deletion = _Deletion(await _Bindings().walk(path), recursive, dry_run, note)
+        async for line in deletion.lines(above, node):
+            yield line
+    else:
+        yield await _unbind(node.path, dry_run)
+
+
+async def _named(path):
+    """The Node that a Path names, and that of the directory above it. Raises what `tree.resolve` raises, and
+    WrongKind for what has no name in a name server.
     """
     if path.port is not None or not path.names:
         if path.port is not None:
@@ -40,14 +51,7 @@ async def delete(path, note, zombie_only=False, recursive=False, dry_run=False, 
         raise errors.WrongKind(
             str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components"
         )
-    if zombie_only:
-        yield await _delete_zombie(await _dead(node, force), dry_run, force)
-    elif node.kind == "directory":
-        deletion = _Deletion(await _Bindings().walk(path), recursive, dry_run, note)
-        async for line in deletion.lines(above, node):
-            yield line
-    else:
-        yield await _unbind(node.path, dry_run)
+    return node, above
 
 
 async def living(path):
@@ -76,28 +80,21 @@ async def zombies(top):
     return found, [node for node in nodes if node.error is not None]
 
 
-async def delete_zombies(nodes, dry_run=False, force=False):
-    """Delete each of these zombies: a line, '' for one that lives after all, or an errors.Error;
-    for `force` see `delete`.
+async def delete_zombie(path, dry_run=False, force=False):
+    """Unbind the zombie at a Path, after two looks at it: it may have been started again under its name. A
+    line, '' where it has gone meanwhile.
+
+    force  what refuses a connection is a zombie, even if a firewall may refuse
+    Raises what `tree.resolve` raises, WrongKind, Silent and the like, LeftAlone for what may live on another
+    host.
     """
-    results = []
-    for node in nodes:
-        try:
-            results.append(await _delete_zombie(node, dry_run, force))
-        except errors.WrongKind:
-            results.append("")
-        except errors.Error as e:
-            results.append(e)
-    return results
-
-
-async def _delete_zombie(node, dry_run, force):
-    """Delete a zombie after a second look: the component may have been started again under its name."""
+    node, _ = await _named(path)
+    await _dead(node, force)
     try:
-        again = await tree.resolve(node.path)
+        node = await tree.resolve(path)
     except errors.NotFound:
         return ""
-    return await _unbind((await _dead(again, force)).path, dry_run, zombie=True)
+    return await _unbind((await _dead(node, force)).path, dry_run, zombie=True)
 
 
 async def _dead(node, force):
@@ -105,30 +102,17 @@ async def _dead(node, force):
     Raises WrongKind, Silent if it does not answer, LeftAlone.
     """
     (node,) = await tree.check_alive([node])
-    if isinstance(node.error, errors.MaybeGone) and not force:
-        node = await _with_witnesses(node)
-    if isinstance(node.error, errors.MaybeGone):
-        if force:
-            return node
-        raise errors.LeftAlone(str(node.path), WHY_LEFT % node.endpoint[1])
-    if node.kind == "silent":
+    refuses = isinstance(node.error, errors.MaybeGone)
+    if refuses and force:
+        return node
+    if (refuses or node.kind == "zombie" and not force) and not await orb.is_near(node.path, node.ref):
+        raise errors.LeftAlone(str(node.path), WHY_DOUBTED)
+    if refuses:
+        raise errors.LeftAlone(str(node.path), WHY_LEFT)
+    if node.kind in tree.DOUBTFUL:
         raise node.error
     if node.kind != "zombie":
         raise errors.WrongKind(str(node.path), "zombie", node.what)
-    return node
-
-
-async def _with_witnesses(node):
-    """Look at a Node again after others of its host that are bound beside it:
-    if one of them answers, it is known to be gone.
-    """
-    beside = [
-        other
-        for other in await tree.children(await tree.resolve(node.path.parent()))
-        if other.ref is not None and other.endpoint[0] == node.endpoint[0] and other.endpoint != node.endpoint
-    ]
-    await tree.check_alive(beside[:MOST_WITNESSES])
-    (node,) = await tree.check_alive([await tree.resolve(node.path)])
     return node
 
 

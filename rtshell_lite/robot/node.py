@@ -12,6 +12,7 @@ MOST = 50000
 MOST_OCTETS = 16 << 20
 PATIENCE = 3  # times the timeout, in which all names of a context have to come
 DIRECTORIES = ("root", "server", "directory", "manager")
+DOUBTFUL = ("silent", "unasked")  # kinds of objects that may live, though nothing has come from them
 
 _COMPONENTS = (
     "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0",
@@ -28,11 +29,12 @@ class Node:
 
     path   its Path
     kind   root, server, directory, component, manager; zombie, whose object is gone; silent, a component or
-           manager whose process does not answer; unknown, any other object; unsure, one that must be asked
-           (`check_alive`), as its reference does not say
+           manager that does not answer, or cannot be reached; unasked, one that was not asked, as its process
+           did not answer others; unknown, any other object; unsure, one that must be asked (`check_alive`),
+           as its reference does not say
     ref    its object reference; None at the root and for a nil reference
-    error  for kind `silent` and `zombie`: the errors.Error that says why; for others: why what is below could
-           not be listed
+    error  for kind `silent`, `unasked` and `zombie`: the errors.Error that says why; for others: why what is
+           below could not be listed
     alias  the Path of the same directory where a walk entered it before; such a Node is not entered again;
            else None
     foreign  True for a naming context of another name server than that where it is bound; see
@@ -77,6 +79,7 @@ class Node:
             "root": "root directory",
             "server": "name server",
             "silent": "component that does not answer",
+            "unasked": "component that was not asked",
         }
         return words.get(self.kind, self.kind)
 
@@ -164,9 +167,9 @@ def kind_of(type_id, name_kind=""):
 async def check_alive(nodes):
     """Find out which of `nodes` live, in parallel, one call each; returns new nodes in the same order.
 
-    A component or manager that is gone becomes `zombie`, one that does not answer `silent`. They are asked
-    `_non_existent`: a profile query can end a component whose connection has died (docs/protocol.md 1.1,
-    1.3).
+    A component or manager that is gone becomes `zombie`, one that does not answer `silent`, one that was not
+    asked `unasked`. They are asked `_non_existent`: a profile query can end a component whose connection has
+    died (docs/protocol.md 1.1, 1.3).
     """
     # a manager with an error has answered, though not to every question
     objects = [
@@ -183,7 +186,7 @@ async def check_alive(nodes):
 
 async def classify_answer(node, answer):
     """The Node that `node` turns out to be, given what it answered:
-    itself, or zombie or silent after an errors.Error.
+    itself, or zombie, silent or unasked after an errors.Error.
     """
     if not isinstance(answer, errors.Error):
         return answer
@@ -191,13 +194,13 @@ async def classify_answer(node, answer):
         answer = await _refusal(node)  # by now, others of its host may have answered
     if isinstance(answer, (errors.Gone, errors.ProcessGone)):
         return Node(node.path, "zombie", node.ref, answer)
+    if isinstance(answer, errors.NotAsked):
+        return Node(node.path, "unasked", node.ref, answer)
     return Node(node.path, "silent", node.ref, answer)
 
 
 async def _refusal(node):
-    from rtshell_lite.corba import liveness  # few need it
-
-    return await liveness.refusal(node.path, node.endpoint)
+    return await orb.refusal(node.path, node.endpoint)
 
 
 async def _living(node):

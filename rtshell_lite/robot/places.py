@@ -101,7 +101,7 @@ async def ask(refs, joining):
 
     async def one_port(ref):
         if time.monotonic() > end:
-            raise errors.Late(orb.at_address(ref), session.NO_TIME)
+            raise errors.NoTime(orb.at_address(ref), session.NO_TIME)
         port = await ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
         ids = joining[orb.identity(ref)]
         joined = {}

@@ -13,7 +13,7 @@ POLL = 0.5  # seconds between two searches of --wait
 Wanted = record("Wanted", "names kinds state depth")
 
 # What a node of a kind may turn out to be.
-CAN_BE = {"component": {"component", "silent", "zombie"}, "manager": {"manager", "silent", "zombie"}}
+CAN_BE = {kind: {kind, "zombie", *tree.DOUBTFUL} for kind in ("component", "manager")}
 
 
 def patterns(exact, any_case):
@@ -68,7 +68,7 @@ async def find(paths, wanted):
     if wanted.state:
         nodes, more = await _in_state(nodes, wanted.state.capitalize())
         failures += more
-    return nodes, failures + [node.error for node in nodes if node.kind == "silent"], close
+    return nodes, failures + [node.error for node in nodes if node.kind in tree.DOUBTFUL], close
 
 
 def _matches(name, patterns):
@@ -99,7 +99,7 @@ async def components(tops=()):
     notes = []
     seen = {}
     for node in walked:
-        if node.kind == "silent":
+        if node.kind in tree.DOUBTFUL:
             failures.append(node.error)
         if node.kind != "component":
             continue
@@ -128,7 +128,7 @@ async def _below(path, wanted):
 
 
 async def _in_state(nodes, state):
-    silent = [node.error for node in nodes if node.kind == "silent"]
+    silent = [node.error for node in nodes if node.kind in tree.DOUBTFUL]
     components = [node for node in nodes if node.kind == "component"]
     states = await tree.on_nodes(components, component.state)
     found = [node for node, answer in zip(components, states) if answer == state]

@@ -92,7 +92,7 @@ async def _connect(port, where, connector_id):
 
 async def _forget(port, where, connector_id):
     """Have a connector removed whose making was not answered: a process that was stopped makes it later."""
-    session.current().silent.pop(orb.endpoint(port.ref), None)  # or it would not be asked
+    session.current().ask_again(orb.endpoint(port.ref))  # or it would not be asked
     try:
         await orb.call(where, port.ref, "disconnect", to_wire(connector_id))
     except errors.Error:

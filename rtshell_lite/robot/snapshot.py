@@ -30,6 +30,7 @@ class Snapshot:
     rest           seconds for which a context of another process that does not answer is not asked again
     asking         what it was asked for last, in words; '' before
     answered       whether it has answered anything itself; what fails later may be something that it calls
+    known          names of the parts that it has answered
     error          the errors.Error that ended the questions of `ask_all`, or None
 
     The parts:
@@ -64,6 +65,7 @@ class Snapshot:
         self.node = node
         self.others = others
         self.rest = rest
+        self.known = set()
         self._left_alone = {}
 
     @property
@@ -77,15 +79,17 @@ class Snapshot:
         return [*self.owned, *self.participating]
 
     async def ask(self, **parts):
-        """Ask for the parts {name: how much}, in this order, the profile last. Raises the first errors.Error.
+        """Ask for the parts {name: how much}, in the order of PARTS. Raises the first errors.Error.
 
-        A profile query can end a component that has a connection with a dead far end; its ports notice that
-        before: protocol rule, see `component.once_more`.
+        States come first: they are answered at once, where ports may wait for what they are connected with.
+        The profile comes last: it can end a component that has a connection with a dead far end; its ports
+        notice that before: protocol rule, see `component.once_more`.
         """
-        for name in sorted(parts, key="profile".__eq__):
+        for name in sorted(parts, key=_ORDER.index):
             self.asking, function = PARTS[name]
             setattr(self, name, await function(self, parts[name]))
             self.answered = True
+            self.known.add(name)
         return self
 
     async def or_default(self, ref, ask, otherwise):
@@ -137,7 +141,7 @@ async def _ports(snapshot, how):
         try:
             port = await ports.port(snapshot.node, ref, failed_once, brief=how == BRIEF)
         except errors.Error as e:
-            if how != EACH or isinstance(e, errors.Silent):
+            if how != EACH or isinstance(e, errors.Unanswered):  # its process hangs, or there is no time
                 raise
             snapshot.refusing.append((number, e, orb.endpoint(ref)))
             continue
@@ -240,10 +244,10 @@ async def _profile(snapshot, how):
 
 # The parts by attribute: what is asked for in words, coroutine function(snapshot, how much).
 PARTS = {
-    "ports": ("its ports", _ports),
     "owned": ("its execution contexts", _owned),
     "participating": ("its execution contexts", _participating),
     "states": ("its execution contexts", _states),
+    "ports": ("its ports", _ports),
     "configuration": ("its configuration", _configuration),
     "organisations": ("its members", _organisations),
     "composites": ("its composites", _composites),
@@ -251,3 +255,4 @@ PARTS = {
     "names": ("the names of components in its execution contexts", _names),
     "profile": ("its profile", _profile),
 }
+_ORDER = list(PARTS)

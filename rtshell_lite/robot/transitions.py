@@ -128,7 +128,7 @@ async def context_states(node):
         except errors.Unreachable as e:
             if orb.endpoint(ref) == node.endpoint:
                 raise
-            if await _proves_death(e, ref):
+            if await _proves_death(e, ref, node):
                 continue
             state = "Unknown"
         found.append(ContextState(index, ref, index < len(owned), state))
@@ -137,15 +137,15 @@ async def context_states(node):
     return found
 
 
-async def _proves_death(failure, ref):
-    """Whether the failure of a call of the context `ref` proves that its process is gone:
-    nothing is executed there.
+async def _proves_death(failure, ref, node):
+    """Whether the failure of a call of the context `ref`, which a Node has given, proves that its process is
+    gone: nothing is executed there.
     """
     if not isinstance(failure, errors.ConnectionRefused):
         return False
     from rtshell_lite.corba import liveness  # few need it
 
-    return await liveness.is_gone(orb.endpoint(ref))
+    return await liveness.is_gone(orb.endpoint(ref), node.endpoint[0])
 
 
 async def _members_first(node, ref, wait):

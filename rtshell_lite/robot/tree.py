@@ -19,6 +19,7 @@ from rtshell_lite.path import DEFAULT_PORT, MANAGER_PORT, REFERENCES, ROOT, Name
 # other modules use these as tree.check_alive, tree.Node …
 from rtshell_lite.robot.node import (
     DIRECTORIES,
+    DOUBTFUL,
     Node,
     bound,
     check_alive,
@@ -69,7 +70,6 @@ def _server(path):
     if path.server.startswith(REFERENCES):
         return _object(path.server)
     node = Node(Path(path.server, (), None, False), "server", _reference(path.server))
-    session.current().name_servers.add(node.endpoint)
     return node
 
 
@@ -155,7 +155,7 @@ async def _resolved(server, path):
             raise await _why_not_found(path)
         raise name_server_error(server, e)
     except errors.Unreachable as e:
-        if isinstance(e, errors.Silent):
+        if isinstance(e, errors.Unanswered):
             raise e
         raise await _broken_off(server, path, e)
     node = classified(path, ref)
@@ -274,7 +274,7 @@ async def component(path, or_manager=False):
         (node,) = await check_alive([node])
     if node.kind == "zombie":
         raise errors.Gone(str(node.path))
-    if node.kind == "silent":
+    if node.kind in DOUBTFUL:
         raise node.error
     if node.kind == "manager" and or_manager:
         return node

@@ -265,15 +265,15 @@ async def _carry_out(level, outcomes, all_or_nothing):
     todo = await _look(level)
     await _act_on_all(todo, all_or_nothing)
     for outcome in todo:
-        if isinstance(outcome.failure, errors.Silent):
+        if isinstance(outcome.failure, errors.Unanswered):
             # one call was lost; whether the process answers others decides what is reported
-            session.current().silent.pop(outcome.step.endpoint, None)
+            session.current().ask_again(outcome.step.endpoint)
     for outcome, answers in zip(todo, await _answers(todo)):
         outcome.after = answers
     lost = [
         outcome
         for outcome in todo
-        if not outcome.step.tolerant and _lost(outcome.after) and not _lost(outcome.after, errors.Silent)
+        if not outcome.step.tolerant and _lost(outcome.after) and not _lost(outcome.after, errors.Unanswered)
     ]
     for outcome, answers in zip(lost, await _answers(lost)):  # one more look: what was done has to be known
         outcome.after = answers
@@ -349,7 +349,7 @@ async def _judge(outcome, failure):
             (placement.error for placement in outcome.step.placements if placements.is_gone(placement.error)),
             e,
         )
-        if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Silent):
+        if isinstance(e, errors.Unreachable) and not isinstance(failure, errors.Unanswered):
             why = e
         else:
             why = failure or e

@@ -18,6 +18,9 @@ PATH_ID = "COMPONENT_PATH_ID"
 MANAGER = (
     "MANAGER"  # an extended property of a component: path of the manager that lists it, and can create it
 )
+# An extended property of a component: corbaloc of its object, when it was saved. It shows whether it lives
+# where its name is lost.
+REFERENCE = "REFERENCE"
 # Fields of a model.DataPortConnector that mean properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
@@ -128,6 +131,18 @@ def path_uri(node):
     return str(node.path).lstrip("/")
 
 
+def saved_reference(component):
+    """The reference in a model.Component, None where it has none; nobody is asked."""
+    text = component.property(REFERENCE) or ""
+    address, _, key = text.partition("corbaloc:iiop:")[2].partition("/")
+    if not key:
+        return None
+    try:
+        return orb.corbaloc(component.path_uri, address, key, path.DEFAULT_PORT)
+    except errors.Error:
+        return None
+
+
 def is_reference(name, value):
     """True for a property of a connection that holds an object reference."""
     return bool(_REFERENCE.match(name) or (value or "").startswith("IOR:"))
@@ -197,6 +212,8 @@ def _profile(found, connectors, holders, notes):
         holder = holders.get(orb.identity(each.node.ref))
         if holder:
             made.properties += [model.Property(name=MANAGER, value=holder)]
+        if each.node.endpoint[1]:
+            made.properties += [model.Property(name=REFERENCE, value=orb.as_corbaloc(each.node.ref))]
     for connector in connectors:
         if len(connector.ends) == 1:
             profile.one_port_connectors.append(connector)

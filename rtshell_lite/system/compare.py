@@ -373,7 +373,7 @@ async def _strangers(listed, result):
         if orb.identity(node.ref) not in known and str(node.path) not in known:
             strange.append(node)
     for node in await tree.check_alive(strange):
-        if node.kind == "silent":
+        if node.kind in tree.DOUBTFUL:
             failures.append(node.error)
         elif node.kind == "component":
             path = str(node.path)

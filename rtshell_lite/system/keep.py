@@ -234,7 +234,7 @@ class Keeper(presence.Presence):
         if not kept.is_there:
             return
         kept.placement.error = error
-        session.current().silent.pop(kept.endpoint, None)
+        session.current().ask_again(kept.endpoint)
         near = {other for _, ends in self._connections.of([kept]) for other in ends}
         await loop.each(near | {kept}, self.ask)
         hung = sorted(other.where for other in near if other.is_hung)

@@ -52,7 +52,7 @@ class KeptComponent(presence.Followed):
     last = ""
     is_busy = is_paused = has_exited = has_been_there = False
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
-    known = None  # the identity of the object that it was before the file was read again
+    known = None  # the identity of the object that it was before the file was read again, or it refused
     due = 0.0
 
     def __init__(self, placement, keeper):
@@ -189,6 +189,8 @@ class KeptComponent(presence.Followed):
         self.placement.error = self.error  # tasks that are at work go on with what they have, and fail
         self.changed = frozenset()
         self.has_exited = seen == "has exited"
+        if isinstance(self.error, errors.MaybeGone):  # it may be the same one that answers again
+            self.known = self.dead
         self.become("absent")
         self.keeper.happened(self, seen)
         for other in self.drives:  # its contexts stop, and nobody has done that

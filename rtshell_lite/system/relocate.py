@@ -44,7 +44,11 @@ def move(profile, maps):
         if isinstance(each, TARGETS):
             targets.append((each, locate(each)))
     members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
+    before = [each.path_uri for each in profile.components]
     names = _move_components(profile.components, maps)
+    for each, path_uri in zip(profile.components, before):
+        if each.path_uri != path_uri:  # another object
+            each.properties = [one for one in each.properties if one.name != capture.REFERENCE]
     _refuse_unclear(targets, profile.components, names)
     within = {}
     for key, some in members.items():

@@ -5,8 +5,8 @@ or that take its connections away (rtteardown).
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
-from rtshell_lite.robot import manager, ports
+from rtshell_lite.corba import liveness, orb
+from rtshell_lite.robot import manager, ports, tree
 from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, placements, steps
 from rtshell_lite.text import printable, shell_word
 
@@ -91,7 +91,7 @@ async def creations(profile, outcomes, options, locate):
     result = []
     for outcome in outcomes:
         placement = outcome.step.placement
-        if placements.is_gone(placement.error):
+        if placements.is_gone(placement.error) or isinstance(placement.error, errors.MaybeGone):
             manager_path = named.get(id(placement.component)) or _above(placement.path) or options.manager
             try:
                 if not manager_path:
@@ -102,6 +102,7 @@ async def creations(profile, outcomes, options, locate):
                 if manager_path not in creators:
                     creators[manager_path] = await _creator(manager_path)
                 creator = creators[manager_path]
+                await creator.check_gone(placement)
                 outcome = apply.Outcome(
                     steps.Create(placement, creator, await creator.identity(placement.component.id))
                 )
@@ -130,6 +131,7 @@ class Creator:
         self.node = node
         self.where = str(node.path)
         self._identities = {}
+        self._names = None  # instance names of the components that it has
 
     async def identity(self, component_id):
         """The id by which it creates a component:
@@ -138,6 +140,39 @@ class Creator:
         if component_id not in self._identities:
             self._identities[component_id] = await manager.whole_id(self.node, component_id)
         return self._identities[component_id]
+
+    async def check_gone(self, placement):
+        """Raise what shows that a component that is missing may live: it must not run twice. Where its name
+        is gone, or another host refuses, the manager has to know nothing of it, and its object, at the
+        address in the profile, must not answer, nor hang.
+        """
+        if isinstance(placement.error, (errors.Gone, errors.ProcessGone)):
+            return
+        if self._names is None:
+            managed = await tree.managed(self.node)
+            self._names = {child.path.names[-1].id for child in managed if child.kind != "zombie"}
+        if placement.instance in self._names:
+            if isinstance(placement.error, errors.MaybeGone):
+                raise placement.error
+            why = f"{self.where} has it, though its name is not bound"
+            raise errors.Failed(placement.where, f"not created: {why}: restart it, or delete it there")
+        ref = capture.saved_reference(placement.component)
+        if ref is None or not await self._is_beside(orb.endpoint(ref)[0]):
+            return
+        try:
+            await orb.is_alive(placement.where, ref)
+        except errors.Silent as e:
+            why = f"what had this name hangs at {orb.at_address(ref)} ({e.why}): end its process first"
+            raise errors.Failed(placement.where, f"not created: {why}")
+        except errors.Error:
+            return
+        why = f"it lives at {orb.at_address(ref)}, though its name is not bound"
+        raise errors.Failed(placement.where, f"not created: {why}: restart it, or end its process")
+
+    async def _is_beside(self, host):
+        """Whether a host is that of the manager; a profile may have been copied from another robot."""
+        own = self.node.endpoint[0]
+        return host == own or await liveness.is_this_host(host) and await liveness.is_this_host(own)
 
 
 def _named_managers(profile, locate):
@@ -249,7 +284,9 @@ async def connections(connecting):
     )
     for outcome, refs in zip(broken, strange):
         ends = [next(answers) for _ in refs]
-        if any(isinstance(answer, errors.Silent) or not isinstance(answer, errors.Error) for answer in ends):
+        if not all(isinstance(answer, errors.Error) for answer in ends) or any(
+            isinstance(answer, errors.Unanswered) for answer in ends
+        ):
             outcome.fail(
                 errors.Refused(
                     outcome.step.where,

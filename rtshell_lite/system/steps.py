@@ -160,11 +160,13 @@ class Create(Step):
         return [Question(self.endpoint, self.where, self._created)]
 
     async def _created(self):
-        """The Node of the component, None if it is not there."""
+        """The Node of the component, None if it is not there. A name that is bound to what refuses is no
+        hindrance: restore.creations has found out whether that may live.
+        """
         try:
             node = await tree.component(self.placement.path)
-            await orb.call(self.where, node.ref, "_non_existent")
-        except placements.MISSING:
+            await orb.is_alive(node.path, node.ref)
+        except placements.MISSING + (errors.MaybeGone,):
             return None
         return node
 

@@ -40,6 +40,7 @@ KEPT = 60.0  # seconds for which what was measured is shown
 
 
 NEVER = float("-inf")
+_STATES = {"zombie": "-", "unasked": "~"}  # of entries, by kind; ? for what does not answer
 
 
 class Entry:
@@ -127,16 +128,16 @@ class Entry:
         return max(self.again, self.asked + pause)
 
     async def ask(self):
-        """Ask it. Raises Silent."""
+        """Ask it. Raises Unanswered."""
         now = time.monotonic()
         try:
             await self._look(now)
-        except errors.Silent:
+        except errors.Unanswered:
             raise
         except errors.Error as e:  # of the component, or passed on by it?
             self.again = now + REST
             (node,) = await tree.check_alive([self.node])
-            if node.kind == "silent" and isinstance(node.error, errors.Silent):
+            if isinstance(node.error, errors.Unanswered):
                 raise node.error
             if node.kind == "component":
                 self.fail("silent", node.error or e)
@@ -169,7 +170,7 @@ class Entry:
             self._connect(frozenset(connector.id for port in listed for connector in port.connectors))
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.links = None
-            if isinstance(e, errors.Silent):
+            if isinstance(e, errors.Unanswered):
                 self._ports_asked = time.monotonic() + PORTS_SILENT - PORTS
 
     async def _be_heard(self):
@@ -178,12 +179,16 @@ class Entry:
         except errors.Error:
             pass  # it is asked as others are
 
-    def fail(self, kind, failure):
-        """Note that it is dead, or does not answer, and forget what was known of it."""
-        if kind == "zombie":
-            self._become(kind, "-", failure)
+    def give_up(self):
+        """Note that it has not been looked at as the time is over."""
+        if self.asked == NEVER:
+            self.fail("unasked", errors.NoTime(self.path, session.NO_TIME))
         else:
-            self._become(kind, "?", failure)
+            self.fail("silent", errors.Silent(self.path, "no answer in time"))
+
+    def fail(self, kind, failure):
+        """Note that it is dead, does not answer or was not asked, and forget what was known of it."""
+        self._become(kind, _STATES.get(kind, "?"), failure)
         self.ports = self.links = None
         if kind == "zombie":
             self._hearing.forget(self)
@@ -195,7 +200,7 @@ class Entry:
         """Note its state, and whether that is another one than before."""
         if self.looked and state != self.state:
             self.since = time.monotonic()
-            words = {"-": "dead", "?": "silent"}
+            words = {"-": "dead", "?": "silent", "~": "not asked"}
             self.event = f"{words.get(self.state, self.state)} to {words.get(state, state)}"
         self.kind = kind
         self.state = state
@@ -400,7 +405,8 @@ class Top:
             self._look_after_all()
         elif silent:
             for entry in entries:
-                entry.fail("silent", errors.Silent(str(entry.node.path), silent[-1].failure.why))
+                if entry not in silent:
+                    entry.fail("unasked", errors.NotAsked(entry.path, "its process did not answer others"))
         return heard or not silent
 
     async def _ask(self, entries):
@@ -413,9 +419,9 @@ class Top:
             try:
                 await entry.ask()
                 heard = True
-            except errors.Silent as e:
+            except errors.Unanswered as e:
                 entry.silenced = time.monotonic()
-                entry.fail("silent", e)
+                entry.fail("unasked" if isinstance(e, errors.NotAsked) else "silent", e)
                 silent.append(entry)
                 if heard or len(silent) == 2:
                     break
@@ -437,7 +443,7 @@ class Top:
                 self._failed[top] = {str(top): errors.Silent(str(top), "no answer in time")}
         for entry in self._entries.values():
             if not entry.looked:
-                entry.fail("silent", errors.Silent(entry.path, "no answer in time"))
+                entry.give_up()
 
     def _is_complete(self):
         return len(self._found) == len(self._tops) and all(entry.looked for entry in self._entries.values())
@@ -596,7 +602,9 @@ async def _walk(top, known):
         if node.error and (node.kind in tree.DIRECTORIES or node.ref is None)
     }
     return [
-        node for node in nodes if node.kind in ("component", "zombie", "silent") and node.ref is not None
+        node
+        for node in nodes
+        if node.kind in ("component", "zombie", *tree.DOUBTFUL) and node.ref is not None
     ], failed
 
 

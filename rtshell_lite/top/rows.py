@@ -10,15 +10,15 @@ from rtshell_lite.views.listing import MARKS
 SORTS = ("name", "state", "rate", "connections", "trouble")
 GROUPS = ("none", "directory", "host")
 # the order by state: trouble first
-STATES = ("Error", "?", "-", "Active", "Inactive", "Created", "Unknown", None)
+STATES = ("Error", "?", "~", "-", "Active", "Inactive", "Created", "Unknown", None)
 
-# One component. `name` is its own, or the path where two have the same; `kind` is component, zombie or
-# silent, or unknown: a part of the tree that cannot be listed. `state` is ? for what does not answer and -
-# for a zombie; `rate` in Hz, of the first context that runs, else of the first one; `running` whether any
-# does; `ports` and `connections` are counts. None is unknown (yet). `failure` is an errors.Error or None.
-# `since` are the seconds for which it has been so, None if that is longer than it has been looked at; `event`
-# is what was seen to change last, in words; `flow` {port: values that are written a second}, {} unless
-# measured.
+# One component. `name` is its own, or the path where two have the same; `kind` is component, zombie, silent
+# or unasked, or unknown: a part of the tree that cannot be listed. `state` is ? for what does not answer, ~
+# for what was not asked and - for a zombie; `rate` in Hz, of the first context that runs, else of the first
+# one; `running` whether any does; `ports` and `connections` are counts. None is unknown (yet). `failure` is
+# an errors.Error or None. `since` are the seconds for which it has been so, None if that is longer than it
+# has been looked at; `event` is what was seen to change last, in words; `flow` {port: values that are written
+# a second}, {} unless measured.
 Row = collections.namedtuple(
     "Row", "path name kind state rate running ports connections failure since event flow"
 )
@@ -95,7 +95,7 @@ def summary(rows):
     """How many components there are in which states: 3 components: 1 Error, 2 Active."""
     counts = collections.Counter(row.state for row in rows if row.kind != "unknown")
     total = sum(counts.values())
-    words = {"-": "zombie", "?": "silent", None: "not asked yet"}
+    words = {"-": "zombie", "?": "silent", "~": "not asked", None: "not asked yet"}
     states = ", ".join(f"{counts[state]} {words.get(state, state)}" for state in STATES if counts[state])
     number = text.counted(total, "component")
     if states:

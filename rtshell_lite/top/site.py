@@ -159,7 +159,7 @@ class Site:
 
     def _note(self, row):
         """Note what a rows.Row says, if that is new."""
-        state = {"?": "Unknown", "-": "Unknown", None: None}.get(row.state, row.state)
+        state = {"?": "Unknown", "~": "Unknown", "-": "Unknown", None: None}.get(row.state, row.state)
         if row.failure:
             why = rows.reason(row.path, row.failure)
         else:

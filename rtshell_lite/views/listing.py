@@ -4,10 +4,10 @@ from rtshell_lite import errors, text
 from rtshell_lite.corba import session
 from rtshell_lite.robot import tree
 
-MARKS = {"zombie": "*", "silent": "?"}
+MARKS = {"zombie": "*", "silent": "?", "unasked": "~"}
 
 # The figures of a component: its state, and a list of (number of ports, number of connected ones) of each
-# kind.
+# kind, None where `error` of its Node says why they are not known.
 COUNTED = (
     ("ports", None),
     ("in_ports", "DataInPort"),
@@ -66,7 +66,8 @@ async def _resolved(path):
 async def figures(nodes, long=False):
     """(Node, figures or None) of each node: one liveness call a component, with `long` its figures instead.
 
-    The figures of a component take 4 calls (its contexts, state, ports) and one a port.
+    The figures of a component take 4 calls (its contexts, state, ports) and one a port. Its state does not
+    depend on other components; its ports may wait for those that they are connected with.
     """
     if not long:
         return [(node, None) for node in await tree.check_alive(nodes)]
@@ -95,33 +96,50 @@ async def figures(nodes, long=False):
 
 
 async def _figures(node):
-    """The figures of a component, whose reference is dropped."""
+    """The figures of a component, whose reference is dropped. Raises what its states raise."""
     from rtshell_lite.robot import component, snapshot  # not needed, and not loaded, for names alone
 
     shown = snapshot.Snapshot(node)
+    contexts = {"owned": snapshot.REFERENCES, "participating": snapshot.REFERENCES}
     try:
-        await shown.ask(
-            owned=snapshot.REFERENCES,
-            participating=snapshot.REFERENCES,
-            states=snapshot.FULL,
-            ports=snapshot.BRIEF,
-        )
+        await shown.ask(states=snapshot.FULL, **contexts)
+        counts = await _ports(shown)
     except (errors.Gone, errors.ConnectionRefused) as e:
         if not shown.answered:
             raise
-        # a port or context passed on that another component is gone
-        if isinstance(e, errors.Gone):
-            why = "one of them is gone"
-        else:
-            why = "connection refused"
-        raise errors.Unreachable(str(node.path), f"does not report its ports or states ({why})")
+        raise _passed_on(node, e)
     finally:
         node.ref = None  # 20,000 of them take 16 MB
-    counts = []
-    for _, kind in COUNTED:
-        of_kind = [port for port in shown.ports if kind in (None, port.type)]
-        counts.append((len(of_kind), sum(bool(port.connectors) for port in of_kind)))
     return component.merged(shown.states), counts
+
+
+async def _ports(shown):
+    """The numbers of ports of a component; None where they do not come, for the reason in its Node."""
+    from rtshell_lite.robot import snapshot
+
+    try:
+        await shown.ask(ports=snapshot.BRIEF)
+    except errors.Error as e:
+        shown.node.error = _passed_on(shown.node, e)
+        return None
+    return [_counted(shown.ports, kind) for _, kind in COUNTED]
+
+
+def _counted(ports, kind):
+    of_kind = [port for port in ports if kind in (None, port.type)]
+    return len(of_kind), sum(bool(port.connectors) for port in of_kind)
+
+
+def _passed_on(node, e):
+    """The error of a component that has answered, though not to all: a port or context may have passed on
+    that another component is gone.
+    """
+    if isinstance(e, errors.Gone):
+        return errors.Unreachable(str(node.path), "does not report its ports or states (one of them is gone)")
+    if isinstance(e, errors.ConnectionRefused):
+        why = "does not report its ports or states (connection refused)"
+        return errors.Unreachable(str(node.path), why)
+    return e
 
 
 def short(node, paint, name=None):
@@ -131,7 +149,7 @@ def short(node, paint, name=None):
     name = name or node.name
     if node.kind in tree.DIRECTORIES:
         return paint(name, "directory") + "/" + first_name(node), name + "/" + first_name(node)
-    role = {"zombie": "zombie", "unknown": "zombie", "silent": "?"}.get(node.kind)
+    role = {"zombie": "zombie", "unknown": "zombie", "silent": "?", "unasked": "?"}.get(node.kind)
     return MARKS.get(node.kind, "") + paint(name, role), MARKS.get(node.kind, "") + name
 
 
@@ -143,7 +161,9 @@ def first_name(node):
 
 
 def row(node, figures, paint, name=None):
-    """The columns of a node with -l: state, connected ports of four kinds, name; `-` for other objects."""
+    """The columns of a node with -l: state, connected ports of four kinds, name; `-` for other objects, and
+    for what was not asked.
+    """
     name = name or node.name
     if figures is None:
         cells = ["-"] * (1 + len(COUNTED))
@@ -158,7 +178,9 @@ def row(node, figures, paint, name=None):
         return cells + [MARKS.get(node.kind, "") + paint(name, role) + first_name(node)]
     state, counts = figures
     cells = [paint(state)]
-    for count, linked in counts:
+    if counts is None:
+        cells += ["-" if isinstance(node.error, errors.NotAsked) else paint("?")] * len(COUNTED)
+    for count, linked in counts or ():
         cells.append(f"{paint(str(count), 'bold')}/{linked}")
     cells.append(name)
     return cells
@@ -181,19 +203,40 @@ def as_dict(node, figures):
         fields["error"] = str(node.error)
     if figures is not None:
         fields["state"], counts = figures
-        for (label, _), (count, connected) in zip(COUNTED, counts):
+        for (label, _), (count, connected) in zip(COUNTED, counts or ()):
             fields[label], fields[label + "_connected"] = count, connected
     return fields
 
 
 def silent_ones(nodes):
-    """A line on how many of `nodes` did not answer, '' when all did."""
-    silent = [node.name for node in nodes if node.kind == "silent"]
-    names = ", ".join(silent[:5] + ["…"] * (len(silent) > 5))
-    objects = []
-    for node in nodes:
-        if node.kind in ("component", "manager", "silent", "zombie"):
-            objects.append(node)
-    if silent:
-        return f"{len(silent)} of {len(objects)} did not answer ({names})"
-    return ""
+    """A line on how many of `nodes` did not answer, or were not asked; '' when all answered everything."""
+    objects = [
+        node for node in nodes if node.kind in ("component", "manager", "zombie", *tree.DOUBTFUL)
+    ]
+    groups = {}
+    for node in objects:
+        words = _lacking(node)
+        if words:
+            groups.setdefault(words, []).append(node.name)
+    parts = []
+    for words, names in groups.items():
+        shown = ", ".join(names[:5] + ["…"] * (len(names) > 5))
+        parts.append(f"{len(names)} {words} ({shown})")
+    if parts:
+        parts[0] = parts[0].replace(" ", f" of {len(objects)} ", 1)
+    return "; ".join(parts)
+
+
+def _lacking(node):
+    """What has not come from a component or manager, in words; '' where nothing is missing."""
+    if node.kind == "silent":
+        return "did not answer"
+    if isinstance(node.error, errors.Unspoken):
+        return "cannot be asked from here"
+    if node.kind == "unasked":
+        return "not asked, as the process did not answer others"
+    if node.kind != "component" or node.error is None:
+        return ""
+    if isinstance(node.error, errors.NotAsked):
+        return "not asked for the ports, as others of the process hang when asked"
+    return "did not report the ports"

@@ -27,17 +27,18 @@ async def of_robot(tops, everything, with_snapshots=False):
     return of_system(found, dict(lost, **found.lost))
 
 
-def of_system(system, lost):
-    """The Drawing of a capture.System, and of components of which nothing else is known, `lost`:
-    {path, as text: (host, port) of the process or None}.
+def of_system(system, lost, states=()):
+    """The Drawing of a capture.System, and of components that have not reported everything, `lost`: {path, as
+    text: (host, port) of the process or None}; `states`: {path: state} of these, where it is known.
     """
+    states = dict(states)
     profile = system.profile
     looks = [Look(capture.state(each), each.node.endpoint, each.snapshot) for each in system.found]
     for where, process in lost.items():
         silent = _silent(where)
         if silent is not None:
             profile.components.append(silent)
-            looks.append(SILENT._replace(process=process))
+            looks.append(SILENT._replace(process=process, state=states.get(where, SILENT.state)))
     for each in system.loose:
         _tie(each, profile, lost)
     tied = {each.note for each in system.loose}

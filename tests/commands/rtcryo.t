@@ -7,7 +7,7 @@ world: these Mock SequenceInComponent --context away.host_cxt/%n.rtc
 Components, their configuration sets with the hidden ones, execution contexts, and connections:
 
   $ rtcon -i number -n n ConsoleIn0.rtc:out ConsoleOut0.rtc:in
-  $ rtcryo > a.xml; sed 's/\(Date=\)"[^"]*"/\1"…"/g' a.xml
+  $ rtcryo > a.xml; sed 's/\(Date=\)"[^"]*"/\1"…"/g; s/\(iiop:127.0.0.1:\)[^"]*/\1…/' a.xml
   rtcryo: 7 components without connections left out; --all saves them, too
   <?xml version="1.0" encoding="UTF-8"?>
   <rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts" xmlns:rtsExt="http://www.openrtp.org/namespaces/rts_ext" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" rts:id="RTSystem:Me:RTSystem:0" rts:abstract="RT System created by rtcryo." rts:creationDate="…" rts:updateDate="…" rts:version="0.2">
@@ -16,12 +16,14 @@ Components, their configuration sets with the hidden ones, execution contexts, a
           <rts:ConfigurationSets rts:id="default"/>
           <rts:ExecutionContexts xsi:type="rtsExt:execution_context_ext" rts:id="0" rts:kind="PERIODIC" rts:rate="1000.0"/>
           <rtsExt:Location rtsExt:x="0" rtsExt:y="0" rtsExt:height="0" rtsExt:width="0" rtsExt:direction="DOWN"/>
+          <rtsExt:Properties rtsExt:name="REFERENCE" rtsExt:value="corbaloc:iiop:127.0.0.1:…"/>
       </rts:Components>
       <rts:Components xsi:type="rtsExt:component_ext" rts:id="RTC:Shinji Kurihara:example:ConsoleOut:1.0" rts:pathUri="localhost:$PORT/test.host_cxt/ConsoleOut0.rtc" rts:activeConfigurationSet="default" rts:instanceName="ConsoleOut0" rts:compositeType="None" rts:isRequired="true" rtsExt:visible="true">
           <rts:DataPorts xsi:type="rtsExt:dataport_ext" rts:name="in" rtsExt:visible="true"/>
           <rts:ConfigurationSets rts:id="default"/>
           <rts:ExecutionContexts xsi:type="rtsExt:execution_context_ext" rts:id="0" rts:kind="PERIODIC" rts:rate="1000.0"/>
           <rtsExt:Location rtsExt:x="0" rtsExt:y="0" rtsExt:height="0" rtsExt:width="0" rtsExt:direction="DOWN"/>
+          <rtsExt:Properties rtsExt:name="REFERENCE" rtsExt:value="corbaloc:iiop:127.0.0.1:…"/>
       </rts:Components>
       <rts:DataPortConnectors xsi:type="rtsExt:dataport_connector_ext" rts:connectorId="number" rts:name="n" rts:dataType="IDL:RTC/TimedLong:1.0" rts:interfaceType="corba_cdr" rts:dataflowType="push" rts:subscriptionType="new">
           <rts:sourceDataPort xsi:type="rtsExt:target_port_ext" rts:componentId="RTC:Shinji Kurihara:example:ConsoleIn:1.0" rts:instanceName="ConsoleIn0" rts:portName="ConsoleIn0.out">
@@ -42,7 +44,7 @@ Components, their configuration sets with the hidden ones, execution contexts, a
 
 In YAML:
 
-  $ rtcryo -y | sed '/Date:/,/year:/d'
+  $ rtcryo -y | sed '/Date:/,/year:/d; s/\(iiop:127.0.0.1:\).*/\1…/'
   rtcryo: 7 components without connections left out; --all saves them, too
   rtsProfile:
     abstract: RT System created by rtcryo.
@@ -68,6 +70,9 @@ In YAML:
         width: 0
         x: 0
         y: 0
+      rtsExt::properties:
+      - name: REFERENCE
+        value: corbaloc:iiop:127.0.0.1:…
       rtsExt::visible: true
     - activeConfigurationSet: default
       compositeType: None
@@ -90,6 +95,9 @@ In YAML:
         width: 0
         x: 0
         y: 0
+      rtsExt::properties:
+      - name: REFERENCE
+        value: corbaloc:iiop:127.0.0.1:…
       rtsExt::visible: true
     dataPortConnectors:
     - connectorId: number

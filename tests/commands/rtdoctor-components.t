@@ -62,16 +62,10 @@ An operation that hangs, in a process that goes on; the bound is kept, however m
   $ ctl @these delay get_port_profile 30; ctl @these2 reset
   $ within 0.4-1.8 rtdoctor -q --timeout 0.5 ../many.host_cxt > out
   [1]
-  $ grep A0 out
-  fail  /localhost:$PORT/many.host_cxt/A0.rtc: no answer within 0.5s when asked for the profile of its port 1; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/A0.rtc
-  $ sed -n 's/.*many.host_cxt\/\(.*\).rtc: .*; try.*/\1/p' out
-  A0
-  A1
-  A2
-  A3
-  A4
-  A5
-  Ports0
+  $ sed 's/[^/]*[.]rtc/X.rtc/g' out | grep X.rtc
+  fail  /localhost:$PORT/many.host_cxt/X.rtc: no answer within 0.5s when asked for the profile of its port 1; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/X.rtc
+  fail  /localhost:$PORT/many.host_cxt/X.rtc: no answer within 0.5s when asked for the profile of its port 1; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/X.rtc
+  warn  /localhost:$PORT/many.host_cxt/X.rtc: not asked for the profile of its port 1: others of its process hang when asked; the same with /localhost:$PORT/many.host_cxt/X.rtc, /localhost:$PORT/many.host_cxt/X.rtc, /localhost:$PORT/many.host_cxt/X.rtc and 1 more; try: mend those that do not answer first, then: rtdoctor /localhost:$PORT/many.host_cxt/X.rtc
   $ ctl @these delay get_port_profile 0.5; within 2.8-6 rtdoctor -q --timeout 1 ../many.host_cxt/Ports0.rtc | grep rtc
   fail  /localhost:$PORT/many.host_cxt/Ports0.rtc: slow: there was no time left to ask it; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/Ports0.rtc
   $ ctl @these delay get_port_profile 0

@@ -32,29 +32,36 @@ rtdoctor looks first at what is here: programs, settings of omniORB, names of th
 All is well:
 
   $ doctor
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   ok    here: Python [0-9.]*, (omniORBpy .*|builtin ORB) (re)
   ok    here: this host's name, robot1, means 198.51.100.1
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)
-  0 failed, 0 to be looked at, 4 ok
+  0 failed, 1 to be looked at, 4 ok
   $ doctor -q
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
 
 The name of this host, which components may publish:
 
   $ HOSTS="robot1=127.0.1.1" doctor -q
   warn  here: this host's name, robot1, means 127.0.1.1: components that publish it cannot be reached from elsewhere; try: give it its real address in /etc/hosts
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ HOSTS="robot1=198.51.100.2" doctor -q
   warn  here: this host's name, robot1, means 198.51.100.2, which is not this host; try: give it its real address in /etc/hosts
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ HOSTS="robot1=unknown" doctor -q
   warn  here: this host's name, robot1, is not known here (Name or service not known); try: give it its real address in /etc/hosts
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ HOSTS="robot1=slow" doctor -q --timeout 2
   warn  here: this host's name, robot1, is not known here (no answer within 2s); try: give it its real address in /etc/hosts
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ HOSTS="robot1=198.51.100.1 localhost=unknown" doctor -q
   fail  here: localhost is not known here (Name or service not known); try: write into /etc/hosts: 127.0.0.1 localhost
   fail  /localhost:$PORT: host name localhost not known here (Name or service not known); try: correct the name, or write its address into /etc/hosts
   [1]
   $ HOSTS="robot1=198.51.100.1 localhost=198.51.100.1" doctor -q
   fail  here: localhost means 198.51.100.1; try: write into /etc/hosts: 127.0.0.1 localhost
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   [1]
 
 RTCTREE_NAMESERVERS, each address on its own; the good ones are examined all the same:
@@ -68,15 +75,19 @@ RTCTREE_NAMESERVERS, each address on its own; the good ones are examined all the
   fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing after it; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   fail  here: RTCTREE_NAMESERVERS: a b: several are separated by semicolons; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   fail  here: RTCTREE_NAMESERVERS: :2809: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   [1]
   $ RTCTREE_NAMESERVERS= doctor | grep RTCTREE
   ok    here: RTCTREE_NAMESERVERS is not set: localhost is the name server
   $ RTCTREE_NAMESERVERS="; ;localhost:$PORT;" doctor | grep RTCTREE
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   $ RTCTREE_NAMESERVERS="localhost:$PORT;127.0.0.1:$PORT" doctor -q
+  warn  /127.0.0.1:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   warn  /localhost:$PORT: the same name server as /127.0.0.1:$PORT; try: take one of them out of RTCTREE_NAMESERVERS
   $ RTCSH_CWD=robot1 doctor -q
   fail  here: RTCSH_CWD: robot1: a working directory (RTCSH_CWD) starts with /; try: unset RTCSH_CWD
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   [1]
 
 Settings of omniORB that break things, from each of the places that have some:
@@ -90,12 +101,15 @@ Settings of omniORB that break things, from each of the places that have some:
   $ OMNIORB_CONFIG=$TMP/omniORB.cfg doctor -q
   warn  here: $TMP/omniORB.cfg sets giopMaxMsgSize to 100000: components started here cannot send or receive larger messages (MARSHAL); try: remove it from $TMP/omniORB.cfg
   warn  here: $TMP/omniORB.cfg sets endPoint to giop:tcp:127.0.0.1:: components started here cannot be reached from other hosts; try: remove it from $TMP/omniORB.cfg
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ OMNIORB_CONFIG=$TMP/nothing doctor -q
   warn  here: OMNIORB_CONFIG names a file that is not there: $TMP/nothing; try: unset OMNIORB_CONFIG
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ ORBclientCallTimeOutPeriod=100 ORBendPoint=giop:tcp::2810 ORBmaxGIOPVersion=1.0 doctor -q
   warn  here: ORBclientCallTimeOutPeriod sets clientCallTimeOutPeriod to 100: components started here give up before slower answers come; try: unset ORBclientCallTimeOutPeriod
   warn  here: ORBendPoint sets endPoint to giop:tcp::2810: only one process at a time can have this port; try: unset ORBendPoint
   warn  here: ORBmaxGIOPVersion sets maxGIOPVersion to 1.0: Japanese names and large lists fail; try: unset ORBmaxGIOPVersion
+  warn  /localhost:$PORT: nothing is bound in it: nothing was started, or it was restarted; try: start the components; those that run already bind their names again by themselves (naming.update.enable), or when they are restarted
   $ ORBclientCallTimeOutPeriod=5000 ORBendPoint=giop:tcp:: doctor | grep ORB
   ok    here: Python [0-9.]*, (omniORBpy .*|builtin ORB) (re)
   ok    here: settings of omniORB that break nothing: ORBclientCallTimeOutPeriod, ORBendPoint

@@ -102,13 +102,13 @@ A word without a dot or a slash is a name server, as is an address, or what is i
 One JSON object a line, whatever -q leaves:
 
   $ rtdoctor --json Motor0.rtc | tail -1
-  {"check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:*", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""} (glob)
+  {"cause": "", "check": "component", "level": "ok", "message": "Active, claims 10 Hz, 2 ports, 2 connections, at 127.0.0.1:*", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "remedy": ""} (glob)
   $ rtdoctor --json -q nobody.rtc | grep nobody
-  {"check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "see what is there: rtls /localhost:$PORT/test.host_cxt"}
+  {"cause": "", "check": "path", "level": "fail", "message": "no such path", "path": "/localhost:$PORT/test.host_cxt/nobody.rtc", "remedy": "see what is there: rtls /localhost:$PORT/test.host_cxt"}
   $ rtdoctor --json | python3 -c 'import json, sys
   > for line in sys.stdin:
   >     each = json.loads(line)
-  >     assert sorted(each) == ["check", "level", "message", "path", "remedy"], each
+  >     assert sorted(each) == ["cause", "check", "level", "message", "path", "remedy"], each
   >     assert each["level"] in ("ok", "warn", "fail") and bool(each["remedy"]) == (each["level"] != "ok"), each'
 
 On a terminal the levels have colours:
@@ -162,8 +162,9 @@ Ctrl-C ends it, whatever hangs:
 
   $ rtact --wait Clusterer0.rtc; hang robot; interrupt 0.5 rtdoctor -q > out
   [130]
-  $ within 0.5-2.5 rtdoctor -q --timeout 0.5 --profile robot.rtsys | grep -c hung; resume robot
-  5
+  $ within 0.5-2.5 rtdoctor -qv --timeout 0.5 --profile robot.rtsys > out; grep -c hung out; grep -c "not asked: its process" out; resume robot
+  4
+  1
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 

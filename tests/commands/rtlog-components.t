@@ -18,7 +18,7 @@ In another name server. What is recorded comes to who is connected, all of it, i
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
   Active    1/1  1/1  0/0  0/0  ConsoleOut0.rtc
   Inactive  2/0  1/0  1/0  0/0  Motor0.rtc
-  $ same() { sed "s/localhost:$PORT2/localhost:$PORT/g; s/RTSystem:[^\"]*//; s/ionDate=\"[^\"]*\"//g; s/ateDate=\"[^\"]*\"//g"; }
+  $ same() { sed "s/localhost:$PORT2/localhost:$PORT/g; s/RTSystem:[^\"]*//; s/ionDate=\"[^\"]*\"//g; s/ateDate=\"[^\"]*\"//g; /REFERENCE/d"; }
   $ rtcryo -q --all localhost:$PORT2 | sed "s/RT System created by rtcryo.//" | same > a; rtlog --attachment system-1.rtsys -f a.mcap | same > b; diff a b && echo same
   same
   $ rtprint $N/ConsoleIn0.rtc:out 2> nul & printing=$!; rtprint -q $N/Motor0.rtc:out 2> nul; wait $printing; wait $pid; cat told; rtls -R /localhost:$PORT2

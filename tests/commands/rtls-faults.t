@@ -23,22 +23,22 @@ The live ones are shown in full, the others marked. It takes one timeout however
   ?         -    -    -    -    ?HungMock1.rtc
   ?         -    -    -    -    ?HungMock10.rtc
   ?         -    -    -    -    ?HungMock11.rtc
-  ?         -    -    -    -    ?HungMock12.rtc
-  ?         -    -    -    -    ?HungMock13.rtc
-  ?         -    -    -    -    ?HungMock14.rtc
-  ?         -    -    -    -    ?HungMock15.rtc
-  ?         -    -    -    -    ?HungMock16.rtc
-  ?         -    -    -    -    ?HungMock17.rtc
-  ?         -    -    -    -    ?HungMock18.rtc
-  ?         -    -    -    -    ?HungMock19.rtc
-  ?         -    -    -    -    ?HungMock2.rtc
-  ?         -    -    -    -    ?HungMock3.rtc
-  ?         -    -    -    -    ?HungMock4.rtc
-  ?         -    -    -    -    ?HungMock5.rtc
-  ?         -    -    -    -    ?HungMock6.rtc
-  ?         -    -    -    -    ?HungMock7.rtc
-  ?         -    -    -    -    ?HungMock8.rtc
-  ?         -    -    -    -    ?HungMock9.rtc
+  -         -    -    -    -    ~HungMock12.rtc
+  -         -    -    -    -    ~HungMock13.rtc
+  -         -    -    -    -    ~HungMock14.rtc
+  -         -    -    -    -    ~HungMock15.rtc
+  -         -    -    -    -    ~HungMock16.rtc
+  -         -    -    -    -    ~HungMock17.rtc
+  -         -    -    -    -    ~HungMock18.rtc
+  -         -    -    -    -    ~HungMock19.rtc
+  -         -    -    -    -    ~HungMock2.rtc
+  -         -    -    -    -    ~HungMock3.rtc
+  -         -    -    -    -    ~HungMock4.rtc
+  -         -    -    -    -    ~HungMock5.rtc
+  -         -    -    -    -    ~HungMock6.rtc
+  -         -    -    -    -    ~HungMock7.rtc
+  -         -    -    -    -    ~HungMock8.rtc
+  -         -    -    -    -    ~HungMock9.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock0.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock1.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock10.rtc
@@ -54,7 +54,7 @@ The live ones are shown in full, the others marked. It takes one timeout however
   Inactive  2/0  1/0  1/0  0/0  Mock7.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock8.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock9.rtc
-  rtls: 20 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc, HungMock12.rtc, …)
+  rtls: 4 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc); 16 not asked, as the process did not answer others (HungMock12.rtc, HungMock13.rtc, HungMock14.rtc, HungMock15.rtc, HungMock16.rtc, …)
   [5]
   $ within 0.5-1 rtls --timeout 0.5 2>&1 | head -n 13
   *DeadMock0.rtc
@@ -72,16 +72,17 @@ The live ones are shown in full, the others marked. It takes one timeout however
   ?HungMock10.rtc
   $ rtls -q --timeout 0.3 | sort | sed 's/[0-9]*[.]rtc//' | uniq -c | awk '{print $1, $2}'
   10 *DeadMock
-  20 ?HungMock
+  4 ?HungMock
   15 Mock
+  16 ~HungMock
   $ rtls --json -l --timeout 0.3 2>note | python3 -c 'import collections, json, sys
   > found = [json.loads(line) for line in sys.stdin]
   > print(sorted(collections.Counter((one["kind"], one.get("state")) for one in found).items(), key=str))
   > print(found[10]["error"], found[25]["error"], sep="\n")'; cat note
-  [(('component', 'Inactive'), 15), (('silent', None), 20), (('zombie', None), 10)]
+  [(('component', 'Inactive'), 15), (('silent', None), 4), (('unasked', None), 16), (('zombie', None), 10)]
   /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
-  /localhost:$PORT/test.host_cxt/HungMock5.rtc: no answer within 0.3s
-  rtls: 20 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc, HungMock12.rtc, …)
+  /localhost:$PORT/test.host_cxt/HungMock5.rtc: not asked: its process gave no answer within 0.3s
+  rtls: 4 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc); 16 not asked, as the process did not answer others (HungMock12.rtc, HungMock13.rtc, HungMock14.rtc, HungMock15.rtc, HungMock16.rtc, …)
   $ rtls --verbose --timeout 0.3 HungMock0.rtc HungMock1.rtc Mock0.rtc
   ?HungMock0.rtc
   ?HungMock1.rtc
@@ -91,10 +92,10 @@ The live ones are shown in full, the others marked. It takes one timeout however
   rtls: 2 of 3 did not answer (HungMock0.rtc, HungMock1.rtc)
   [5]
   $ RTSHELL_TIMEOUT=0.5 within 0.5-1 rtls -R / >/dev/null
-  rtls: 20 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc, HungMock12.rtc, …)
+  rtls: 4 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc); 16 not asked, as the process did not answer others (HungMock12.rtc, HungMock13.rtc, HungMock14.rtc, HungMock15.rtc, HungMock16.rtc, …)
   [5]
   $ RTSHELL_TIMEOUT=9 within 0.5-1 rtls --timeout 0.5 -0 | tr '\0' '\n' | grep -c Hung
-  rtls: 20 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc, HungMock12.rtc, …)
+  rtls: 4 of 45 did not answer (HungMock0.rtc, HungMock1.rtc, HungMock10.rtc, HungMock11.rtc); 16 not asked, as the process did not answer others (HungMock12.rtc, HungMock13.rtc, HungMock14.rtc, HungMock15.rtc, HungMock16.rtc, …)
   20
 
 A hung component by name, alone and beside another one:

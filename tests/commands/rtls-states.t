@@ -46,10 +46,10 @@ component checks its connections when it is asked for a port. Fragile0 has survi
 A component that fails to answer with one of the figures:
 
   $ ctl @these fail get_ports 1 NO_IMPLEMENT; rtls -l -v Slow0.rtc
-  ?  -  -  -  -  ?Slow0.rtc
+  Inactive  ?  ?  ?  ?  Slow0.rtc
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: CORBA.NO_IMPLEMENT
-  rtls: 1 of 1 did not answer (Slow0.rtc)
-  [6]
+  rtls: 1 of 1 did not report the ports (Slow0.rtc)
+  [5]
   $ ctl @these fail get_owned_contexts 1 INV_OBJREF; rtls -lv Slow0.rtc
   ?  -  -  -  -  ?Slow0.rtc
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: garbled answer (CORBA.INV_OBJREF)
@@ -62,18 +62,18 @@ A component that fails to answer with one of the figures:
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [6]
   $ ctl @these fail get_ports 1 OBJECT_NOT_EXIST; rtls -lv Slow0.rtc
-  ?  -  -  -  -  ?Slow0.rtc
+  Inactive  ?  ?  ?  ?  Slow0.rtc
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: does not report its ports or states (one of them is gone)
-  rtls: 1 of 1 did not answer (Slow0.rtc)
-  [4]
+  rtls: 1 of 1 did not report the ports (Slow0.rtc)
+  [5]
   $ ctl @these fail _non_existent 1 UNKNOWN; rtls -v Slow0.rtc
   ?Slow0.rtc
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: CORBA.UNKNOWN
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [6]
   $ ctl @these fail get_port_profile 1 DIE; rtls -lv --timeout 1 Slow0.rtc MyServiceProvider0.rtc
-  ?         -    -    -    -    ?Slow0.rtc
+  Inactive  ?    ?    ?    ?    Slow0.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
   rtls: /localhost:\$PORT/test.host_cxt/Slow0.rtc: (does not report its ports or states \(connection refused\)|connection lost) (re)
-  rtls: 1 of 2 did not answer (Slow0.rtc)
+  rtls: 1 of 2 did not report the ports (Slow0.rtc)
   [5]

@@ -45,7 +45,7 @@ class Connections(unittest.TestCase):
         connector = ports.Connector("one", "out_in", [None, None], [])
         port = ports.Port(node, "In0.out", "DataOutPort", {}, [], [connector], None, None)
         (finding,) = wait_for(
-            connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {})
+            connections._troubles(connections.Link(snapshot.Snapshot(node), port, connector), {}, {})
         )
         self.assertEqual(
             finding,
@@ -69,7 +69,7 @@ class Connections(unittest.TestCase):
         with mock.patch.multiple(connections.orb, identity=str, same=str.__eq__), mock.patch.object(
                 connections.places, "ask", asynchronous(
                     lambda refs, joining: asked.extend(refs) or [port, errors.Silent("far", "no answer")])):
-            self.assertEqual(len(wait_for(connections._troubles(link, ends))), 1)
+            self.assertEqual(len(wait_for(connections._troubles(link, ends, {}))), 1)
             self.assertEqual(wait_for(connections._again(link, ends)), link)
         self.assertEqual((asked, ends["far"].port), (["near", "far"], None))
 
@@ -159,14 +159,38 @@ class Started(unittest.TestCase):
 
 
 class Waiting(unittest.TestCase):
-    def test_not_for_its_own_process(self):
+    """A, of process 1, hangs when it is asked for its ports."""
+
+    def culprits(self, *hung):
         def node(name, number):
             return mock.Mock(path=path.parse("/d/" + name), endpoint=("198.51.100.1", number))
+        a = mock.Mock(node=node("A", 1), answered=True, error=errors.Silent("/d/A", "no answer within 1s"))
         with mock.patch.object(waiting, "_sockets", asynchronous(lambda endpoint: set())):
-            found = wait_for(
-                waiting.culprits(mock.Mock(node=node("A", 1)), [node("B", 1), node("C", 2), node("D", 2)])
-            )
-        self.assertEqual(found, (["/d/C"], False))
+            (found,) = wait_for(waiting.culprits([a], [node(*each) for each in hung])).values()
+        return found.paths, found.is_certain, found.endpoint[1]
+
+    def test_what_hangs_elsewhere_comes_before_its_own_process(self):
+        self.assertEqual(self.culprits(("B", 1), ("C", 2), ("D", 2)), (["/d/C"], False, 1))
+
+    def test_what_hangs_beside_it(self):
+        self.assertEqual(self.culprits(("B", 1)), (["/d/B"], False, 1))
+
+    def test_nothing_else_hangs(self):
+        self.assertEqual(self.culprits(), ([], False, 1))
+
+
+class Explained(unittest.TestCase):
+    def test_the_effects_of_one_process_are_folded(self):
+        words = remedies.words("slow", host="robot")
+        hung = ("robot", 4000)
+        other = finding.fail("component", "/robot/E0.rtc", "in Error", words)
+        few = [finding.fail("reference", f"/robot/F{i}.rtc", "hung", words, ("robot", 1)) for i in range(2)]
+        many = [finding.warn("component", f"/robot/W{i}.rtc", "not asked", words, hung) for i in range(3)]
+        cause = finding.fail("reference", "/robot/H0.rtc", "hung", words, hung)
+        shown, number = finding.explained([other, *many, cause, *few])
+        more = "hung; this explains 3 more findings (-v shows them)"
+        self.assertEqual(shown, [cause._replace(message=more), other, *few])
+        self.assertEqual(number, 3)
 
 
 class Timestamps(unittest.TestCase):
@@ -272,7 +296,7 @@ class ManyFindings(unittest.TestCase):
 
     def test_a_process_that_was_not_asked_does_not_hang(self):
         node = tree.Node(
-            path.parse("/robot/A0.rtc"), "silent", None, errors.Silent("/robot/A0.rtc", session.NO_TIME)
+            path.parse("/robot/A0.rtc"), "unasked", None, errors.NoTime("/robot/A0.rtc", session.NO_TIME)
         )
         visit = servers.Visit(None, [], [], [], {("robot", 4000): None}, None, "")
         self.assertEqual(

@@ -55,7 +55,7 @@ class Time(Calls):
                     self.session.end = time.monotonic() - 1
                 try:
                     asked.append(await orb.call("w", peer.ref, "_non_existent"))
-                except errors.Silent as e:
+                except errors.NoTime as e:
                     asked.append(e.why)
         self.run_tasks((peer.ref, ask))
         self.assertEqual(asked, [False] * 3 + [session.NO_TIME] * 7)

@@ -446,10 +446,8 @@ class Hostile(Pages):
     def test_report(self):
         """Of rtdoctor: with a plot, sections, and a hostile log's name."""
         found = [
-            Finding(
-                "fail", "reference", large_robots.MARKUP, large_robots.MARKUP, "rtdel " + large_robots.MARKUP
-            ),
-            Finding("ok", "host name", "here", "all is well", ""),
+            Finding("fail", "reference", *2 * [large_robots.MARKUP], "rtdel " + large_robots.MARKUP, ""),
+            Finding("ok", "host name", "here", "all is well", "", ""),
         ]
         log = os.path.join(self.directory, "a<b>.csv")
         with mock.patch.object(report, "_plot", return_value=base64.b64encode(SVG).decode()):

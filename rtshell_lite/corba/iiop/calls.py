@@ -26,6 +26,7 @@ class Request:
     name       of its operation
     is_oneway  nobody answers it
     is_once    it is an operation of a Schema, and must not be sent twice, whatever happens
+    asks_others  it may wait for other processes, see failures.asks_others
     seconds    how long its answer may take
     sent       time.monotonic() when it was sent
     retried    how often it has been sent again, as a connection was lost, here or by the peer, that may have
@@ -41,6 +42,7 @@ class Request:
         "operation",
         "is_oneway",
         "is_once",
+        "asks_others",
         "seconds",
         "sent",
         "retried",
@@ -61,6 +63,7 @@ class Request:
             self.operation = operations.operation(call.ref.interface, self.name)
             self.is_oneway = self.is_once = False
             self.seconds = max(call.seconds or 0, timeout)
+        self.asks_others = failures.asks_others(call.operation)
         self.sent = None  # type: float
         self.retried = 0
         self._forwards = 0
@@ -89,6 +92,10 @@ class Request:
     def others(self):
         """Further endpoints of the object."""
         return ior.addresses(self.ref.text())
+
+    def transports(self):
+        """In words, how else than with TCP the object can be called."""
+        return ior.transports(self.ref.text()) or [ior.OTHER]
 
     def octets(self, number, latest, via):
         """The request, in the version of GIOP that its reference names, or in the `latest` that the peer
@@ -189,13 +196,15 @@ class Request:
         return failures.user(where, name, getattr(raised, "description", ""))
 
     def silent(self, why):
-        """It ends, as the process did not answer. When it was forwarded, that says nothing about the process
-        that was asked first.
+        """It ends, as the process did not answer it."""
+        self.unanswered(errors.Silent(str(self.call.where), why))
+
+    def unanswered(self, error):
+        """It ends with an errors.Unanswered. When it was forwarded, that says nothing about the process that
+        was asked first.
         """
-        if self.endpoint == self.call.endpoint:
-            error = errors.Silent(str(self.call.where), why)
-        else:
-            error = errors.Unreachable(str(self.call.where), why)
+        if self.endpoint != self.call.endpoint:
+            error = errors.Unreachable(error.where, error.why)
         self.resume(None, error)
 
     def failed(self, e):

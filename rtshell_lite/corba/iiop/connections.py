@@ -17,9 +17,10 @@ from rtshell_lite.giop import messages
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
-IN_FLIGHT = (
-    4  # calls to a process at a time: real-time threads keep their period, and omniORB has 5 connections
-)
+# calls to a process at a time: real-time threads keep their period, and omniORB has 5 connections
+IN_FLIGHT = 4
+# of these, calls that may wait for other processes (failures.asks_others): the others show that it lives
+ASKING_OTHERS = 2
 MOST_STRAYS = 100  # replies of one connection that nobody waits for
 _AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
@@ -135,6 +136,8 @@ class Connection:
         None while a name is looked up.
         """
         for host, port in itertools.chain([self.endpoint], _lazily(others)):
+            if not port:  # it listens with another transport there
+                continue
             look_up = hosts.LookUp(host)
             while look_up.found is None:
                 look_up.begin()
@@ -165,7 +168,7 @@ class Connection:
                 self.waits_for = "peer"
                 return
             self._failed(code)
-        raise self._error
+        raise self._error or OSError(0, "no address of IIOP in its reference")
 
     def _begun_with(self, family, kind, protocol, _, place):
         """Begin to connect with a place: its error number."""

@@ -1,8 +1,9 @@
 """The processes that are asked: who may be sent what and when, what has been silent for too long, what a lost
 connection means.
 
-At most connections.IN_FLIGHT requests are on their way to a process, any number to a name server. The first
-silence of a process fails the rest of what it is asked.
+At most connections.IN_FLIGHT requests are on their way to a process, any number to a name server; of those
+that may wait for other processes connections.ASKING_OTHERS, after all others. After the first silence of a
+process, the rest is not asked.
 """
 
 import time
@@ -10,6 +11,7 @@ from _collections import deque  # as in net/loop.py
 from _functools import partial
 from struct import error as StructError
 
+from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.corba.iiop import calls, connections
 from rtshell_lite.giop import allowance, messages
@@ -30,6 +32,8 @@ async def invoke(call):
         peers = here.peers = Peers(here)
     wait = loop.Wait()
     request = calls.Request(call, wait.end, peers.session.timeout)
+    if not request.endpoint[1] and not request.others():
+        raise errors.Unspoken(str(call.where), " or ".join(request.transports()))
     peers.submit(request)
     if here.has_nothing_else():
         peers.ask_alone(request.endpoint)
@@ -121,29 +125,61 @@ class _Peer:
         self.endpoint = endpoint
         self.heard = time.monotonic()
         self.moved_on = 0.0  # when the request that had waited for longest was answered
-        # calls.Requests that are not on their way
+        # calls.Requests that are not on their way, and those that wait for others
         self.waiting = deque()  # type: deque
+        self.waiting_for_others = deque()  # type: deque
         # what the loop looks for
         self.connection = None  # type: connections.Connection
         self.watched = (None, 0)
 
-    def may_send(self):
-        """Whether the first that waits may be sent now.
+    def add(self, request):
+        """Have a request wait until it may be sent."""
+        if request.asks_others:
+            self.waiting_for_others.append(request)
+        else:
+            self.waiting.append(request)
+
+    def remove(self, request):
+        """Take back a request that waits; False if it does not."""
+        for queue in (self.waiting, self.waiting_for_others):
+            if request in queue:
+                queue.remove(request)
+                return True
+        return False
+
+    def take_all(self):
+        """All requests that wait, which wait no more."""
+        taken = [*self.waiting, *self.waiting_for_others]
+        self.waiting.clear()
+        self.waiting_for_others.clear()
+        return taken
+
+    def next_queue(self):
+        """The queue whose first request is to be sent next; an empty one for none."""
+        if self.waiting or not self.waiting_for_others:
+            return self.waiting
+        if self.connection is None:
+            return self.waiting_for_others
+        asking = sum(request.asks_others for request in self.connection.requests.values())
+        if asking < connections.ASKING_OTHERS:
+            return self.waiting_for_others
+        return self.waiting
+
+    def may_send(self, request):
+        """Whether a request may be sent now.
 
         At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the
         first is acknowledged, by the next request or 40 ms later.
         """
         if self.endpoint in connections.of_one_reply:
             return not self.connection.requests
-        return len(self.connection.requests) < connections.IN_FLIGHT or _is_naming(self.waiting[0])
+        return len(self.connection.requests) < connections.IN_FLIGHT or _is_naming(request)
 
-    def needs_connection(self):
-        """Whether the first that waits must not be lost again with a connection that the peer may close after
-        its reply.
+    def needs_connection(self, request):
+        """Whether a request must not be lost again with a connection that the peer may close after its reply.
         """
         if self.connection is None or self.endpoint not in connections.of_one_reply:
             return False
-        request = self.waiting[0]
         is_used_up = self.connection.has_answered and not self.connection.requests
         return is_used_up and (not request.is_idempotent or request.retried > 1)
 
@@ -206,14 +242,13 @@ class Peers:
 
     def submit(self, request):
         peer = self.peer(request.endpoint)
-        peer.waiting.append(request)
+        peer.add(request)
         self._changed.add(peer)
 
     def withdraw(self, request):
         """Nobody waits for the result of a request any more; it is not sent, if it has not been."""
         peer = self.peer(request.endpoint)
-        if request in peer.waiting:
-            peer.waiting.remove(request)
+        if peer.remove(request):
             return
         if peer.connection is None:
             return
@@ -234,7 +269,7 @@ class Peers:
         connection = peer.connection
         if self._asked:
             return
-        if len(peer.waiting) > 1:
+        if len(peer.waiting) + len(peer.waiting_for_others) > 1:
             return
         if connection is None:
             return
@@ -244,7 +279,7 @@ class Peers:
             return
         self._asked.add(peer)
         try:
-            connection.send(peer.waiting.popleft())
+            connection.send(peer.next_queue().popleft())
             connection.flush()
         except OSError as e:
             self._lose(peer, e)
@@ -274,17 +309,19 @@ class Peers:
 
     def _send(self, peer):
         try:
-            while peer.waiting:
-                if peer.needs_connection():
+            queue = peer.next_queue()
+            while queue:
+                if peer.needs_connection(queue[0]):
                     self._unwatch(peer)
                     peer.connection.close()
                     peer.connection = None
                 if peer.connection is None:
-                    self._connect(peer)
-                if not peer.may_send():
+                    self._connect(peer, queue[0])
+                if not peer.may_send(queue[0]):
                     break
                 self._asked.add(peer)
-                peer.connection.send(peer.waiting.popleft())
+                peer.connection.send(queue.popleft())
+                queue = peer.next_queue()
             if peer.connection is not None:
                 peer.connection.flush()
                 self._watch(peer)
@@ -293,10 +330,10 @@ class Peers:
         if self._asked:
             self._begin_checking()
 
-    def _connect(self, peer):
+    def _connect(self, peer, request):
         peer.connection = connections.kept(peer.endpoint)
         if peer.connection is None:
-            peer.connection = connections.Connection(peer.endpoint, peer.waiting[0].others)
+            peer.connection = connections.Connection(peer.endpoint, request.others)
             self._go_on_connecting(peer)
 
     def _go_on_connecting(self, peer):
@@ -366,12 +403,11 @@ class Peers:
         self._changed.add(peer)
         if request is None or not request.answered(status, data, at, little):
             return
-        if request.endpoint == peer.endpoint:
-            silence = None
-        else:
-            silence = self.session.silence(request.endpoint)
-        if silence:  # of who it has been forwarded to
-            request.silent(silence)
+        failure = None
+        if request.endpoint != peer.endpoint:  # it has been forwarded
+            failure = self.session.why_not_asked(request.call.where, request.endpoint)
+        if failure:
+            request.unanswered(failure)
         else:
             self.submit(request)
 
@@ -382,8 +418,7 @@ class Peers:
         connection = self._drop(peer)
         lost = list(connection.requests.values())
         if connection.waits_for:
-            lost += peer.waiting
-            peer.waiting.clear()
+            lost += peer.take_all()
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
         if getattr(e, "not_started", False):
             not_started = connection.not_started()
@@ -397,14 +432,14 @@ class Peers:
         is_older = connection.may_speak_older(e)
         for request in lost:
             if is_older and request.is_idempotent:
-                peer.waiting.append(request)
+                peer.add(request)
             elif is_cut and connection.has_answered and self._may_repeat(request, request in not_started):
-                peer.waiting.append(request)
+                peer.add(request)
             else:
                 request.failed(connections.Closed() if is_cut else e)
         if self.session.on_end is not None and connection.has_answered:
             self.session.on_end(peer.endpoint)
-        if not peer.waiting:  # a loop that runs for long meets many
+        if not peer.waiting and not peer.waiting_for_others:  # a loop that runs for long meets many
             self.known.pop(peer.endpoint, None)
 
     def _drop(self, peer):
@@ -444,34 +479,34 @@ class Peers:
             self._begin_checking()
 
     def _check_one(self, peer, now):
-        is_over = self.session.is_over()
-        if is_over:
-            failed = peer.connection.give_up_all()
-            why = session.NO_TIME
-        else:
-            failed = peer.overdue(now)
-            why = None
-        for request in failed:
-            silence = why or session.no_answer(request.seconds)
-            if not is_over and not request.is_once:  # which may take longer than its caller waits
-                self.session.fall_silent(peer.endpoint, silence, request.sent)
+        if self.session.is_over():
+            for request in peer.connection.give_up_all():
+                request.unanswered(errors.NoTime(str(request.call.where), session.NO_TIME))
+        for request in peer.overdue(now):
+            silence = session.no_answer(request.seconds)
+            if not request.is_once:  # which may take longer than its caller waits
+                self.session.fall_silent(peer.endpoint, silence, request.sent, request.asks_others)
             request.silent(silence)
-        if is_over:
-            silence = session.NO_TIME
-        else:
-            silence = self.session.silence(peer.endpoint)
-        if silence:  # as those may have shown
-            self._fail_rest(peer, silence)
+        self._fail_rest(peer)
         if not peer.connection.requests:
             self._asked.discard(peer)
         self._changed.add(peer)
 
-    def _fail_rest(self, peer, silence):
-        found_silent, _ = self.session.silent.get(peer.endpoint, (0, None))
-        failed = peer.unanswered(found_silent, self.session.timeout) + list(peer.waiting)
-        peer.waiting.clear()
-        for request in failed:
-            request.silent(silence)
+    def _fail_rest(self, peer):
+        """End what is not to be asked now, by what has been found of the process."""
+        now = self.session
+        if not (now.silent or now.stalled or now.is_over()):
+            return
+        if now.silence(peer.endpoint):
+            found_silent, why = now.silent[peer.endpoint]
+            for request in peer.unanswered(found_silent, now.timeout):
+                request.silent(why)
+        for request in peer.take_all():
+            failure = now.why_not_asked(request.call.where, peer.endpoint, request.asks_others)
+            if failure:
+                request.unanswered(failure)
+            else:
+                peer.add(request)
 
     def _restart_clocks(self, seconds):
         """We were away for so long: nobody was silent meanwhile."""
