@@ -17,6 +17,7 @@ Transition = record("Transition", "name command operation target source")
 ACTIVATE = Transition("activate", "rtact", "activate_component", "Active", "Inactive")
 DEACTIVATE = Transition("deactivate", "rtdeact", "deactivate_component", "Inactive", "Active")
 RESET = Transition("reset", "rtreset", "reset_component", "Inactive", "Error")
+ACCEPTED = "accepted"  # what became of a component that has accepted a request, and may not have done it yet
 
 # A component in one of its execution contexts: the number of the context as -e counts, its reference, whether
 # it is the component's own, and the component's state there.
@@ -27,9 +28,8 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an
     errors.Error, for each.
 
-    If one is something else than a component, none is changed, and only the WrongKinds are returned. With
-    `dry_run` nothing changes, and the line is the command that would change the component, '' where none is
-    needed.
+    With `dry_run` nothing changes, and the line is the command that would change the component, '' where none
+    is needed.
     """
 
     async def change_one(node):
@@ -40,13 +40,14 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
 
     orb.start()
     nodes = await tree.at_each(paths, tree.component)
-    wrong = [node for node in nodes if isinstance(node, errors.WrongKind)]
-    return [_with_all(error) for error in wrong] or await tree.on_nodes(nodes, change_one)
+    return await tree.on_nodes([_with_all(node) for node in nodes], change_one)
 
 
-def _with_all(error):
-    """A WrongKind that names the option for what is below a directory."""
-    where, wanted, kind = error.args
+def _with_all(found):
+    """A WrongKind that names the option for what is below a directory; anything else as it is."""
+    if not isinstance(found, errors.WrongKind):
+        return found
+    where, wanted, kind = found.args
     if kind in ("directory", "name server", "root directory"):
         kind += "; --all takes the components in it"
     return errors.WrongKind(where, wanted, kind)
@@ -167,8 +168,8 @@ async def _members_first(node, ref, wait):
 
 
 async def change(node, transition, index=None, wait=None):
-    """Take a component through a Transition; returns the state reached or asked for, and where that is not
-    its own first context.
+    """Take a component through a Transition; returns the state in which it is now, or that it has accepted the
+    request, and where that is not its own first context.
 
     `index` is the number of the execution context. Without it, a component becomes Inactive in all contexts
     in which it is not yet, and Active in one: see `_activate`.
@@ -179,14 +180,13 @@ async def change(node, transition, index=None, wait=None):
     Refused with the reason, Unreachable when it was not reached.
     """
     if index is not None:
-        await _change_in(node, await component.context_ref(node, index), transition, wait, _number(index))
-        return transition.target
+        ref = await component.context_ref(node, index)
+        return await _change_in(node, ref, transition, wait, _number(index))
     contexts = await context_states(node)
     if transition is not ACTIVATE:
-        await _leave(node, contexts, transition, wait)
-        return transition.target
-    context = await _activate(node, contexts, wait)
-    done = await _where(node, context)
+        return await _leave(node, contexts, transition, wait) or transition.target
+    context, now = await _activate(node, contexts, wait)
+    done = await _where(node, context, now)
     if context.state == "Active" and context.index:
         done = "already " + done
     silent = _all_in(contexts, "Unknown")
@@ -226,8 +226,8 @@ def _ignore(stage):
 
 
 async def _leave(node, contexts, transition, wait, stage=_ignore):
-    """Make a component Inactive in all contexts in which it is not: whether there was one. Raises the first
-    failure, at the end.
+    """Make a component Inactive in all contexts in which it is not: what became of it, as `_reach` says; None
+    where there was no such context. Raises the first failure, at the end.
 
     All contexts are asked before one is waited for: where a component stops slowly, or never, it stops
     elsewhere all the same.
@@ -235,6 +235,7 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
     wanted = _to_leave(contexts)
     asked = []
     failures = []
+    reached = set()
     start = time.monotonic()
     for context in wanted:
         try:
@@ -246,24 +247,26 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
             failures.append(e)
     for context, code in asked:
         try:
-            await _reach(node, context.ref, transition, code, context.state, wait, start)
+            reached.add(await _reach(node, context.ref, transition, code, context.state, wait, start))
         except errors.Error as e:
             failures.append(e)
     if failures:
         raise failures[0]
-    return bool(wanted)
+    if ACCEPTED in reached:
+        return ACCEPTED
+    return max(reached, default=None)
 
 
 async def _activate(node, contexts, wait, stage=_ignore):
-    """Make a component Active in one of its contexts, and return that: its state there is Active if it was
-    so before.
+    """Make a component Active in one of its contexts: (that context, in which its state is Active if it was so
+    before; what became of it, as `_reach` says).
 
     Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in
     two contexts is executed by both, at the same time; so one that is Active anywhere stays as it is.
     """
     context = await _to_activate(node, contexts)
-    await _change_in(node, context.ref, ACTIVATE, wait, _number(context.index), context.state, stage)
-    return context
+    now = await _change_in(node, context.ref, ACTIVATE, wait, _number(context.index), context.state, stage)
+    return context, now
 
 
 async def _to_activate(node, contexts):
@@ -285,12 +288,12 @@ async def _to_activate(node, contexts):
     return contexts[0]
 
 
-async def _where(node, context):
-    """Active, and in which context, if that is not the first of its own."""
+async def _where(node, context, now):
+    """What a component is `now`, and in which context, if that is not the first of its own."""
     if context.index == 0:
-        return "Active"
+        return now
     if context.is_own:
-        return f"Active in {_number(context.index)}"
+        return f"{now} in {_number(context.index)}"
     profile = await component.or_default(
         node, context.ref, orb.call(node.path, context.ref, "get_profile"), None
     )
@@ -298,7 +301,7 @@ async def _where(node, context):
         owner = printable(await component.instance_name(node, profile.owner))
     else:
         owner = ""
-    return f"Active in the context of {owner or 'another component'}"
+    return f"{now} in the context of {owner or 'another component'}"
 
 
 async def change_as_planned(node, transition, index, wait, stage):
@@ -313,25 +316,26 @@ async def change_as_planned(node, transition, index, wait, stage):
     """
     contexts = await context_states(node)
     if transition is not ACTIVATE:
-        return await _leave(node, contexts, transition, wait, stage)
+        return await _leave(node, contexts, transition, wait, stage) is not None
     named = [context for context in contexts if context.index == index]
     if not named:
         raise errors.NoSuch(str(node.path), "execution context", f"{index}: it has ended")
     others = [context for context in contexts if context.is_own != named[0].is_own]
-    context = await _activate(node, named + others, wait, stage)
+    context, _ = await _activate(node, named + others, wait, stage)
     return context.state != "Active"
 
 
 async def _change_in(node, ref, transition, wait, called, before=None, stage=_ignore):
-    """`change` in one execution context, which messages call so;
+    """`change` in one execution context, which messages call so: what became of it, as `_reach` says.
     `before` is the state there, if that has just been asked.
     """
     before = before or await component.state_in(node, ref)
     if before != transition.target:
         code = await _request(node, ref, transition, wait, called, stage)
-        await _reach(node, ref, transition, code, before, wait, time.monotonic())
-    elif wait is not None:
+        return await _reach(node, ref, transition, code, before, wait, time.monotonic())
+    if wait is not None:
         await check_still_active(node, ref, transition, wait)
+    return transition.target
 
 
 async def _request(node, ref, transition, wait, called, stage):
@@ -352,13 +356,13 @@ async def _request(node, ref, transition, wait, called, stage):
 
 
 async def _reach(node, ref, transition, code, before, wait, start):
-    """See that a Transition from the state `before`, answered with `code`, is made; without `wait`, RTC_OK is
-    enough.
+    """See that a Transition from the state `before`, answered with `code`, is made: the state. Without `wait`,
+    RTC_OK is enough, and the result is ACCEPTED.
 
     `wait` counts from `start`, by time.monotonic().
     """
     if code == "RTC_OK" and wait is None:
-        return
+        return ACCEPTED
     now = await component.uncertain_if_refused(component.state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
         raise errors.Refused(
@@ -371,6 +375,7 @@ async def _reach(node, ref, transition, code, before, wait, start):
     await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
         await check_still_active(node, ref, transition, start + seconds - time.monotonic())
+    return transition.target
 
 
 async def state_as_planned(node, transition, wait):

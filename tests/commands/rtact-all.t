@@ -14,12 +14,12 @@ What became of each is printed. What fails is a line on stderr; the name of a de
   rtact /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ rtact --all .
-  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
-  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Active
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: accepted
+  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: accepted
   $ rtact --all -q /
   rtact: /localhost:$PORT/arm.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
-  /localhost:$PORT/arm.host_cxt/Err0.rtc: Active
-  /localhost:$PORT/arm.host_cxt/ErrStart0.rtc: Active
+  /localhost:$PORT/arm.host_cxt/Err0.rtc: accepted
+  /localhost:$PORT/arm.host_cxt/ErrStart0.rtc: accepted
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Active
   [5]

@@ -75,7 +75,7 @@ go on for minutes; so they are deactivated before it:
   Inactive composite0.rtc
   $ rtact --wait composite0.rtc
   $ rtdeact -v -e 1 Sensor0.rtc; states
-  rtdeact: /localhost:$PORT/cpp11.host_cxt/Sensor0.rtc: Inactive
+  rtdeact: /localhost:$PORT/cpp11.host_cxt/Sensor0.rtc: accepted
   Active Controller0.rtc
   Active Motor0.rtc
   Inactive Sensor0.rtc
@@ -94,7 +94,7 @@ A member alone: its own context is stopped, so that the composite's is meant, wi
   $ rtdeact -v -e 1 --wait Motor0.rtc
   rtdeact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: Inactive
   $ rtact -v Motor0.rtc
-  rtact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: Active in the context of composite0
+  rtact: /localhost:$PORT/cpp2.host_cxt/Motor0.rtc: accepted in the context of composite0
 
 A composite in Error is reset as all components are:
 

@@ -26,7 +26,7 @@ Where a component may be Active in a context that does not answer, only its own 
   $ rtact --dry-run --timeout 0.5 Motor0.rtc
   rtact /localhost:$PORT/test.host_cxt/Motor0.rtc
   $ rtact -v --timeout 0.5 Motor0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active; its execution context 1, of another component, does not answer: it may be Active there
+  rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: accepted; its execution context 1, of another component, does not answer: it may be Active there
   $ rtec Camera0.rtc stop
   $ rtact --timeout 0.5 Camera0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Camera0.rtc: its execution context 1, of another component, does not answer: it may be Active there

@@ -60,7 +60,7 @@ Two contexts at once happen only with -e; rtdoctor reports it, with both:
 Its own context is preferred if that runs, else the one of another component that runs:
 
   $ rtact -v Motor0.rtc; rtdeact --wait Motor0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active
+  rtact: /localhost:$PORT/test.host_cxt/Motor0.rtc: accepted
   $ rtec Motor0.rtc stop
   $ rtact --dry-run Motor0.rtc Camera0.rtc
   rtact -e 1 /localhost:$PORT/test.host_cxt/Motor0.rtc

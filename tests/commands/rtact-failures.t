@@ -75,14 +75,19 @@ Not a component:
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not a component (it is a port)
   [3]
 
-… among components: none of them moves:
+… among components, which are activated all the same, as beside what is not there:
 
   $ rtact ConsoleIn0.rtc ConsoleOut0.rtc:in . ConsoleOut0.rtc
   rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
-  [3]
+  [5]
   $ rtls -l ConsoleIn0.rtc ConsoleOut0.rtc | cut -c 1-8
-  Inactive
+  Active\x20\x20 (esc)
+  Active\x20\x20 (esc)
+  $ rtdeact ConsoleOut0.rtc nosuch.rtc
+  rtdeact: /localhost:$PORT/test.host_cxt/nosuch.rtc: no such path
+  [5]
+  $ rtls -l ConsoleOut0.rtc | cut -c 1-8
   Inactive
 
 What else has such a name:
@@ -110,10 +115,10 @@ What else has such a name:
 Odd names are typed as they are listed, and can be quoted from an error message:
 
   $ rtact -v "$odd/"'sl\/ash.rtc' "$odd/"'esc\x1b[31mred.rtc' "$odd/日本語.rtc" "$odd/"'bad\xff\xfe.rtc'
-  rtact: /localhost:$PORT/odd.host_cxt/sl\/ash.rtc: Active
-  rtact: /localhost:$PORT/odd.host_cxt/esc\x1b[31mred.rtc: Active
-  rtact: /localhost:$PORT/odd.host_cxt/日本語.rtc: Active
-  rtact: /localhost:$PORT/odd.host_cxt/bad\xff\xfe.rtc: Active
+  rtact: /localhost:$PORT/odd.host_cxt/sl\/ash.rtc: accepted
+  rtact: /localhost:$PORT/odd.host_cxt/esc\x1b[31mred.rtc: accepted
+  rtact: /localhost:$PORT/odd.host_cxt/日本語.rtc: accepted
+  rtact: /localhost:$PORT/odd.host_cxt/bad\xff\xfe.rtc: accepted
   $ rtact --dry-run "$odd/"'$(id);'"'"'"*.rtc'
   rtact '/localhost:$PORT/odd.host_cxt/$(id);'"'"'"*.rtc'
   $ rtact --dry-run "$odd/"'$(id);'"'"'"*.rtc' "$odd/"'co\:lon.rtc' "$odd/"'\e' "$odd/"'\...rtc' | sh
@@ -191,7 +196,7 @@ A component that breaks down while it is asked:
 The component that dies of being asked for its profile at the wrong time is never asked:
 
   $ rtact -v Fragile0.rtc; rtact -v --wait Fragile0.rtc; rtact --dry-run Fragile0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Fragile0.rtc: Active
+  rtact: /localhost:$PORT/test.host_cxt/Fragile0.rtc: accepted
   rtact: /localhost:$PORT/test.host_cxt/Fragile0.rtc: Active
   $ ctl @fragile state Fragile0
   ACTIVE

@@ -103,7 +103,7 @@ Slow components: OpenRTM waits half a second, answers RTC_ERROR, and changes the
 A context of 1 Hz takes up to a second:
 
   $ within 0-2.5 rtact -v Lazy0.rtc
-  rtact: /localhost:$PORT/test.host_cxt/Lazy0.rtc: Active
+  rtact: /localhost:$PORT/test.host_cxt/Lazy0.rtc: accepted
   $ ctl @slow state Lazy0
   ACTIVE
 
@@ -166,7 +166,7 @@ ones from their end:
   "state": "Active"
   "state": "Inactive"
   $ rtdeact -v -e -1 Multi0.rtc
-  rtdeact: /localhost:$PORT/test.host_cxt/Multi0.rtc: Inactive
+  rtdeact: /localhost:$PORT/test.host_cxt/Multi0.rtc: accepted
   $ states
   "state": "Active"
   "state": "Inactive"

@@ -19,7 +19,7 @@ What the other versions print as C++ 1.1 does is not repeated:
   cpp11:
   $ each rtdeact -v ConsoleIn0.rtc
   cpp11:
-  rtdeact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: Inactive
+  rtdeact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: accepted
   $ each rtls -l ConsoleIn0.rtc
   cpp11:
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc

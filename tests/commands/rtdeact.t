@@ -17,14 +17,14 @@ A component that is inactive already is left as it is:
   $ rtdeact -v ConsoleIn0.rtc
   rtdeact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Inactive
 
-If one argument is no component, none is changed:
+An argument that is no component does not keep the others from being changed:
 
   $ rtact ConsoleIn0.rtc; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc:in .
   rtdeact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
   rtdeact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)
-  [3]
+  [5]
   $ ctl state ConsoleIn0
-  ACTIVE
+  INACTIVE
 
 --dry-run prints commands that do it, and changes nothing:
 
@@ -47,7 +47,7 @@ A component of OpenRTM 1.1 answers only after ten periods of its context:
 
   $ rtact --wait ../old.host_cxt/ConsoleIn0.rtc
   $ within 0.1-2.5 rtdeact -v ../old.host_cxt/ConsoleIn0.rtc
-  rtdeact: /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive
+  rtdeact: /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: accepted
 
 --wait waits for the state; a slow component is not reported as failed without it either:
 

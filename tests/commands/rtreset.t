@@ -22,17 +22,18 @@ A component that is inactive already is left as it is, an active one cannot be r
   rtreset: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: cannot reset: it is Active, not Error
   [5]
 
-If one argument is no component, none is reset:
+An argument that is no component does not keep the others from being reset:
 
   $ ctl @error error Broken0; rtreset Broken0.rtc ConsoleOut0.rtc:in ..
   rtreset: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: not a component (it is a port)
   rtreset: /localhost:$PORT: not a component (it is a name server; --all takes the components in it)
-  [3]
+  [5]
   $ ctl @error state Broken0
-  ERROR
+  INACTIVE
 
 --dry-run prints commands that do it, and changes nothing:
 
+  $ ctl @error error Broken0
   $ rtreset --dry-run Broken0.rtc
   rtreset /localhost:$PORT/test.host_cxt/Broken0.rtc
   $ ctl @error state Broken0
@@ -60,7 +61,7 @@ If one argument is no component, none is reset:
   $ rtreset -v -e 1 Multi0.rtc
   rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: Inactive
   $ rtreset -v Multi0.rtc -e -2
-  rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: Inactive
+  rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: accepted
   $ rtreset -e 7 Multi0.rtc
   rtreset: /localhost:$PORT/test.host_cxt/Multi0.rtc: no such execution context: 7 (it has 3)
   [3]
