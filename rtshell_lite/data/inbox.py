@@ -27,6 +27,7 @@ class Inbox:
         self.bytes = 0
         self.in_hand = 0  # bytes that get() has given out last: they take memory, too
         self.dropped = collections.Counter()
+        self.lose = None  # function(key, when it arrived), called for each value that is dropped, or None
         self.arrived = loop.Bell()
 
     def put(self, key, message):
@@ -36,6 +37,8 @@ class Inbox:
             len(self.waiting) >= self.most or self.in_hand + self.bytes + size > self.most_bytes
         ):
             self.dropped[key] += 1
+            if self.lose is not None:
+                self.lose(key, message.received)
             return
         self.waiting.append((key, message))
         self.bytes += size

@@ -11,7 +11,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, servants, session
-from rtshell_lite.data import clocks
+from rtshell_lite.data import clocks, seam
 from rtshell_lite.data.connection import BUSY, SILENT, Connection
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
@@ -19,7 +19,7 @@ from rtshell_lite.robot import component, ports
 # One value: its arrival, in nanoseconds since 1970; its CDR bytes without a header; their byte order.
 Message = collections.namedtuple("Message", "received data little")
 
-QUEUE = 4096  # values that the port may queue while writes are counted
+QUEUE = 4096  # values that the port may queue while writes are counted, or for a reader that is often late
 # values, and their bytes, that the port may queue for a slow reader
 BUFFER = 256
 BUFFER_BYTES = 16 << 20
@@ -37,6 +37,8 @@ LOOKS = 0.005, 0.05  # seconds between two looks whether it has done so, at firs
 # seconds between switches of Python's threads: the thread that prints or writes values must not hold up our
 # answers
 SWITCH = 0.0005
+AWAY = "it was not connected meanwhile"  # why values may be missing
+OVERFLOWN = "they exceeded the port's buffer"
 
 
 class Reader(Connection):
@@ -56,6 +58,9 @@ class Reader(Connection):
     kind = "DataOutPort"
     side = "outport"
     flows = ("push", "pull")
+    seam = None  # where its values follow those of another Reader
+    # function(first, last, how many or None, why), called where values are missing, ns since the epoch
+    miss = None
 
     def __init__(self, port, deliver, dataflow=None, properties=None, name="rtshell_lite"):
         super().__init__(port, name, properties)
@@ -72,6 +77,7 @@ class Reader(Connection):
         self.count = self.seen = 0  # values so far, and at the last look
         self.first = self.last = 0.0  # when the first and the last of them came
         self.served = None
+        self._away = None  # when its connector was removed, ns since the epoch
         self.renew()
 
     def renew(self):
@@ -122,8 +128,18 @@ class Reader(Connection):
             self.tasks.start(self._poll(fetch), self.endpoint)
 
     def _is_full(self):
-        """Whether too much has come before the byte order is known, on any thread."""
-        return self.early_bytes > BUFFER_BYTES
+        """Whether too much has come before the byte order is known, or the connector before this one has
+        ended; on any thread.
+        """
+        held = 0
+        if self.seam is not None:
+            held = self.seam.held_bytes
+        return self.early_bytes + held > BUFFER_BYTES
+
+    async def _connect(self, requested):
+        await super()._connect(requested)
+        if self.seam is not None:
+            self.seam.connected()
 
     def _take(self, received, data):
         if self.early is not None:
@@ -139,7 +155,7 @@ class Reader(Connection):
 
         def compare(message):
             stamp = clocks.seconds(message)
-            if stamp:
+            if stamp and self.deliver is compare:
                 self.deliver = deliver
                 self.remark = clocks.difference(message.received / 1e9, stamp) or self.remark
             deliver(message)
@@ -199,6 +215,21 @@ class Reader(Connection):
     def _finds_out(self):
         """Whether the component removes the connector once its calls are answered OBJECT_NOT_EXIST."""
         return self.dataflow == "push" and self._subscription() in ("flush", "new")
+
+    async def close(self):
+        if self.connector:
+            self._away = int(time.time() * 1e9)
+        await super().close()
+
+    async def come_back(self):
+        was_connected = self.connector is not None
+        await super().come_back()
+        if self.connector and not was_connected:
+            self._report_missing(self._away, int(time.time() * 1e9), AWAY)
+
+    def _report_missing(self, first, last, why, count=None):
+        if self.miss is not None:
+            self.miss(first, last, count, why)
 
     async def leave(self, connector):
         self.stop()
@@ -285,9 +316,77 @@ class Reader(Connection):
 
     async def _reopen(self):
         """Replace the connector by one with a shorter buffer, now that the size of values is known."""
-        await self.close()
         self.room = max(FEWEST, BUFFER_BYTES // self.heaviest)
-        await self.come_back()
+        await self._replace()
+
+    async def _replace(self):
+        """Make another connector, then remove the present one; what comes through both is delivered once.
+        Where a port takes no second one, or values are fetched, the present one is removed first. Raises
+        errors.Error.
+        """
+        if self.is_closing or not self.connector or self.failure:
+            return
+        if self.dataflow == "pull" or not await self._replace_pushed():
+            await self.close()
+            await self.come_back()
+
+    async def _replace_pushed(self):
+        """Replace a push connector; False where the port takes no second one."""
+        deliver = self.deliver
+        other = Reader(self.port, None, self.dataflow, self.user, self.name)
+        other.room = self.room
+        other.tasks = self.tasks
+        other.seam = seam.Seam(deliver, clocks.seconds)
+        other.deliver = other.seam.take_new
+        self.deliver = other.seam.take_old
+        try:
+            await other.open()
+        except errors.Error:
+            self.deliver = deliver
+            return False
+        await self.close()
+        self.deliver = deliver
+        self._follow(other)
+        return True
+
+    def _follow(self, other):
+        """Go on with the connector of another Reader."""
+        joint = other.seam
+        other.seam = None
+        self.renew()
+        self.early = None
+        self.connector = other.connector
+        self.agreed = other.agreed
+        self.little = other.little
+        self.served = other.served
+
+        def take(message):
+            if self.is_closing:
+                return
+            self._count(message.data)
+            if not joint.take(message):
+                self._join(joint, other)
+
+        other.deliver = take
+        if not joint.end():
+            self._join(joint, other)
+
+    def _join(self, joint, other):
+        """Nothing comes twice any more through the connector of another Reader."""
+        other.deliver = self._take_of_other
+        if joint.gap is not None:
+            self._report_missing(*joint.gap, OVERFLOWN)
+
+    def _take_of_other(self, message):
+        if not self.is_closing:
+            self.deliver(message)
+        self._count(message.data)
+
+    def rate(self):
+        """How many values have come a second; None with few."""
+        if self.count < FEWEST or self.last <= self.first:
+            return None
+        return (self.count - 1) / (self.last - self.first)
 
     def holds_up(self):
         """Whether the component waits, in its own cycle, for our answer to each value."""
@@ -297,11 +396,12 @@ class Reader(Connection):
         """Have the component not wait for us any more: with "new" a thread of its own calls us. A port that
         has no "new", or is to have "flush", is given up. Raises errors.Error.
         """
-        await self.close()
         if SUBSCRIPTION in self.user or ports.offer_without(self.port, SUBSCRIPTION, "new"):
+            await self.close()
             raise errors.Failed(self.where, "given up, as its component would be held up")
         self.user[SUBSCRIPTION] = "new"
-        await self.come_back()
+        self.room = max(FEWEST, min(QUEUE, BUFFER_BYTES // (self.heaviest + EACH)))
+        await self._replace()
 
     def lost(self):
         if self.dataflow == "push" and not self.count:

@@ -6,7 +6,7 @@ import time
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.data import build_value, datatypes, values
-from rtshell_lite.datalog import schemas
+from rtshell_lite.datalog import gaps, schemas
 from rtshell_lite.text import printable, safe
 
 # where a type's timestamp is
@@ -56,6 +56,8 @@ class Decoder:
     def notes(self):
         """What is wrong with the log, in words."""
         yield from self.log.notes()
+        if self.log.gaps:
+            yield "values are missing in it (intervals: %d); rtlog -d shows when" % len(self.log.gaps)
         if self.unreadable:
             yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
 
@@ -199,6 +201,8 @@ def summary(log):
     yield "Number of entries: %d" % log.count
     if not log.closed:
         yield "State: INCOMPLETE, whole up to octet %d" % (log.size - log.torn)
+    for gap in log.gaps:
+        yield f"Missing: {date(gap.first)} until {date(gap.last)}: {gaps.words(gap)}"
     for attachment in log.attachments:
         yield f"Attachment: {printable(attachment[1])}, {date(attachment[0])}"
     for number, channel in enumerate(log.channels, 1):
@@ -233,6 +237,7 @@ def as_dict(log):
         "entries": log.count,
         "channels": channels,
         "attachments": [attachment[1] for attachment in log.attachments],
+        "gaps": [gaps.as_dict(gap) for gap in log.gaps],
         "closed": log.closed,
         "torn": log.torn,
         "damaged": log.damaged,

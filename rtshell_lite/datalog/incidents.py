@@ -93,6 +93,9 @@ class Incidents:
                 incident.writer.write(taken)
                 return
         incident.writer.write(taken)
+        for gap in ring.gaps:
+            if gap.last >= incident.first and gap.first <= incident.last:
+                incident.writer.put_gap(gap)
         self._pending.remove(incident)
         try:
             incident.writer.close()

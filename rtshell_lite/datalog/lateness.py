@@ -1,18 +1,23 @@
 """A recorder that is late holds up components: with the subscription "flush" they wait for its answer to each
-value.
+value. With others, their values exceed the buffers of their ports.
 
 It answers at once while the loop runs. Where the loop does not, because the machine has too much to do, or
-has stopped this process, components are let go.
+has stopped this process, components are let go; values that are missing then are reported.
 """
 
 import time
 
 from rtshell_lite import notes
+from rtshell_lite.data import reading
 from rtshell_lite.net import loop
 
 SPAN = 5.0  # seconds over which is measured
 LOOK = 0.05  # seconds between two looks at the clock
 MOST = 0.25  # of a span, for which a component that always calls may have waited
+STILL = 0.2  # seconds after which it has stood still
+SETTLE = 1.0  # seconds in which ports send what has waited in their buffers; then for as long it is counted
+FEW = 0.02  # share of the values by which their number varies
+STOOD = "rtlog stood still, and they exceeded the port's buffer"  # why values are missing
 
 
 async def watch(opened, report):
@@ -20,7 +25,10 @@ async def watch(opened, report):
     where that is too much. report(reader): called for each of them. Until it is cancelled.
     """
     while True:
-        share = await _measure(opened)
+        buffered = [_Buffered(reader) for reader in opened.live() if not reader.holds_up()]
+        share, pauses = await _measure(opened)
+        if pauses:
+            await _report_missing(buffered, pauses)
         if share <= MOST:
             continue
         waiting = [reader for reader in opened.live() if reader.holds_up()]
@@ -36,14 +44,63 @@ async def watch(opened, report):
 
 
 async def _measure(opened):
-    """For which part of a span this process has answered nobody; 0 where it was disconnected meanwhile."""
+    """(for which part of a span this process has answered nobody, the pauses in which it stood still:
+    [(first, last)] ns since the epoch); (0, []) where it was disconnected meanwhile.
+    """
     begun = time.monotonic()
     absences = opened.absences
     late = 0.0
+    pauses = []
     while time.monotonic() < begun + SPAN:
         due = time.monotonic() + LOOK
         await loop.sleep(LOOK)
-        late += time.monotonic() - due
+        behind = time.monotonic() - due
+        late += behind
+        if behind > STILL:
+            now = int(time.time() * 1e9)
+            pauses.append((now - int(behind * 1e9), now))
     if opened.absences != absences:
-        return 0.0
-    return late / (time.monotonic() - begun)
+        return 0.0, []
+    return late / (time.monotonic() - begun), pauses
+
+
+class _Buffered:
+    """A Reader whose values wait in a buffer of its port, at the beginning of a span."""
+
+    def __init__(self, reader):
+        self.reader = reader
+        self.connector = reader.connector
+        self._begun = time.monotonic()
+        self._count = reader.count
+        self._rate = reader.rate()
+
+    def is_full_after(self, seconds):
+        """Whether its buffer may have been too short for so long a pause."""
+        rate = self._rate or self.reader.rate()
+        return rate is not None and rate * seconds > self.reader.room
+
+    def missing(self, rate):
+        """About how many values have not come; `rate`: how many come a second now."""
+        expected = min(rate, self._rate or rate) * (time.monotonic() - self._begun)
+        lacking = expected - (self.reader.count - self._count)
+        if lacking > max(reading.FEWEST, FEW * expected):
+            return round(lacking)
+        return 0
+
+
+async def _report_missing(buffered, pauses):
+    """Report the values that these _Buffered have lost in pauses."""
+    longest = max(last - first for first, last in pauses) / 1e9
+    doubtful = [each for each in buffered if each.is_full_after(longest)]
+    if not doubtful:
+        return
+    await loop.sleep(SETTLE)
+    counts = [each.reader.count for each in doubtful]
+    begun = time.monotonic()
+    await loop.sleep(SETTLE)
+    passed = time.monotonic() - begun
+    for each, before in zip(doubtful, counts):
+        reader = each.reader
+        count = each.missing((reader.count - before) / passed)
+        if count and reader.connector is each.connector and reader.miss is not None:
+            reader.miss(pauses[0][0], pauses[-1][1], count, STOOD)

@@ -9,7 +9,7 @@ import os
 import zlib
 
 from rtshell_lite import errors
-from rtshell_lite.datalog import compression, mcap, schemas
+from rtshell_lite.datalog import compression, gaps, mcap, schemas
 from rtshell_lite.datalog.mcap import HEAD, LARGEST
 from rtshell_lite.datalog.records import Channel, Entry
 
@@ -27,8 +27,8 @@ class Log:
 
     `channels`; `started` (ns since the epoch), `count`, `first` and `last` (the earliest and the latest
     arrival, or None), `counts` (by channel's name), `attachments` (log time, name, media type, offset of the
-    data, size), `torn` (octets of half a record at the end), `closed` (False: recording was killed, or goes
-    on), and `damaged` (messages left out), which may grow while entries are read.
+    data, size), `gaps` (gaps.Gaps), `torn` (octets of half a record at the end), `closed` (False: recording
+    was killed, or goes on), and `damaged` (messages left out), which may grow while entries are read.
     """
 
     form = "mcap"
@@ -57,6 +57,7 @@ class Log:
         self.torn = 0
         if not self.closed:
             self.torn = size - self.end
+        self.gaps = self._find_gaps()
 
     def __enter__(self):
         return self
@@ -122,6 +123,19 @@ class Log:
             yield "%d damaged records are left out" % self.damaged
         for encoding, count in sorted(collections.Counter(self._unread.values()).items()):
             yield f"{count} messages are left out: their encoding {encoding} is not read"
+
+    def _find_gaps(self):
+        found = []
+        for kind, offset, end in self._others:
+            if kind != mcap.METADATA or len(found) >= gaps.MOST:
+                continue
+            try:
+                name, texts = mcap.metadata(self._body(offset, end))
+            except mcap.Damaged:
+                continue
+            if name == gaps.NAME:
+                found.append(gaps.from_texts(texts))
+        return [gap for gap in found if gap is not None]
 
     def contents(self):
         """(mcap.Contents, {schema: its id}, {(topic, schema, encoding, metadata): id of a channel}, the

@@ -8,7 +8,7 @@ import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import datatypes, inbox, reading
-from rtshell_lite.datalog import decode, mcap
+from rtshell_lite.datalog import decode, gaps, mcap
 from rtshell_lite.datalog.records import Channel
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
@@ -105,6 +105,11 @@ class Recorder:
         """
         self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
         self.channels = channels
+        self._losses = gaps.Losses()
+        self.box.lose = self._losses.add
+        self._gaps = []  # gaps.Gaps that wait to be written
+        self.gaps = 0  # how many there were, besides those of what was dropped
+        self.hear_gap = None  # function(gaps.Gap), or None
         self._added = 0  # how many of them the writer has
         self._most = most
         self._incidents = incidents
@@ -127,6 +132,7 @@ class Recorder:
         while self.count != self._most and self.failure is None:
             batch = await self.box.get(self._patience())
             taken = time.time() * 1e9  # the box has nothing that came before
+            self._take_losses(taken, self._incidents is not None and self._incidents.is_busy())
             if batch or self._incidents or time.monotonic() >= self._sync_at:
                 await loop.finish(self._write(batch, taken))
         self.done.ring()
@@ -142,7 +148,9 @@ class Recorder:
         if self.writer is None:
             return
         if self.failure is None:
-            await self._write(await self.box.get(0), time.time() * 1e9)
+            batch = await self.box.get(0)
+            self._take_losses(time.time() * 1e9, True)
+            await self._write(batch, time.time() * 1e9)
             if self._incidents is not None:
                 await self._try(self._incidents.finish, self.writer)
         await self._try(self.writer.close)
@@ -166,6 +174,29 @@ class Recorder:
         """Put a file into the log, with the next messages."""
         self._attachments.append((moment, name, media_type, data))
 
+    def put_gap(self, channel, first, last, count, why):
+        """Record that `count` values (None: unknown) of a channel are missing, from `first` to `last` (ns
+        since the epoch), and `why`.
+        """
+        self.gaps += 1
+        self._add_gap(gaps.Gap(first, last, {self.channels.found[channel].name: count}, why))
+
+    def _add_gap(self, gap):
+        self._gaps.append(gap)
+        if self.hear_gap is not None:
+            self.hear_gap(gap)
+
+    def _take_losses(self, now, is_end):
+        """Have the gap written that what was dropped has made."""
+        lost = self._losses.take(now, is_end)
+        if lost is None:
+            return
+        counts = {}
+        for channel, count in lost[2].items():
+            name = self.channels.found[channel].name
+            counts[name] = counts.get(name, 0) + count
+        self._add_gap(gaps.Gap(lost[0], lost[1], counts, gaps.DROPPED))
+
     def put_json(self, channel, fields):
         """Put a message of JSON, which comes now, into a channel."""
         data = json.dumps(fields, sort_keys=True).encode("ascii")
@@ -177,6 +208,8 @@ class Recorder:
             self._added += 1
         while self._attachments:
             self.writer.attach(*self._attachments.pop(0))
+        while self._gaps:
+            self.writer.put_gap(self._gaps.pop(0))
         if self._incidents is not None:
             self._incidents.protect(self.writer)
         self.writer.write(

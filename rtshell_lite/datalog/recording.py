@@ -1,12 +1,13 @@
 """Recording from ports into a file, from beginning to end: which ports, until when, and what is reported."""
 
+import functools
 import math
 import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, port_arguments, reading
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import decode, flight, lateness
+from rtshell_lite.datalog import decode, flight, gaps, lateness
 from rtshell_lite.datalog.recorder import TICK, Channels, Recorder
 from rtshell_lite.net import loop
 
@@ -119,6 +120,7 @@ class _Recording:
         self._file = file
         self._channels = Channels(types)
         self._work = Recorder(self._channels, limits.entries, plan.incidents)
+        self._work.hear_gap = self._note_gap
         self._tally = notes.Tally()
 
     async def run(self):
@@ -174,6 +176,16 @@ class _Recording:
         if self._plan.journal is not None:
             self._plan.journal.put(str(reader.port.node.path), "RECORDER", reader.port.name, "LET_GO")
 
+    def _note_gap(self, gap):
+        """Record, among the events, that values are missing."""
+        if self._plan.journal is None or not self._plan.journal.is_running():
+            return
+        for channel in self._channels.found:
+            if channel.name in gap.counts:
+                for source in channel.sources[: gaps.NAMED]:
+                    path, _, port = source.rpartition(":")
+                    self._plan.journal.put(path, "RECORDER", port, "MISSING")
+
     def _goes_on(self, opened):
         return self._plan.is_endless() or opened.live()
 
@@ -205,6 +217,9 @@ class _Recording:
         if dropped:
             notes.fail(f"{dropped} of {dropped + work.count} messages dropped")
             self._tally.fail(errors.Partial())
+        if work.gaps:
+            notes.fail(f"values are missing (intervals: {work.gaps}); rtlog -d shows when")
+            self._tally.fail(errors.Partial())
         if work.repeated:
             notes.note(
                 f"{work.repeated} of {work.count} messages came twice: the component repeats a value whose "
@@ -226,7 +241,7 @@ class _Recording:
             except errors.Error as e:
                 self._tally.add(e)
             else:
-                _feed(reader, self._taker(channel))
+                self._feed(reader, channel, self._taker(channel))
                 readers.append(reader)
         return readers
 
@@ -237,7 +252,7 @@ class _Recording:
             properties = dict({reading.SUBSCRIPTION: "new"}, **properties)
         reader = self._reader(port, properties)
         channel = await self._channels.add_by_path(port, about)
-        _feed(reader, self._plan.choice.thin(port, self._taker(channel)))
+        self._feed(reader, channel, self._plan.choice.thin(port, self._taker(channel)))
         return reader
 
     def _reader(self, port, properties):
@@ -255,7 +270,8 @@ class _Recording:
         names = (channel.name, *channel.sources)
         return self._plan.triggers.wrap(names, self._channels.types[number], deliver)
 
-
-def _feed(reader, deliver):
-    reader.deliver = deliver
-    reader.compare_clocks()
+    def _feed(self, reader, channel, deliver):
+        """Have deliver(Message) called with what a Reader brings for a channel."""
+        reader.deliver = deliver
+        reader.miss = functools.partial(self._work.put_gap, channel)
+        reader.compare_clocks()

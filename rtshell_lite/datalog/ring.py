@@ -9,7 +9,7 @@ import re
 import time
 
 from rtshell_lite import errors, notes, text
-from rtshell_lite.datalog import logfile, writer
+from rtshell_lite.datalog import gaps, logfile, writer
 
 PARTS = 4  # files of a ring, besides the one that is being written
 SPACE = 1.0  # seconds between two looks at the free space
@@ -43,6 +43,7 @@ class Parts:
         self.protected = None  # the moment (ns) from which on nothing may be removed, or None
         self.channels = list(channels)
         self.attached = {}  # the last attachment of each media type: each file has them
+        self.gaps = collections.deque(maxlen=gaps.MOST)  # the last gaps.Gaps, in whichever part
         self._parts = collections.deque()
         self._is_single = limits.seconds is None and limits.octets is None
         self._looked = 0.0
@@ -88,6 +89,10 @@ class Parts:
     def attach(self, moment, name, media_type, data):
         self.attached[media_type] = (moment, name, media_type, data)
         self._writer.attach(moment, name, media_type, data)
+
+    def put_gap(self, gap):
+        self.gaps.append(gap)
+        self._writer.put_gap(gap)
 
     def sync(self):
         self._writer.sync()
@@ -202,6 +207,7 @@ class Memory:
     def __init__(self, channels, span, size):
         self.channels = list(channels)
         self.attached = {}  # the last attachment of each media type
+        self.gaps = collections.deque(maxlen=gaps.MOST)  # the last gaps.Gaps
         self._span = span
         self._size = size
         self._messages = collections.deque()
@@ -212,6 +218,9 @@ class Memory:
 
     def attach(self, moment, name, media_type, data):
         self.attached[media_type] = (moment, name, media_type, data)
+
+    def put_gap(self, gap):
+        self.gaps.append(gap)
 
     sync = close = lambda self: None
 

@@ -25,6 +25,7 @@ class Log:
 
     form = "simpkl"
     attachments = ()
+    gaps = ()
 
     def __init__(self, file, where, size, modules=()):
         """Read the header; `modules` are names of Python modules whose classes may appear.

@@ -8,7 +8,7 @@ import stat
 
 from rtshell_lite import errors, files
 from rtshell_lite.data import values
-from rtshell_lite.datalog import logfile, writer
+from rtshell_lite.datalog import gaps, logfile, writer
 from rtshell_lite.text import printable
 
 
@@ -46,14 +46,23 @@ class Writer:
 
     def write(self, messages):
         """Append messages, each (channel number, received, little, data). Raises OSError."""
+        self._put(
+            (received, f"({self._names[channel]!r}, {self._spell(channel, little, data)})")
+            for channel, received, little, data in messages
+        )
+
+    def put_gap(self, gap):
+        """Record that values are missing: a gaps.Gap. Raises OSError."""
+        seconds = (gap.last - gap.first) / 1e9
+        self._put([(gap.first, f"missing in {seconds:.3f} s from here on: {gaps.words(gap)}")])
+
+    def _put(self, timed):
+        """Write lines, each (ns since the epoch, text)."""
         try:
-            for channel, received, little, data in messages:
-                seconds, nanoseconds = divmod(received, 10**9)
-                line = (
-                    f"{seconds}.{nanoseconds:09d}\t({self._names[channel]!r}, "
-                    f"{self._spell(channel, little, data)})\n"
-                )
-                self._file.write(line.encode("utf-8", "backslashreplace"))
+            for moment, line in timed:
+                seconds, nanoseconds = divmod(moment, 10**9)
+                whole = f"{seconds}.{nanoseconds:09d}\t{line}\n"
+                self._file.write(whole.encode("utf-8", "backslashreplace"))
             self._file.flush()
         except OSError as e:
             e.filename = self.name

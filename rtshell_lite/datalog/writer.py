@@ -8,7 +8,7 @@ import tempfile
 
 from rtshell_lite import __version__, errors, files, text
 from rtshell_lite.data import datatypes
-from rtshell_lite.datalog import decode, mcap, schemas
+from rtshell_lite.datalog import decode, gaps, mcap, schemas
 from rtshell_lite.datalog.mcap import CHUNK_SIZE
 
 LARGE = 1 << 16  # octets of a part that is written without being copied
@@ -135,6 +135,10 @@ class Writer:
         described = mcap.metadata_record(name, texts)
         self.contents.add_metadata(self.end, len(described), name)
         self._put([described])
+
+    def put_gap(self, gap):
+        """Record that values are missing: a gaps.Gap."""
+        self.describe(gaps.NAME, gaps.to_texts(gap))
 
     def _go_on(self, channels):
         from rtshell_lite.datalog import logfile

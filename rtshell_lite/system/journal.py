@@ -78,6 +78,10 @@ class Journal:
         await events.start(paths)
         await logs.start(paths)  # few components take loggers: the others say so
 
+    def is_running(self):
+        """Whether events can be put into the log."""
+        return self._events is not None
+
     def _note(self, line):
         """What is said of a component beside events."""
 

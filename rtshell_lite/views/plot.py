@@ -155,6 +155,10 @@ class Series:
         self._usual += USUAL * (distance - self._usual)
         return False
 
+    def interrupt(self):
+        """Values are missing: what comes next is after a gap."""
+        self._moment = None
+
     def keep(self, point):
         """Add a point as it is, which may be thinned out."""
         if self._between is None:

@@ -2,7 +2,7 @@
 
 from rtshell_lite import errors, text
 from rtshell_lite.data import datatypes, values
-from rtshell_lite.datalog import records, schemas
+from rtshell_lite.datalog import gaps, records, schemas
 from rtshell_lite.text import printable
 from rtshell_lite.views import plot
 
@@ -36,10 +36,19 @@ class Source:
         else:
             self.panel = plot.Panel(name + "." * bool(field.path) + field.path)
         self._shown = shown
+        self._breaks = []  # moments after which the line begins anew, the latest first
         self.failure = None  # why a value could not be shown
+
+    def break_at(self, moments):
+        """Values are missing at these moments."""
+        self._breaks = sorted(moments, reverse=True)
 
     def take(self, moment, value):
         """Take a value that came at a moment. `value` is a function: it is not decoded for its rate."""
+        while self._breaks and moment > self._breaks[-1]:
+            self._breaks.pop()
+            for series in self.panel.series.values():
+                series.interrupt()
         if self._shown == "rate":
             self._rate.add(moment)
             return
@@ -136,6 +145,7 @@ def of_log(decoder, words, shown, entries):
         sources.append(Source(log.channels[number].name, field, shown, between, width))
         wanted.setdefault(number, []).append(sources[-1])
     picture = plot.Picture([source.panel for source in sources])
+    _show_gaps(log, wanted, picture)
     events = {number for number, each in enumerate(log.channels) if each.type_id == schemas.EVENT}
     moment = 0
     for entry in entries:
@@ -149,6 +159,22 @@ def of_log(decoder, words, shown, entries):
         source.check()
     picture.fit()
     return picture
+
+
+def _show_gaps(log, wanted, picture):
+    """Mark what is missing in a log, and have lines begin anew after it. `wanted`: {number of a channel:
+    Sources}.
+    """
+    breaks = {}
+    for gap in log.gaps:
+        shown = {number for number in wanted if log.channels[number].name in gap.counts}
+        for number in shown:
+            breaks.setdefault(number, []).extend((gap.first, gap.last))
+        if shown:
+            picture.marks.append((gap.first, "missing: " + gaps.words(gap)))
+    for number, moments in breaks.items():
+        for source in wanted[number]:
+            source.break_at(moments)
 
 
 def _value(decoder, entry):

@@ -35,7 +35,7 @@ A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose
     Sources:
       /localhost/Src0.rtc:out.numbers
   $ rtlog -d --json -f old.rtlog
-  {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "old.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1103, "started": 1795247464.7500002, "torn": 0}
+  {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "old.rtlog", "first": 1795247464.7500002, "form": "simpkl", "gaps": [], "last": 1795247464.77, "size": 1103, "started": 1795247464.7500002, "torn": 0}
   $ TZ=Asia/Tokyo rtlog -d -f python2.rtlog
   Name: python2.rtlog
   Size: 797B
@@ -82,7 +82,7 @@ Cut off in the middle, and with something else inside, what is whole is read:
   1,1795247464.760000000,numbers,1001.000000005,7
   rtlog: cut.rtlog: the last 83 octets cannot be read and are left out: it does not end
   $ (cat old.rtlog; printf 'cos\nsystem\n(S"touch /tmp/x"\ntR.') > evil.rtlog; rtlog -d --json -f evil.rtlog
-  {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
+  {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "evil.rtlog", "first": 1795247464.7500002, "form": "simpkl", "gaps": [], "last": 1795247464.77, "size": 1134, "started": 1795247464.7500002, "torn": 31}
   rtlog: evil.rtlog: the last 31 octets cannot be read and are left out: os.system is not a class that a log holds; -m MODULE names a module of your own
 
 Classes of other modules than the standard ones are taken when their module is named, or an IDL file with their types; nothing

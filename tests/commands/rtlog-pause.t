@@ -24,3 +24,19 @@ when they come: then the port gets a shorter one:
   $ kill $pid; wait $pid
   [143]
   $ ctl @senders2 connectors Source0:block
+
+A recorder that stood still lets components go: it connects anew before it leaves, and records each value once, with a time or
+without one:
+
+  $ entries() { rtlog --json -f $1 2>nul | grep -c "\"port\".*$2"; }; soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ numbers() { rtlog --json -f $1 | python3 -c 'import json, sys
+  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if entry["port"].endswith(":number")]
+  > print([(n, m) for n, m in zip(numbers, numbers[1:]) if m != n + 1])'; }
+  $ rtlog -q -f c.mcap Source0.rtc & pid=$!; soon '[ $(entries c.mcap :number) -gt 100 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'; before=$(entries c.mcap :number); soon '[ $(entries c.mcap :number) -gt $((before + 1000)) ]'
+  $ ctl connectors Source0:number | wc -l; kill $pid; wait $pid
+  1
+  [143]
+  $ numbers c.mcap; rtlog -d -f c.mcap | grep Missing
+  []
+  [1]

@@ -17,6 +17,7 @@ from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
 from rtshell_lite.datalog import (
     decode,
+    gaps,
     logfile,
     pace,
     play,
@@ -458,6 +459,13 @@ class Recording(Case):
         self.assertEqual(work.count + sum(work.box.dropped.values()), 400)
         self.assertGreater(work.box.dropped[0], 0)
         self.assertEqual(len(self.read()[1]), work.count)
+        with logfile.load(self.name) as log:  # months later
+            (gap,) = decode.as_dict(log)["gaps"]
+            self.assertEqual((gap["counts"], gap["why"]), ({"a": work.box.dropped[0]}, gaps.DROPPED))
+            said = f"Missing: {decode.date(START)} until {decode.date(START)}: "
+            self.assertIn(said, "\n".join(decode.summary(log)))
+            note = "values are missing in it (intervals: 1); rtlog -d shows when"
+            self.assertEqual(list(decode.Decoder(log, None).notes()), [note])
 
     def test_the_end(self):
         """After `most` messages it is done, and the file has no more."""
@@ -506,7 +514,10 @@ def recorder_of(types, most=None):
     """A Recorder of channels of these types, which somebody else has told its writer of."""
     channels = recorder.Channels(None)
     channels.types += types
-    return recorder.Recorder(channels, most)
+    channels.found += CHANNELS[: len(types)]
+    made = recorder.Recorder(channels, most)
+    made._added = len(types)
+    return made
 
 
 def message_of(data):

@@ -6,9 +6,11 @@ import re
 import types
 import unittest
 import xml.dom.minidom
+from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.data import statistics
+from rtshell_lite.datalog import gaps, records
 from rtshell_lite.views import plot, plot_sources, plot_svg, plot_text
 
 START = 1700000000 * 10 ** 9
@@ -94,6 +96,19 @@ class Series(unittest.TestCase):
             thin.add(START + second * SECOND, second)
         thin.flush()
         self.assertEqual([point[1] for point in thin.points if point[2]], [0, 20])
+
+    def test_what_is_missing_in_a_log_is_a_gap_and_a_mark(self):
+        channel = records.Channel("a", "rtlog.Number", b"", ("/x:a",), "json")
+        entries = [records.Entry(n, START + n * SECOND, 0, None, None, {"data": n}) for n in range(20)]
+        gap = gaps.Gap(START + 4 * SECOND + 1, START + 7 * SECOND + 1, {"a": 12}, "lost")
+        log = types.SimpleNamespace(
+            channels=[channel], counts={"a": 20}, first=START, last=entries[-1].received, gaps=[gap]
+        )
+        decoder = mock.Mock(log=log, value=lambda entry: None)
+        made = plot_sources.of_log(decoder, ["a"], "", entries)
+        points = made.panels[0].series["data"].points
+        self.assertEqual([point[1] for point in points if point[2]], [0, 5, 8])
+        self.assertEqual(made.marks, [(gap.first, "missing: 12 values of a: lost")])
 
     def test_nan_and_infinity_are_gaps(self):
         series = plot.Series("a")

@@ -9,7 +9,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes, reading
-from rtshell_lite.datalog import incidents, logfile, recorder, ring, triggers
+from rtshell_lite.datalog import gaps, incidents, logfile, recorder, ring, triggers
 from rtshell_lite.net import loop
 from test_datalog import CHANNELS, START, Case
 
@@ -93,6 +93,19 @@ class Ring(Case):
                 self.assertTrue(abs(numbers[0] - max(0, at - 40)) <= 1 or wait == 3, (numbers[0], at))
                 self.assertLessEqual(abs(numbers[-1] - at - 20), 1)
             self.assertEqual(len(self.kept), 3)
+
+    def test_what_is_missing_is_kept(self):
+        for make in (self.parts, self.memory):
+            made = make()
+            incidents = self.incidents()
+            self.run_for(10, made, incidents)
+            for before in (9, 2):
+                moment = int((self.clock.now - before) * 1e9)
+                made.put_gap(gaps.Gap(moment, moment, {"a": before}, "lost"))
+            incidents.trigger("cause")
+            self.run_for(4, made, incidents)
+            with logfile.load(self.kept[-1]) as log:
+                self.assertEqual([gap.counts for gap in log.gaps], [{"a": 2}])
 
     def test_triggers_during_an_incident_are_further_causes(self):
         made = self.memory()
