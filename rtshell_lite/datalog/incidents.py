@@ -2,12 +2,15 @@
 
 import os
 import re
+import stat
 import time
 
 from rtshell_lite import errors, files, notes, text
 from rtshell_lite.datalog import writer
 from rtshell_lite.datalog.ring import EACH
 
+HEAD = b"rtlog --trigger\n"  # how the file begins by which another command triggers
+WORD = b"now\n"  # what that command appends
 SLICE = 2 << 20  # octets that are copied at a time, for messages come meanwhile
 
 
@@ -154,39 +157,56 @@ class Hook:
 
 class Mailbox:
     """A file beside a log, NAME.trigger, in which `rtlog --trigger-now NAME` leaves a word; it is ours while
-    we record.
+    we record. A file of that name that does not begin with HEAD is the user's.
     """
 
     def __init__(self, name):
         """Raises OSError, errors.Failed."""
         self._path = name + ".trigger"
         target = files.destination(self._path)
+        flags = os.O_RDWR | os.O_NOFOLLOW | os.O_CLOEXEC | os.O_NONBLOCK
+        is_new = True
         try:
-            fd = os.open(target, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
+            try:
+                fd = os.open(target, flags | os.O_CREAT | os.O_EXCL, 0o666)
+            except FileExistsError:
+                is_new = False
+                fd = os.open(target, flags)
         except OSError as e:
             e.filename = name  # the one that the user knows
             raise
         self._file = os.fdopen(fd, "r+b", 0)
         try:
             writer.lock(self._file, name)
-        except errors.Failed:
+            if is_new:
+                self._file.write(HEAD)
+            elif not _is_ours(fd):  # else another rtlog's, which was killed
+                where = text.printable(self._path)
+                raise errors.Failed(where, "exists, and is not rtlog's, which needs this name for triggers")
+        except (errors.Failed, OSError):
             self._file.close()
             raise
-        self._file.truncate(0)
+        self._file.truncate(len(HEAD))
 
     def take(self):
         """Whether somebody has left a word, which is taken."""
-        if os.fstat(self._file.fileno()).st_size == 0:
+        if os.fstat(self._file.fileno()).st_size <= len(HEAD):
             return False
-        self._file.truncate(0)
+        self._file.truncate(len(HEAD))
         return True
 
     def close(self):
         try:
-            os.remove(self._path)
+            if os.path.samestat(os.fstat(self._file.fileno()), os.lstat(self._path)):
+                os.remove(self._path)
         except OSError:
             pass
         self._file.close()
+
+
+def _is_ours(fd):
+    """Whether an open file is that of a Mailbox."""
+    return stat.S_ISREG(os.fstat(fd).st_mode) and os.read(fd, len(HEAD)) == HEAD
 
 
 def trigger_now(name):
@@ -196,13 +216,16 @@ def trigger_now(name):
     import fcntl
 
     try:
-        fd = os.open(name + ".trigger", os.O_WRONLY | os.O_APPEND | os.O_NOFOLLOW | os.O_CLOEXEC)
+        flags = os.O_RDWR | os.O_APPEND | os.O_NOFOLLOW | os.O_CLOEXEC | os.O_NONBLOCK
+        fd = os.open(name + ".trigger", flags)
     except FileNotFoundError:
         raise errors.Failed(text.printable(name), "no rtlog records a ring of that name")
-    with os.fdopen(fd, "ab", 0) as file:
+    with os.fdopen(fd, "r+b", 0) as file:
+        if not _is_ours(fd):
+            raise errors.Failed(text.printable(name), "no rtlog records a ring of that name")
         try:
             fcntl.flock(file.fileno(), fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
-            file.write(b"now\n")
+            file.write(WORD)
             return
     raise errors.Failed(text.printable(name), "no rtlog records a ring of that name any more")

@@ -39,6 +39,19 @@ machine is busy.)
   $ ls a.mcap* 2>/dev/null
   [2]
 
+A file of the user's that has the name of ours is left alone; what a killed rtlog has left is not:
+
+  $ for words in mine ''; do printf "$words" > q.mcap.trigger; rtlog --ring 4 --trigger error -f q.mcap .; rtlog --trigger-now q.mcap; cat q.mcap.trigger; ls q*; done
+  rtlog: q.mcap.trigger: exists, and is not rtlog's, which needs this name for triggers
+  rtlog: q.mcap: no rtlog records a ring of that name
+  mineq.mcap.trigger
+  rtlog: q.mcap.trigger: exists, and is not rtlog's, which needs this name for triggers
+  rtlog: q.mcap: no rtlog records a ring of that name
+  q.mcap.trigger
+  $ rm q*; rtlog -q --ring 4 --trigger error -f q.mcap . & pid=$!; soon 'grep -- --trigger q.mcap.trigger'; rtlog --trigger-now q.mcap; kill -KILL $pid; wait $pid 2>/dev/null
+  [137]
+  $ rtlog -q -t 0.5 --ring 4 --trigger error -f q.mcap .; ls q* | grep trigger; rm -f q*
+
 A value, in memory; only the file of the trigger is written:
 
   $ rtlog -q -t 6 --ring 2 --in-memory --after 0.5 --trigger 'Source0.rtc:number.data > 0' -f m.mcap Source0.rtc:number; ls m* | sed 's/20[0-9]*-[0-9]*/DATE/'
