@@ -19,7 +19,7 @@ from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
 from rtshell_lite.data.connection import Connection
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, connectors, ports
+from rtshell_lite.robot import component, connectors, ports, tree
 from rtshell_lite.text import shell_word
 
 LENGTH = 8  # values that a port's buffer holds unless a connector has asked for more
@@ -118,6 +118,38 @@ def _option(index):
     if index:
         return " -e %d" % index
     return ""
+
+
+async def _do_any_write(ref, others):
+    """Whether any of these Connectors of the in port `ref` may bring values into its buffer: those of tools may,
+    and those of components that may be Active; values that the port fetches wait elsewhere.
+    """
+    for connector in others:
+        properties = dict(connector.properties)
+        if properties.get("dataport.dataflow_type", "").lower() == "pull":
+            continue
+        sources = [other for other in connector.ports if other is not None and not orb.same(other, ref)]
+        if not sources:
+            return True
+        for source in sources:
+            if await _does_write(source):
+                return True
+    return False
+
+
+async def _does_write(ref):
+    """Whether a port may send values."""
+    path = orb.at_address(ref)
+    try:
+        port = await ports.port(tree.Node(path, "component", ref), ref)
+        if port.type != "DataOutPort":
+            return False
+        state = await component.state(tree.Node(path, "component", port.owner))
+    except errors.Gone:
+        return False
+    except errors.Error:
+        return True
+    return state not in ("Inactive", "Error", "Created")
 
 
 class Backlog:
@@ -419,9 +451,14 @@ class Writer(Connection):
         if not self.taken:
             return
         await self.check()
-        if self.alone:
-            connected = (await ports.port(self.port.node, self.port.ref)).connectors
-            self.alone = all(connector.id == self.connector.id for connector in connected)
+        if self.audience and await self._do_others_write():
+            if self.taken == 1:
+                what = "it was"
+            else:
+                what = f"the {self.taken} values were"
+            raise errors.Unread(
+                self.where, f"sent; others write to this port, so whether {what} read is not known"
+            )
         unread = self.unread()
         if unread:
             raise unread
@@ -432,6 +469,14 @@ class Writer(Connection):
                 what = f"the {self.taken} values"
             self.remark = f"it has probably read {what}: others are connected, and share its buffer"
         self.lingered = True
+
+    async def _do_others_write(self):
+        """Whether another connector that the port has, or had at first, may have brought values."""
+        connected = (await ports.port(self.port.node, self.port.ref)).connectors
+        others = {connector.id: connector for connector in [*self.port.connectors, *connected]}
+        others.pop(self.connector.id, None)
+        self.alone = self.alone and not others
+        return await _do_any_write(self.port.ref, others.values())
 
     async def release(self):
         """Give the port its usual buffer back, empty: unread values would be read at some later connection.

@@ -119,7 +119,23 @@ The buffer of a port that others are connected to stays as it is; sending faster
   [5]
   $ rtinject -c 1 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it has probably read the value: others are connected, and share its buffer
-  $ ctl buffer ConsoleOut0:in; rtdis ConsoleOut0.rtc:in; rtact ConsoleIn0.rtc
+
+Whoever writes to the port, too, may push values out of its buffer: an Active component, or another tool. That fetched values wait
+elsewhere:
+
+  $ rtact --wait=30 ConsoleIn0.rtc; rtinject -c 1 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: sent; others write to this port, so whether it was read is not known
+  [5]
+  $ rtinject -c 1 -n 3 -r 10 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: sent; others write to this port, so whether the 3 values were read is not known
+  [5]
+  $ rtdis ConsoleOut0.rtc:in; rtcon -p dataflow_type=pull ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtinject -c 1 ConsoleOut0.rtc:in
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it has probably read the value: others are connected, and share its buffer
+  $ rtdis ConsoleOut0.rtc:in; rtinject -q -c 1 -n -1 -r 20 ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
+  $ rtinject -c 1 ConsoleOut0.rtc:in; kill $pid; wait $pid
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: sent; others write to this port, so whether it was read is not known
+  [143]
+  $ ctl buffer ConsoleOut0:in; ctl connectors ConsoleOut0:in; rtact ConsoleIn0.rtc
   8 overwrite
 
 One that the user asks for is reckoned with:
