@@ -361,18 +361,20 @@ async def _found(*words):
 
 
 def _properties(given):
+    from rtshell_lite.robot import connector_properties
+
     properties = {}
     for name, value in given.items():
         if "." not in name:
             name = "dataport." + name
         properties[name] = str(value)
-    return properties
+    return connector_properties.complete(properties)
 
 
 @_plain
 async def connect(one, other, **properties):
     """Connect two ports and return the id of the connection.
-    Properties without a dot belong to `dataport`: data_type="…".
+    Properties without a dot belong to `dataport`: data_type="…". Raises BadValue for one that is misspelt.
     """
     from rtshell_lite.robot import connectors
 

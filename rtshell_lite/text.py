@@ -157,13 +157,13 @@ def near(word, known):
     return ""
 
 
-def closest(word, known):
-    """The one of the words `known` that resembles a word, None if none does."""
+def closest(word, known, least=0.6):
+    """The one of the words `known` that resembles a word, by `least` of 1; None if none does."""
     try:
         import difflib
     except ImportError:  # Debian's python3-minimal has none
         return None
-    return next(iter(difflib.get_close_matches(word, known, 1)), None)
+    return next(iter(difflib.get_close_matches(word, known, 1, least)), None)
 
 
 def candidates(word, known):

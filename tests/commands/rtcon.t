@@ -91,6 +91,22 @@ Properties: a value may hold an equals sign, or be empty; of two the last one co
       x                               a=b
       y
   $ rtdis ConsoleIn0.rtc
+
+The properties that OpenRTM knows need no `dataport.`; one that is misspelt is refused, here and where commands make connections of
+their own; what resembles none is the user's:
+
+  $ rtcon --dry-run -p subscription_type=flush -p inport.buffer.length=3 -p mine=1 -p dataport.mine=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon -p dataport.inport.buffer.length=3 -p dataport.mine=2 -p dataport.subscription_type=flush -p mine=1 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
+  $ rtcon -p dataport.subscripton_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: dataport.subscripton_type: no such property; did you mean dataport.subscription_type?
+  [2]
+  $ for key in Subscription_Type buffer.lenght publisher.rate; do for command in 'rtcon -p' 'rtprint --property' 'rtlog -f a --property'; do $command $key=1 ConsoleIn0.rtc:out ConsoleOut0.rtc:in; done; done 2>&1 | uniq -f 1
+  rtcon: Subscription_Type: no such property; did you mean dataport.subscription_type?
+  rtcon: buffer.lenght: no such property; did you mean dataport.buffer.length?
+  rtcon: publisher.rate: no such property; did you mean dataport.publisher.push_rate?
+  $ rtinject -c 1 --property bufer.length=1 ConsoleOut0.rtc:in
+  rtinject: bufer.length: no such property; did you mean dataport.buffer.length?
+  [2]
   $ rtcon -p x=1 -p x=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: duplicate property, the last one counts: x=2
   $ rtcat -ll ConsoleOut0.rtc:in | grep -E '^    x'

@@ -1,0 +1,40 @@
+"""The names of properties of connections, as a user writes them."""
+
+from rtshell_lite import errors
+from rtshell_lite.text import closest, printable
+
+PREFIX = "dataport."
+SIDES = ("inport.", "outport.")
+NEAR = 0.8  # how alike a misspelt name and a known one are, of 1
+
+# What OpenRTM-aist reads, after the prefix, which may be followed by a side.
+KNOWN = (
+    "subscription_type dataflow_type interface_type data_type io_mode marshaling_type serializer.cdr.endian "
+    "push_rate publisher.push_rate publisher.push_policy publisher.skip_count buffer.type buffer.length "
+    "buffer.write.full_policy buffer.write.timeout buffer.read.empty_policy buffer.read.timeout "
+    "allow_dup_connection timestamp_policy fan_in fan_out fsm_event_name data_value "
+    "corba_cdr.inport_ior corba_cdr.inport_ref corba_cdr.outport_ior corba_cdr.outport_ref "
+    "data_service.inport_ior data_service.inport_ref data_service.outport_ior data_service.outport_ref"
+).split()
+
+
+def complete(given):
+    """The properties of a dict with their full names: known ones may be written without `dataport.`; unknown
+    ones are the user's own. Raises BadValue for those that are a known one misspelt.
+    """
+    return {_full(key): value for key, value in given.items()}
+
+
+def _full(key):
+    side, rest = "", key
+    if rest.startswith(PREFIX):
+        rest = rest[len(PREFIX) :]
+    for word in SIDES:
+        if rest.startswith(word):
+            side, rest = word, rest[len(word) :]
+    if rest in KNOWN:
+        return PREFIX + side + rest
+    meant = closest(rest.lower(), KNOWN, NEAR)
+    if meant is None:
+        return key
+    raise errors.BadValue(printable(key), f"no such property; did you mean {PREFIX}{side}{meant}?")
