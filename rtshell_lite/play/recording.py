@@ -40,6 +40,7 @@ class Recording:
             elif channel.sources:
                 self._add_source(number, channel)
         self.scenes = _scenes(log) or [Scene(log.started, model.RtsProfile(), {})]
+        self._shorten_sources()
         if not self.paths() and not self.channels:
             raise errors.Failed(log.where, "no component is in this log: record it with rtlog --events PATH")
 
@@ -57,6 +58,18 @@ class Recording:
                 f"{printable(channel.name)}: its values came from {source} and {others} more; that one "
                 "sends them"
             )
+
+    def _shorten_sources(self):
+        """Have out ports called as in profiles: a component that is bound by another name than its own puts its
+        own before their names (`MA.rtc:Meter0.seq`).
+        """
+        instances = {}
+        for scene in self.scenes:
+            for where, described in by_path(scene).items():
+                instances.setdefault(where, described.instance_name)
+        for number, source in self.channels.items():
+            instance = instances.get(str(source.object()))
+            self.channels[number] = source.with_port(ports.short_name(source.port, instance))
 
     def paths(self):
         """The Paths of all components that a scene shows."""
