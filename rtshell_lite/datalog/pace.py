@@ -8,6 +8,7 @@ from rtshell_lite.net import loop
 JUMP = 5.0  # seconds
 ROUND = 0.1  # seconds that a log takes at least that is played again and again: it may have one moment only
 RUN = 16  # entries that are late, after which others go on
+GRACE = 0.5  # seconds after the end in which what was due before it is still played
 SET_BACK = 1e9  # ns by which an entry is earlier than the one before where the clock was set back
 
 
@@ -15,12 +16,13 @@ class Pace:
     """Plays the entries of a play.Range of a Log, `rate` times as fast as they came, the first at once.
 
     cycle      seconds, at multiples of which entries are due, or None
-    seconds    after which there are no more
+    seconds    after which there are no more, not even late ones
     is_looped  again and again
 
     `position` is when the last entry came (ns since the epoch), `count` how many entries were due,
-    `is_elsewhere` whether the last one does not follow the one before. Raises errors.Failed where there is no
-    entry in the range.
+    `is_elsewhere` whether the last one does not follow the one before, `behind` by how many seconds it was
+    late in the end, with entries that were due and left out. Raises errors.Failed where there is no entry in
+    the range.
     """
 
     def __init__(self, log, chosen, rate=1.0, cycle=None, seconds=math.inf, is_looped=False):
@@ -34,6 +36,7 @@ class Pace:
         self.position = None
         self.count = 0
         self.is_elsewhere = True
+        self.behind = 0.0
         self.is_paused = False
         self._steps = 0
         self._target = None  # ns since the epoch, to jump to
@@ -126,6 +129,10 @@ class Pace:
                 await self._bell.wait(min(end - now, loop.FOREVER))
                 continue
             self._schedule(entry, now)
+            if self._due <= end and now > end + GRACE:
+                self.behind = now - self._due
+                self._is_over = True
+                return False
             if self._due <= min(now, end):
                 await self._let_others()
                 return True

@@ -7,7 +7,7 @@ import time
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, port_arguments, writing
 from rtshell_lite.data.watcher import Watcher
-from rtshell_lite.datalog import decode
+from rtshell_lite.datalog import decode, pace
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
@@ -125,7 +125,7 @@ async def _wait_until(begun, moment, seconds):
     left = begun + min(moment, seconds) - time.monotonic()
     if left > 0:
         await loop.sleep(left)
-    return moment <= seconds
+    return moment <= seconds and time.monotonic() <= begun + seconds + pace.GRACE
 
 
 class Playing:

@@ -109,6 +109,23 @@ class Playing(Case):
             for taken, due in zip(times, expected):
                 self.assertTrue(due <= taken < due + 0.2 + waited, (times, expected))
 
+    def test_the_end_comes_in_time_where_playing_falls_behind(self):
+        """Ports that take a value in 50 ms are played 1,000 that came within a second, for 0.3 s."""
+        entries = [records.Entry(i, START + i * 10 ** 6, 0, True, b"", None) for i in range(1000)]
+        chosen = mock.Mock(entries=lambda log, first=None: iter(entries))
+        paced = pace.Pace(None, chosen, 1, None, 0.3)
+
+        async def play_slowly(coming):
+            async for _ in coming:
+                await loop.sleep(0.05)
+
+        for coming in (paced.entries(), play.portions(entries, 1, 0.001, 0.3)):
+            waited, begun = tools.waited_for_processor(os.getpid()), time.monotonic()
+            loop.run(play_slowly(coming))
+            waited = tools.waited_for_processor(os.getpid()) - waited
+            self.assertLess(time.monotonic() - begun, 2 + waited)
+        self.assertGreater(paced.behind, 0.3)
+
     def test_pausing_stepping_jumping(self):
         """The caller chooses what comes next."""
         self.write([(0, START + i * 10 ** 9, True, b"") for i in range(40)])
