@@ -45,9 +45,9 @@ class Incidents:
         self._begun = int(time.time() * 1e9)
         self._pending = []
 
-    def trigger(self, words, moment=None):
-        """Something has happened, now or at a moment; within the future of another incident it is one more
-        cause of that.
+    def trigger(self, words, moment=None, delay=0.0):
+        """Something has happened, now or at a moment, or up to `delay` seconds before; within the future of
+        another incident it is one more cause of that.
         """
         if moment is None:
             moment = int(time.time() * 1e9)
@@ -55,7 +55,8 @@ class Incidents:
             if incident.messages is None and moment <= incident.last:
                 incident.causes.append((moment, words))
                 return
-        self._pending.append(Incident(moment - self._before, moment + self._after, (moment, words)))
+        first = moment - self._before - int(delay * 1e9)
+        self._pending.append(Incident(first, moment + self._after, (moment, words)))
 
     def protect(self, ring):
         """Have the ring keep what is pending."""

@@ -17,6 +17,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 LOOK = 0.05  # seconds between two looks
+UNNOTICED = 1.5  # seconds, at most, for which a component is usually dead before that is noticed
 NO_PORT = "no port has this name yet"
 EVENTS = {"error": ("ERROR",), "death": ("DIED",), "disconnect": ("PORT_DISCONNECT",)}
 _OPERATORS = {
@@ -33,6 +34,8 @@ _SILENCE = re.compile(r"silent\s+(\S.*\S)\s+(\d+\.?\d*|\.\d+)\s*\Z")
 
 class Silence:
     """No value of a channel has come for some time."""
+
+    delay = 0.0  # seconds by which it may have happened earlier than it is noticed
 
     def __init__(self, words, port, seconds):
         self.words = words
@@ -63,6 +66,8 @@ class Silence:
 
 class Comparison:
     """A part of the values of a channel is more, less, or what."""
+
+    delay = 0.0
 
     def __init__(self, words, part, compare, wanted):
         self.words = words
@@ -125,6 +130,7 @@ class Report:
     def __init__(self, word):
         self.words = word
         self._events = EVENTS[word]
+        self.delay = UNNOTICED if word == "death" else 0.0
         self._happened = []
 
     def wrap(self, names, type, deliver):
@@ -210,8 +216,8 @@ class Triggers:
         channel = work.channels.add_json("/triggers", schemas.of_events())
         while True:
             self._report_remarks()
-            for words in self._causes():
-                self._incidents.trigger(words)
+            for words, delay in self._causes():
+                self._incidents.trigger(words, delay=delay)
                 notes.note(f"trigger: {printable(words)}")
                 fields = dict(path="", kind="TRIGGER", subject="", event=words, mark="trigger: " + words)
                 work.put_json(channel, fields)
@@ -233,10 +239,12 @@ class Triggers:
         self._signals += 1
 
     def _causes(self):
+        """What has happened: (in words, seconds by which it may have happened earlier)."""
         for condition in self._conditions:
-            yield from condition.causes()
+            for words in condition.causes():
+                yield words, condition.delay
         if self._signals:
             self._signals = 0
-            yield "SIGUSR1"
+            yield "SIGUSR1", 0.0
         if self._mailbox.take():
-            yield "now"
+            yield "now", 0.0

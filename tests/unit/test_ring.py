@@ -107,6 +107,23 @@ class Ring(Case):
             with logfile.load(self.kept[-1]) as log:
                 self.assertEqual([gap.counts for gap in log.gaps], [{"a": 2}])
 
+    def test_a_death_is_noticed_late(self):
+        """A ring of 4 s has 4 s before the death, which happened up to a second before somebody noticed."""
+        for make in (lambda: self.parts(), lambda: self.memory(4 + ring.LATE)):
+            self.kept.clear()
+            made = make()
+            incidents = self.incidents()
+            self.run_for(20, made, incidents)
+            conditions = triggers.parse(["death"])
+            with mock.patch.object(triggers, "SIGNAL", None):
+                seen = triggers.Triggers(conditions, incidents, mock.Mock(take=lambda: False))
+            seen.hear({"event": "DIED", "path": "/x.rtc"})
+            died = self.number - 10
+            for words, delay in seen._causes():
+                incidents.trigger(words, delay=delay)
+            self.run_for(4, made, incidents)
+            self.assertLessEqual(self.numbers(self.kept[0])[0], died - 40)
+
     def test_triggers_during_an_incident_are_further_causes(self):
         made = self.memory()
         incidents = self.incidents()
