@@ -209,6 +209,22 @@ class Temporary:
             self.path = None
 
 
+class Naming:
+    """Has an OSError in a `with` block name the file that the user knows, where it names none or a temporary
+    one.
+    """
+
+    def __init__(self, name):
+        self.name = name
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        if isinstance(error, OSError) and (error.filename is None or str(error.filename).endswith(".tmp")):
+            error.filename = self.name
+
+
 def create(path, mode=0o666, buffering=-1):
     """A new file, open for appending. Raises FileExistsError for whatever has that name,
     even a broken link.

@@ -57,6 +57,16 @@ DEEPEST = 100  # values inside values
 NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # not numbers in JSON
 
 
+def real(word):
+    """The number that a word with a point or an exponent says. Raises BadValue for one that no double holds:
+    Infinity has to be meant.
+    """
+    number = float(word)
+    if math.isinf(number):
+        raise errors.BadValue(printable(word[:60]), "larger than any number; write Infinity if that is meant")
+    return number
+
+
 def build(descriptor, written, where, json=False, now=None, find=None):
     """The value of a type for what was `written`; `where` names it in errors: RTC.TimedLong.
 

@@ -46,7 +46,8 @@ def of_json(operation, given, find):
     from rtshell_lite.data import build_value
 
     try:
-        written = json.loads(given, parse_constant=lambda word: build_value.NUMBERS[word])
+        hooks = dict(parse_constant=lambda word: build_value.NUMBERS[word], parse_float=build_value.real)
+        written = json.loads(given, **hooks)
     except (ValueError, RecursionError) as e:
         raise errors.BadValue(operation.shown, f"not JSON ({e})")
     if not isinstance(written, dict):

@@ -73,10 +73,8 @@ def parse(text):
         try:
             import json
 
-            return (
-                json.loads(text, parse_constant=lambda word: build_value.NUMBERS[word], parse_int=_whole),
-                True,
-            )
+            hooks = dict(parse_constant=lambda word: build_value.NUMBERS[word], parse_float=build_value.real)
+            return json.loads(text, parse_int=_whole, **hooks), True
         except ImportError:  # Debian's python3-minimal lacks it; numbers and the constructor form need none
             pass
         except (ValueError, RecursionError):
@@ -193,7 +191,7 @@ class _Parser:
         except ValueError:
             if word.lstrip("+-").isdigit():
                 return int(word)
-            return float(word)
+            return build_value.real(word)
 
     def string(self):
         try:

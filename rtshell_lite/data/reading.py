@@ -11,7 +11,7 @@ import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, servants, session
-from rtshell_lite.data import clocks, seam
+from rtshell_lite.data import clocks, seam, writing
 from rtshell_lite.data.connection import BUSY, SILENT, Connection
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
@@ -58,6 +58,7 @@ class Reader(Connection):
     kind = "DataOutPort"
     side = "outport"
     flows = ("push", "pull")
+    looks_until_why = 0  # how many looks without any value until it asks, once, why none comes; 0: never
     seam = None  # where its values follow those of another Reader
     # function(first, last, how many or None, why), called where values are missing, ns since the epoch
     miss = None
@@ -302,12 +303,23 @@ class Reader(Connection):
         self.seen = self.count
         if seen != self.count:
             self.failure = None  # it was silent, but values have come
-        return self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
+        is_silent = self.looks_until_why and not self.count
+        return bool(is_silent) or self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
 
     async def check(self):
         if self.connector and self._is_too_heavy():
             await loop.finish(self._reopen())
         await super().check()
+        if self.looks_until_why and not self.count:
+            self.looks_until_why -= 1
+            if not self.looks_until_why:
+                await self._explain_silence()
+
+    async def _explain_silence(self):
+        """Remark that the component sends nothing as it does not execute."""
+        why = await writing.Audience(self.port.node, self.where).why_not_reading()
+        if why and not self.count:
+            self.remark = "no value has come: %s; %s" % why
 
     def _is_too_heavy(self):
         """Whether a full queue of the largest values would take too much of the component's memory."""

@@ -7,9 +7,24 @@ from rtshell_lite import errors, files, text
 from rtshell_lite.datalog import mcap
 
 
+SIMPKL = b"(F", b"(G"  # how the logs of rtshell begin, beside those with the mark of a newer pickle
+
+
 def is_text(start):
     """True for the first bytes of a log of text."""
     return start.split(b".")[0].isdigit()
+
+
+def is_log(name):
+    """Whether there is a file of that name that begins as a log does."""
+    try:
+        if not stat.S_ISREG(os.stat(name).st_mode) or not os.path.getsize(name):
+            return False
+        with files.opened(name) as file:
+            start = file.read(32)
+    except (OSError, errors.Failed):
+        return False
+    return start.startswith(mcap.MAGIC) or start[:1] == b"\x80" or start[:2] in SIMPKL
 
 
 def load(name, modules=()):
@@ -28,7 +43,7 @@ def load(name, modules=()):
             from rtshell_lite.datalog import reader
 
             return reader.Log(file, where, size)
-        if start[:1] == b"\x80" or start[:2] in (b"(F", b"(G"):
+        if start[:1] == b"\x80" or start[:2] in SIMPKL:
             from rtshell_lite.datalog import simpkl
 
             return simpkl.Log(file, where, size, modules)

@@ -19,7 +19,8 @@ def mend(name, out=None):
         if out is None:
             _complete(name, log)
         else:
-            _copy(log, out)
+            with files.Naming(out):
+                _copy(log, out)
         return [note for note in log.notes() if log.torn or log.damaged]
 
 

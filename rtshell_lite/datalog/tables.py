@@ -274,7 +274,8 @@ class _Spool:
             self._flush()
 
     def _flush(self):
-        self._file.write("".join(self._rows))
+        with files.Naming(tempfile.gettempdir()):
+            self._file.write("".join(self._rows))
         self._rows.clear()
 
     def lines(self):
@@ -308,7 +309,8 @@ def write(decoder, entries, directory, is_ns=False):
     names = []
     for number, spool in sorted(spools.items()):
         names.append(os.path.join(directory, _file_name(decoder.log.channels[number].name, names)))
-        _replace(names[-1], spool)
+        with files.Naming(names[-1]):
+            _replace(names[-1], spool)
     return names
 
 

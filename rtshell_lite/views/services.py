@@ -102,6 +102,7 @@ class Repeated:
     async def run(self, values, limit, rate, number):
         """Yield a line for each call, if that is wanted; else the first failure is reported."""
         call = self.provider.repeated(self.operation, values, limit)
+        ended = None
         async for seconds, result, error in repeating.calls(call, rate, number):
             self.figures.add(seconds, error)
             if isinstance(error, errors.Raised):
@@ -110,6 +111,20 @@ class Repeated:
                 yield self._line(seconds, result, error)
             elif error is not None and self.figures.failed == 1:
                 notes.fail(error)
+            if isinstance(error, errors.Unreachable):
+                ended = error
+        if ended is not None and (number is None or self.figures.count < number):
+            self._report_end(ended, number)
+
+    def _report_end(self, error, number):
+        """Report that no more calls were made, and why, unless the first failure has said that."""
+        made = text.counted(self.figures.count, "call")
+        if number is not None:
+            made = f"{self.figures.count} of {text.counted(number, 'call')}"
+        if self.figures.failed > 1 and not self.is_each_shown:
+            notes.fail(f"{error}; ended after {made}")
+        else:
+            notes.fail(f"{self.provider.where}: ended after {made}")
 
     def _line(self, seconds, result, error):
         if not self.as_json:

@@ -139,6 +139,7 @@ Again and again, with statistics:
   [6]
   $ rtcall Robot0.rtc:svc rest 5 --limit 0.2 -n 3
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
+  rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm: ended after 1 of 3 calls
   1 call, 1 failed, in \d+\.\d{3} s (re)
   [4]
   $ interrupt 2 rtcall Robot0.rtc:svc speed -r 20 2>/dev/null | sed 's/^[0-9]* calls, 0 failed, in .*/ok/'

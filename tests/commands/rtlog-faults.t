@@ -68,6 +68,10 @@ Files that cannot be written:
   rtlog: full.rtlog: recording has not ended regularly, or goes on
   "closed": false, "damaged": 0
   "torn": 0}
+  $ (ulimit -f 1; rtlog --mend full.rtlog -f m.rtlog; rtlog -q --csv tables -f full.rtlog) 2>&1 | cat; ls -A tables; ls m.rtlog 2> nul
+  rtlog: m.rtlog: File too large
+  rtlog: tables/input0.csv: File too large
+  [2]
   $ ctl connectors Source0:number
 
 A pipe is no place for a log to be read from, but one to write to:

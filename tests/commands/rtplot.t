@@ -31,6 +31,8 @@ A log that somebody else wrote, of six numbers and a state:
      ++---------------------+---------------------+-----------
       0                     2                     4 s
   0 is 2001-09-09 01:46:40.000
+  $ rtplot ./other.mcap --ascii numbers | head -n 1
+  /numbers
   $ rtplot -f other.mcap numbers.data
   /numbers.data
   ⠤⠤ data  min 0  max 35  last 35

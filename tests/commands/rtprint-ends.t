@@ -18,20 +18,25 @@ Signals, also two at a time:
   $ interrupt 1 rtprint ConsoleIn0.rtc:out; none
   $ interrupt 1 rtprint --stats Quiet0.rtc:out; none
   all in all: no values
-  $ start nohup rtprint -t 3 Quiet0.rtc:out; kill -HUP $pid; wait $pid; echo $?; none
+  $ start nohup rtprint -q -t 3 Quiet0.rtc:out; kill -HUP $pid; wait $pid; echo $?; none
   0
+
+A component that is not Active sends nothing, which is said:
+
+  $ rtprint -t 5 Quiet0.rtc:out; rtact --wait=30 Quiet0.rtc; rtprint -t 5 Quiet0.rtc:out; rtdeact Quiet0.rtc
+  rtprint: /localhost:$PORT/test.host_cxt/Quiet0.rtc:out: no value has come: it is Inactive; rtact /localhost:$PORT/test.host_cxt/Quiet0.rtc
 
 Without stdin, without stdout, without a terminal, as in cron:
 
-  $ start rtprint -n 1 ConsoleIn0.rtc:out <&-; ctl write ConsoleIn0:out 1; wait $pid; none
+  $ start rtprint -q -n 1 ConsoleIn0.rtc:out <&-; ctl write ConsoleIn0:out 1; wait $pid; none
   [0.000000000] 1
-  $ start rtprint -n 1 ConsoleIn0.rtc:out </dev/null; ctl write ConsoleIn0:out 2; wait $pid; none
+  $ start rtprint -q -n 1 ConsoleIn0.rtc:out </dev/null; ctl write ConsoleIn0:out 2; wait $pid; none
   [0.000000000] 2
-  $ start setsid -w rtprint -n 1 ConsoleIn0.rtc:out </dev/null 2>&-; ctl write ConsoleIn0:out 3; wait $pid; none
+  $ start setsid -w rtprint -q -n 1 ConsoleIn0.rtc:out </dev/null 2>&-; ctl write ConsoleIn0:out 3; wait $pid; none
   [0.000000000] 3
-  $ start rtprint -n 1 ConsoleIn0.rtc:out >&-; ctl write ConsoleIn0:out 4; wait $pid; none
+  $ start rtprint -q -n 1 ConsoleIn0.rtc:out >&-; ctl write ConsoleIn0:out 4; wait $pid; none
   rtprint: cannot write the output: Bad file descriptor
-  $ start rtprint -n 1 ConsoleIn0.rtc:out >/dev/full; ctl write ConsoleIn0:out 5; wait $pid; none
+  $ start rtprint -q -n 1 ConsoleIn0.rtc:out >/dev/full; ctl write ConsoleIn0:out 5; wait $pid; none
   rtprint: No space left on device
 
 The reader of the output goes away, whether anything is printed or not:
@@ -49,7 +54,7 @@ Someone removes the connection, or the component exits:
   $ start rtprint --pull ConsoleIn0.rtc:out; rtdis ConsoleIn0.rtc:out; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: the connection has been removed
   [4]
-  $ start rtprint ConsoleIn0.rtc:out.a Quiet0.rtc:out.b 2>told; rtexit Quiet0.rtc; told Quiet0
+  $ start rtprint -q ConsoleIn0.rtc:out.a Quiet0.rtc:out.b 2>told; rtexit Quiet0.rtc; told Quiet0
   rtprint: /localhost:$PORT/test.host_cxt/Quiet0.rtc:out: the component has ended
   $ ctl write ConsoleIn0:out 6; ctl write ConsoleIn0:out 7; rtdis ConsoleIn0.rtc:out; wait $pid
   a: [0.000000000] 6

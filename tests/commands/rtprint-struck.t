@@ -58,7 +58,7 @@ Where the component does not answer then, or refuses, the connection stays, and 
 
 One that hangs does not keep the others of its process connected:
 
-  $ rtprint Hangs0.rtc:out Lives0.rtc:out 2>said & pid=$!; until [ -n "$(ctl @these connectors Lives0:out)" ]; do :; done
+  $ rtprint -q Hangs0.rtc:out Lives0.rtc:out 2>said & pid=$!; until [ -n "$(ctl @these connectors Lives0:out)" ]; do :; done
   > ctl @these hang Hangs0 60; until grep -q answer said; do :; done; kill $pid; wait $pid
   [143]
   $ cat said; ctl @these connectors Lives0:out; ctl @these reset

@@ -2,14 +2,18 @@
 import socket
 import struct
 import unittest
+from unittest import mock
 
 from giop_client import answer
 from giop_peers import CLOSE, Calls, Peer
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.corba.iiop import client
 from rtshell_lite.giop import descriptors, messages
+from rtshell_lite.data import call_values
 from rtshell_lite.giop.operations import Schema
+from rtshell_lite.net import loop
+from rtshell_lite.views import services
 
 PART = 2  # a short run has every second of its tests
 MOVE = Schema("move", [descriptors.DOUBLE], [descriptors.LONG], {})
@@ -22,6 +26,45 @@ def exception(name, completed, minor=0):
     type_id = b"IDL:omg.org/CORBA/%s:1.0\0" % name.encode()
     body = struct.pack("<I", len(type_id)) + type_id
     return body + b"\0" * (-len(body) % 4) + struct.pack("<II", minor, completed)
+
+
+class Repeated(unittest.TestCase):
+    """Calls again and again end when the provider does, and say so, also where others had failed before."""
+
+    def said(self, number, outcomes, is_each_shown=False):
+        coming = iter(outcomes)
+
+        async def call():
+            outcome = next(coming)
+            if outcome is not None:
+                raise outcome
+
+        provider = mock.Mock(where="/a.rtc:svc", repeated=lambda *_: call)
+        said = []
+
+        async def main():
+            calls = services.Repeated(provider, None, True, is_each_shown)
+            async for _ in calls.run([], None, 0.0, number):
+                pass
+
+        with mock.patch.object(notes, "fail", said.append), mock.patch.object(
+            call_values, "as_dict", lambda *_: {}
+        ):
+            loop.run(main())
+        return [str(what) for what in said]
+
+    def test_why_it_ended(self):
+        gone = errors.Unreachable("/a.rtc:svc go", "connection refused")
+        refused = errors.Refused("/a.rtc:svc go", "no")
+        self.assertEqual(
+            self.said(9, [None, refused, None, gone]),
+            [str(refused), "/a.rtc:svc go: connection refused; ended after 4 of 9 calls"],
+        )
+        self.assertEqual(self.said(9, [None, gone]), [str(gone), "/a.rtc:svc: ended after 2 of 9 calls"])
+        self.assertEqual(self.said(None, [None, gone]), [str(gone), "/a.rtc:svc: ended after 2 calls"])
+        self.assertEqual(self.said(9, [None, gone], True), ["/a.rtc:svc: ended after 2 of 9 calls"])
+        self.assertEqual(self.said(2, [None, gone]), [str(gone)])
+        self.assertEqual(self.said(2, [None, None]), [])
 
 
 class Once(Calls):

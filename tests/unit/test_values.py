@@ -11,10 +11,11 @@ import struct
 import tempfile
 import time
 import unittest
+from unittest import mock
 
 import random_values
 from rtshell_lite import errors
-from rtshell_lite.data import datatypes, values
+from rtshell_lite.data import call_values, datatypes, values
 
 PART = 8  # a short run takes one in PART of its tests
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -53,6 +54,22 @@ EVERYTHING = Own(
 def made(text, name=None):
     """The value of an expression, at 1.5 s."""
     return values.Expression(text, TYPES, name and TYPES.named(name)).value(1.5)
+
+
+class Infinite(unittest.TestCase):
+    """A number that no double holds is refused; only who writes Infinity means it."""
+
+    def test_numbers_beyond_all_numbers(self):
+        for text in ("1e400", '{"data": -1e400}', "RTC.TimedDouble({time}, 1e999)"):
+            with self.assertRaisesRegex(errors.BadValue, "larger than any number; write Infinity"):
+                made(text, "TimedDouble")
+        with self.assertRaisesRegex(errors.BadValue, "larger than any number"):
+            call_values.of_json(mock.Mock(shown="go"), '{"speed": 1e400}', None)
+
+    def test_infinity(self):
+        for text in ("Infinity", '{"data": Infinity}', "RTC.TimedDouble({time}, inf)"):
+            self.assertEqual(made(text, "TimedDouble").data, float("inf"))
+        self.assertEqual(made("-1.5e300", "TimedDouble").data, -1.5e300)
 
 
 class RoundTrips(unittest.TestCase):
