@@ -19,7 +19,7 @@ from rtshell_lite.robot import component, ports
 # One value: its arrival, in nanoseconds since 1970; its CDR bytes without a header; their byte order.
 Message = collections.namedtuple("Message", "received data little")
 
-QUEUE = 4096  # values that the port may queue while writes are counted, or for a reader that is often late
+QUEUE = 4096  # values that the port may queue while writes are counted, or for a late reader
 # values, and their bytes, that the port may queue for a slow reader
 BUFFER = 256
 BUFFER_BYTES = 16 << 20

@@ -444,14 +444,14 @@ class Writer(Connection):
             "overwritten"
         )
 
-    async def judge(self):
-        """Look, in the end, whether all values have been read.
+    async def judge(self, own):
+        """Look, in the end, whether all values have been read; `own`: ids of the connectors of this command.
         Raises errors.Unread, and what check() raises.
         """
         if not self.taken:
             return
         await self.check()
-        if self.audience and await self._do_others_write():
+        if self.audience and await self._do_others_write(own):
             if self.taken == 1:
                 what = "it was"
             else:
@@ -470,13 +470,16 @@ class Writer(Connection):
             self.remark = f"it has probably read {what}: others are connected, and share its buffer"
         self.lingered = True
 
-    async def _do_others_write(self):
-        """Whether another connector that the port has, or had at first, may have brought values."""
+    async def _do_others_write(self, own):
+        """Whether another connector that the port has, or had at first, may have brought values; those with `own`
+        ids are no others.
+        """
         connected = (await ports.port(self.port.node, self.port.ref)).connectors
         others = {connector.id: connector for connector in [*self.port.connectors, *connected]}
         others.pop(self.connector.id, None)
         self.alone = self.alone and not others
-        return await _do_any_write(self.port.ref, others.values())
+        strange = [connector for connector in others.values() if connector.id not in own]
+        return await _do_any_write(self.port.ref, strange)
 
     async def release(self):
         """Give the port its usual buffer back, empty: unread values would be read at some later connection.
@@ -565,7 +568,10 @@ async def linger(writers, seconds):
         pause = min(TICK, left)
         await loop.sleep(pause)
         slept += pause
-    results = await session.each(writers, Writer.judge, lambda writer: (writer.endpoint, writer.where))
+    own = {writer.connector.id for writer in writers if writer.connector}
+    results = await session.each(
+        writers, lambda writer: writer.judge(own), lambda writer: (writer.endpoint, writer.where)
+    )
     for writer, result in zip(writers, results):
         if isinstance(result, errors.Error):
             writer.failure = writer.failure or result

@@ -55,7 +55,7 @@ class Decoder:
 
     def notes(self):
         """What is wrong with the log, in words."""
-        yield from self.log.notes()
+        yield from notes(self.log)
         if self.log.gaps:
             yield "values are missing in it (intervals: %d); rtlog -d shows when" % len(self.log.gaps)
         if self.unreadable:
@@ -189,6 +189,13 @@ def _move_stamp(stamp, shift):
 
 
 # ---- what is in a log ----
+
+
+def notes(log):
+    """What is wrong with a log, in words, and what helps."""
+    yield from log.notes()
+    if not log.closed and log.form == "mcap":
+        yield "other readers may refuse it; rtlog --mend makes a copy that they open"
 
 
 def summary(log):

@@ -14,9 +14,9 @@ from rtshell_lite.net import loop
 SPAN = 5.0  # seconds over which is measured
 LOOK = 0.05  # seconds between two looks at the clock
 MOST = 0.25  # of a span, for which a component that always calls may have waited
-STILL = 0.2  # seconds after which it has stood still
+STILL = 0.05  # seconds by which it is late when it has stood still
 SETTLE = 1.0  # seconds in which ports send what has waited in their buffers; then for as long it is counted
-FEW = 0.02  # share of the values by which their number varies
+SURE = 0.5  # share of the values that a buffer could not hold, of which at least so many have not come
 STOOD = "rtlog stood still, and they exceeded the port's buffer"  # why values are missing
 
 
@@ -79,11 +79,14 @@ class _Buffered:
         rate = self._rate or self.reader.rate()
         return rate is not None and rate * seconds > self.reader.room
 
-    def missing(self, rate):
-        """About how many values have not come; `rate`: how many come a second now."""
-        expected = min(rate, self._rate or rate) * (time.monotonic() - self._begun)
-        lacking = expected - (self.reader.count - self._count)
-        if lacking > max(reading.FEWEST, FEW * expected):
+    def missing(self, rate, pause):
+        """About how many values have not come; `rate`: how many come a second now; `pause` (seconds): the
+        longest.
+        """
+        rate = min(rate, self._rate or rate)
+        excess = rate * pause - self.reader.room
+        lacking = rate * (time.monotonic() - self._begun) - (self.reader.count - self._count)
+        if excess > 0 and lacking > max(reading.FEWEST, SURE * excess):
             return round(lacking)
         return 0
 
@@ -101,6 +104,6 @@ async def _report_missing(buffered, pauses):
     passed = time.monotonic() - begun
     for each, before in zip(doubtful, counts):
         reader = each.reader
-        count = each.missing((reader.count - before) / passed)
+        count = each.missing((reader.count - before) / passed, longest)
         if count and reader.connector is each.connector and reader.miss is not None:
             reader.miss(pauses[0][0], pauses[-1][1], count, STOOD)

@@ -4,6 +4,7 @@ What arrives in an inbox.Inbox is written on a thread, so that no sender waits f
 """
 
 import json
+import os
 import time
 
 from rtshell_lite import errors, notes
@@ -15,7 +16,9 @@ from rtshell_lite.robot import ports
 from rtshell_lite.text import printable
 
 VALUES = 200000  # that may wait to be written
-OCTETS = 32 << 20  # of them
+# of them: this share of the memory, within bounds
+OCTETS = 32 << 20, 256 << 20
+SHARE = 16
 GATHER = 0.1  # seconds for which values are gathered: what a kill -9 costs
 BUSY = 0.01  # seconds between two portions of other work
 TICK = 0.1  # seconds between two looks whether recording is over
@@ -90,6 +93,18 @@ def _add_source(channel, where, type_id):
         channel.sources.append(where)
 
 
+def _octets():
+    """How many octets may wait to be written: a disk may stop for a while when much is written to it, and a
+    busy machine runs the thread that writes late. (At 300 MB a second 32 MiB are full in 0.1 s.)
+    """
+    least, most = OCTETS
+    try:
+        memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (ValueError, OSError, AttributeError):  # this system does not say
+        return least
+    return min(max(least, memory // SHARE), most)
+
+
 class Recorder:
     """Writes the Messages that arrive in its `box`, whose keys are numbers of channels, with a `writer` (of
     writer or textlog).
@@ -103,7 +118,7 @@ class Recorder:
         """`channels`: Channels, which may grow until a message of theirs comes; `incidents`: the
         incidents.Incidents to be made of what is written, or None.
         """
-        self.box = inbox.Inbox(VALUES, OCTETS, GATHER, mcap.CHUNK_SIZE)
+        self.box = inbox.Inbox(VALUES, _octets(), GATHER, mcap.CHUNK_SIZE)
         self.channels = channels
         self._losses = gaps.Losses()
         self.box.lose = self._losses.add

@@ -8,7 +8,7 @@ A running rtprint, and a service port that somebody has connected alone:
   $ rtcryo -o plain.rtsys
   rtcryo: 2 components without connections left out; --all saves them, too
   $ rtcryo -q -o plain.rtsys
-  $ rtprint ConsoleIn0.rtc:out >/dev/null & printing=$!
+  $ rtprint -q ConsoleIn0.rtc:out >/dev/null & printing=$!
   $ rtcon -i alone MyServiceProvider0.rtc:MyService
   $ until ctl connectors ConsoleIn0:out | grep -q rtprint; do sleep .1; done
 

@@ -6,10 +6,10 @@ once: it is the clock that counts here
 
 Here the disk is a pipe whose reader is slow to begin; the component sends at its rate all the same:
 
-  $ mkfifo slow; (sleep 3; cat > copy) < slow & rtlog -t 2 -f slow Source0.rtc:block > told 2>&1; echo $?
+  $ mkfifo slow; (sleep 7; cat > copy) < slow & rtlog -t 6 -f slow Source0.rtc:block > told 2>&1; echo $?
   5
-  $ sed 's/[0-9][0-9]* /N /g' told | uniq
-  rtlog: Recording for 2.0s.
+  $ grep -v much told | sed 's/[0-9][0-9]* /N /g' | uniq
+  rtlog: Recording for 6.0s.
   rtlog: N messages dropped so far: they come faster than they can be written
   rtlog: N of N messages dropped
   $ wait; tail -n 1 told | sed 's/.*rtlog: //; s/ of.*//' > dropped

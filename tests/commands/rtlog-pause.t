@@ -4,6 +4,7 @@ once: it is the clock that counts here
 alone: time
 world: senders 500 100
 world: senders 20 300000 --context big.host_cxt/%n.rtc
+world: senders 2000 8 --context fast.host_cxt/%n.rtc
 
 Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times:
 
@@ -40,3 +41,16 @@ without one:
   $ numbers c.mcap; rtlog -d -f c.mcap | grep Missing
   []
   [1]
+
+What the buffer of a port could not hold meanwhile is missing, which is in the log, and told at the end:
+
+  $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!; soon '[ $(entries d.mcap :number) -gt 8000 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ soon 'rtlog --json -f d.mcap | grep MISSING.*number'; kill $pid; wait $pid
+  [143]
+  $ cat told; rtlog -d --json -f d.mcap > info; rtlog --json -f d.mcap 2> nul | python3 -c 'import json, sys
+  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if entry["port"].endswith(":number")]
+  > lost = sum(m - n - 1 for n, m in zip(numbers, numbers[1:]))
+  > told = sum(count for gap in json.load(open("info"))["gaps"] for name, count in gap["counts"].items() if name.endswith(":number"))
+  > print(lost > 1000, 0.8 < told / lost < 1.2)'
+  rtlog: values are missing (intervals: *); rtlog -d shows when (glob)
+  True True

@@ -95,8 +95,8 @@ A recorder that stood still lets components go, which would have waited for it:
 
 Connections come and go, are made again under their id, with another far end, too; those of tools are no part of the system:
 
-  $ rtlog -q -f j.mcap --events . & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'; number=/localhost:$PORT/test.host_cxt/Source0.rtc:number
-  $ events() { rtlog --json -f j.mcap | grep PORT_ | sed 's/.*"value": //'; }; seen() { [ $(events | grep -c $1) = $2 ]; }
+  $ rtlog -q -f j.mcap --events . 2> nul & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'; number=/localhost:$PORT/test.host_cxt/Source0.rtc:number
+  $ events() { rtlog --json -f j.mcap 2> nul | grep PORT_ | sed 's/.*"value": //'; }; seen() { [ $(events | grep -c $1) = $2 ]; }
   $ rtprint -n 1 $number > nul; rtcon -i again $number ConsoleOut0.rtc:in; soon 'seen _CONNECT 2'; rtdis -i again $number; rtcon -i again $number ConsoleOut0.rtc:in
   $ soon 'seen _CONNECT 4'; rtdis -i again $number; rtcon -i again $number Mock0.rtc:in; soon 'seen _CONNECT 6'; rtdis -i again $number; soon 'seen _DISCONNECT 6'
   $ kill $pid; wait $pid

@@ -12,7 +12,7 @@ world: these ConsoleIn:Hangs0 ConsoleIn:Lives0
 
 While they are made, which takes its time here:
 
-  $ ctl delay connect 1; rtprint $six & pid=$!; until called connect; do :; done; kill $pid; wait $pid
+  $ ctl delay connect 1; rtprint -q $six & pid=$!; until called connect; do :; done; kill $pid; wait $pid
   [143]
   $ all_removed
   $ rtact ConsoleOut0.rtc; ctl reset; ctl delay connect 1; rtinject -c 1 -n -1 ConsoleOut0.rtc:in & pid=$!; until called connect; do :; done; kill -HUP $pid; wait $pid
@@ -21,7 +21,7 @@ While they are made, which takes its time here:
 
 While they are removed, at the command's own end; at most four are being removed at one time:
 
-  $ rtprint -n 1 $six & pid=$!; until connected 6; do :; done; ctl delay disconnect 0.5; ctl write ConsoleIn0:out 1
+  $ rtprint -q -n 1 $six & pid=$!; until connected 6; do :; done; ctl delay disconnect 0.5; ctl write ConsoleIn0:out 1
   > until called disconnect; do :; done; kill $pid; wait $pid
   ConsoleIn0.rtc:out: [0.000000000] 1
   [143]
@@ -30,21 +30,21 @@ While they are removed, at the command's own end; at most four are being removed
 
 Where the component does not answer then, or refuses, the connection stays, and that is said:
 
-  $ export RTSHELL_TIMEOUT=1; ctl reset; rtprint ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  $ export RTSHELL_TIMEOUT=1; ctl reset; rtprint -q ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
   > ctl fail disconnect 1 HANG; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
-  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtprint ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtprint -q ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
   > ctl fail disconnect 1 UNKNOWN; ctl fail notify_disconnect 1 UNKNOWN; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: CORBA.UNKNOWN
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component refused to remove it; to try again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
   $ rtdis ConsoleIn0.rtc:out
-  $ ctl reset; ctl fail connect 1 HANG; rtprint ConsoleIn0.rtc:out & pid=$!; until called connect; do :; done; kill $pid; wait $pid
+  $ ctl reset; ctl fail connect 1 HANG; rtprint -q ConsoleIn0.rtc:out & pid=$!; until called connect; do :; done; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   [143]
-  $ ctl reset; ctl delay connect 0.5; ctl fail disconnect 1 HANG; rtprint ConsoleIn0.rtc:out & pid=$!; until called connect; do :; done
+  $ ctl reset; ctl delay connect 0.5; ctl fail disconnect 1 HANG; rtprint -q ConsoleIn0.rtc:out & pid=$!; until called connect; do :; done
   > kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out

@@ -32,7 +32,7 @@ Others stamp their values. They are printed as they come, all of them:
 
 Several ports; NAME is another name for the port before it:
 
-  $ rtprint -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines & pid=$!
+  $ rtprint -q -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines & pid=$!
   $ until [ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]; do :; done; ctl write ConsoleIn0:out 5; wait $pid; sort lines
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
   console: [0.000000000] 5

@@ -484,6 +484,14 @@ class Recording(Case):
             note = "values are missing in it (intervals: 1); rtlog -d shows when"
             self.assertEqual(list(decode.Decoder(log, None).notes()), [note])
 
+    def test_more_may_wait_where_there_is_much_memory(self):
+        """300 values of 1 MB a second fill 32 MiB in 0.1 s, for which disks and threads do stop."""
+        for pages, expected in ((1 << 15, 32), (1 << 18, 64), (1 << 22, 256)):
+            with mock.patch.object(os, "sysconf", {"SC_PHYS_PAGES": pages, "SC_PAGE_SIZE": 4096}.get):
+                self.assertEqual(recorder_of([None]).box.most_bytes >> 20, expected)
+        with mock.patch.object(os, "sysconf", side_effect=ValueError):
+            self.assertEqual(recorder_of([None]).box.most_bytes >> 20, 32)
+
     def test_the_end(self):
         """After `most` messages it is done, and the file has no more."""
         work = recorder_of([None, None], 3)
