@@ -46,8 +46,11 @@ def of_json(operation, given, find):
     from rtshell_lite.data import build_value
 
     try:
-        hooks = dict(parse_constant=lambda word: build_value.NUMBERS[word], parse_float=build_value.real)
-        written = json.loads(given, **hooks)
+        written = json.loads(
+            given,
+            parse_constant=lambda word: build_value.NUMBERS[word],
+            parse_float=build_value.real,
+        )
     except (ValueError, RecursionError) as e:
         raise errors.BadValue(operation.shown, f"not JSON ({e})")
     if not isinstance(written, dict):

@@ -73,8 +73,13 @@ def parse(text):
         try:
             import json
 
-            hooks = dict(parse_constant=lambda word: build_value.NUMBERS[word], parse_float=build_value.real)
-            return json.loads(text, parse_int=_whole, **hooks), True
+            written = json.loads(
+                text,
+                parse_constant=lambda word: build_value.NUMBERS[word],
+                parse_float=build_value.real,
+                parse_int=_whole,
+            )
+            return written, True
         except ImportError:  # Debian's python3-minimal lacks it; numbers and the constructor form need none
             pass
         except (ValueError, RecursionError):

@@ -387,7 +387,8 @@ class Reader(Connection):
         """Nothing comes twice any more through the connector of another Reader."""
         other.deliver = self._take_of_other
         if joint.gap is not None:
-            self._report_missing(*joint.gap, OVERFLOWN)
+            first, last = joint.gap
+            self._report_missing(first, last, OVERFLOWN)
 
     def _take_of_other(self, message):
         if not self.is_closing:

@@ -121,8 +121,8 @@ def _option(index):
 
 
 async def _do_any_write(ref, others):
-    """Whether any of these Connectors of the in port `ref` may bring values into its buffer: those of tools may,
-    and those of components that may be Active; values that the port fetches wait elsewhere.
+    """Whether any of these Connectors of the in port `ref` may bring values into its buffer: those of tools
+    may, and those of components that may be Active; values that the port fetches wait elsewhere.
     """
     for connector in others:
         properties = dict(connector.properties)
@@ -471,8 +471,8 @@ class Writer(Connection):
         self.lingered = True
 
     async def _do_others_write(self, own):
-        """Whether another connector that the port has, or had at first, may have brought values; those with `own`
-        ids are no others.
+        """Whether another connector that the port has, or had at first, may have brought values; those with
+        `own` ids are no others.
         """
         connected = (await ports.port(self.port.node, self.port.ref)).connectors
         others = {connector.id: connector for connector in [*self.port.connectors, *connected]}

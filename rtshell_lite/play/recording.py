@@ -60,8 +60,8 @@ class Recording:
             )
 
     def _shorten_sources(self):
-        """Have out ports called as in profiles: a component that is bound by another name than its own puts its
-        own before their names (`MA.rtc:Meter0.seq`).
+        """Have out ports called as in profiles: a component that is bound by another name than its own puts
+        its own before their names (`MA.rtc:Meter0.seq`).
         """
         instances = {}
         for scene in self.scenes:

@@ -168,8 +168,8 @@ async def _members_first(node, ref, wait):
 
 
 async def change(node, transition, index=None, wait=None):
-    """Take a component through a Transition; returns the state in which it is now, or that it has accepted the
-    request, and where that is not its own first context.
+    """Take a component through a Transition; returns the state in which it is now, or that it has accepted
+    the request, and where that is not its own first context.
 
     `index` is the number of the execution context. Without it, a component becomes Inactive in all contexts
     in which it is not yet, and Active in one: see `_activate`.
@@ -258,8 +258,8 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
 
 
 async def _activate(node, contexts, wait, stage=_ignore):
-    """Make a component Active in one of its contexts: (that context, in which its state is Active if it was so
-    before; what became of it, as `_reach` says).
+    """Make a component Active in one of its contexts: (that context, in which its state is Active if it was
+    so before; what became of it, as `_reach` says).
 
     Robots of hrpsys and rtcloader run many components in the context of one. A component that is Active in
     two contexts is executed by both, at the same time; so one that is Active anywhere stays as it is.
@@ -356,8 +356,8 @@ async def _request(node, ref, transition, wait, called, stage):
 
 
 async def _reach(node, ref, transition, code, before, wait, start):
-    """See that a Transition from the state `before`, answered with `code`, is made: the state. Without `wait`,
-    RTC_OK is enough, and the result is ACCEPTED.
+    """See that a Transition from the state `before`, answered with `code`, is made: the state. Without
+    `wait`, RTC_OK is enough, and the result is ACCEPTED.
 
     `wait` counts from `start`, by time.monotonic().
     """

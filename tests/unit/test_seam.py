@@ -1,5 +1,5 @@
-"""Where one connector follows another: if this fails, a recording has a hole, or values twice, after rtlog was
-late.
+"""Where one connector follows another: if this fails, a recording has a hole, or values twice, after rtlog
+was late.
 """
 import random
 import struct
@@ -29,8 +29,8 @@ class Joint(unittest.TestCase):
         return [message.received for message in self.delivered]
 
     def join(self, make, old, sure, held, late):
-        """`old` values come by the old connector, `sure` of them before the new one is made; the new one brings
-        `held` before the old one ends, `late` afterwards.
+        """`old` values come by the old connector, `sure` of them before the new one is made; the new one
+        brings `held` before the old one ends, `late` afterwards.
         """
         for number in range(old):
             if number == sure:
@@ -65,7 +65,9 @@ class Joint(unittest.TestCase):
         self.assertEqual(len(self.delivered), 21)
 
     def test_what_neither_has_brought_is_noticed(self):
-        """The buffer of the new connector was too short: 5 to 9 came by the old one, 10 to 14 are overwritten."""
+        """The buffer of the new connector was too short: 5 to 9 came by the old one, 10 to 14 are
+        overwritten.
+        """
         self.join(stamped, 10, 5, range(15, 18), range(18, 20))
         self.assertEqual(self.numbers(), [*range(10), *range(15, 20)])
         self.assertEqual(self.joint.gap, (9, 15))
@@ -99,7 +101,8 @@ class Reader:
 
 
 class StoodStill(unittest.TestCase):
-    """rtlog stands still for 4 s: a port that can queue 256 values loses about 150 of 400, and is reported."""
+    """rtlog stands still for 4 s: a port that can queue 256 values loses about 150 of 400, and is reported.
+    """
 
     def missed(self, room, lost, pauses=((1, 4 * 10 ** 9),)):
         reader = Reader(room)
