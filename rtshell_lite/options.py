@@ -466,19 +466,23 @@ def limits(parser, what):
 
 
 FLUENTD = 24224  # the TCP port of fluentd
+HERE = "127.0.0.1"  # where a command listens unless an address is given: only this host can connect
 
 
 def listen(parser):
-    """--listen [PORT] and --from: args.listen is None or a TCP port, args.senders a list of addresses."""
+    """--listen [[HOST:]PORT] and --from: args.listen is None or (host, TCP port), args.senders a list of
+    addresses; `check_listen` checks them.
+    """
     parser.add_argument(
         "--listen",
         nargs="?",
-        type=port,
-        const=FLUENTD,
-        metavar="PORT",
+        type=place,
+        const=(HERE, FLUENTD),
+        metavar="[HOST:]PORT",
         help="receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: "
-        f"{FLUENTD}; 0: any)",
-    )
+        f"{FLUENTD}; 0: any) of {HERE}, where only this host can send, or of the address HOST: "
+        f"0.0.0.0:{FLUENTD} lets anybody send who reaches it",
+    ).value_like = is_place
     parser.add_argument(
         "--from",
         dest="senders",
@@ -490,11 +494,40 @@ def listen(parser):
     )
 
 
-def port(value):
-    """An option type: a TCP port, 0 for any."""
-    if not value.isdecimal() or len(value) > 5 or int(value) > 65535:
-        raise argparse.ArgumentTypeError(f"not a TCP port: {text.printable(value)}")
-    return int(value)
+def check_listen(args):
+    """Raises Usage for senders that cannot reach where --listen listens."""
+    if args.senders and args.listen is None:
+        raise errors.Usage("--from is for --listen")
+    far = [sender for sender in args.senders if not is_loopback(sender)]
+    if far and is_loopback(args.listen[0]):
+        raise errors.Usage(
+            f"--from {far[0]}: only this host reaches {args.listen[0]}; listen at an address of this host, or "
+            f"at all: --listen 0.0.0.0:{args.listen[1]}"
+        )
+
+
+def is_loopback(address):
+    """Whether only this host can reach an address, or a name for it."""
+    return address in ("::1", "localhost") or address.startswith("127.")
+
+
+def place(word):
+    """An option type: (host, TCP port) of [HOST:]PORT, [::1]:2809 with IPv6; HERE without a host."""
+    host, _, number = word.rpartition(":")
+    if ":" in host and not (host.startswith("[") and host.endswith("]")):
+        raise argparse.ArgumentTypeError(f"not [HOST:]PORT: {text.printable(word)}")
+    if not number.isdecimal() or len(number) > 5 or int(number) > 65535:
+        raise argparse.ArgumentTypeError(f"not [HOST:]PORT: {text.printable(word)}")
+    return host.strip("[]") or HERE, int(number)
+
+
+def is_place(word):
+    """Whether a word looks like a `place`, not like a path in the RTC Tree."""
+    try:
+        place(word)
+    except argparse.ArgumentTypeError:
+        return False
+    return "/" not in word
 
 
 def _address(value):

@@ -10,9 +10,14 @@ In rtc.conf, where its logger FluentBit is loaded (HOST is the host of this prog
 A message is an array: [tag, time, record], [tag, [[time, record], …]], or [tag, octets] with such pairs one
 after the other, perhaps compressed by gzip; after these, perhaps, a map of options. `chunk` in it asks for an
 answer.
+
+Anybody may send anything: 30 kB of gzip may be 32 MB of records, and each octet of these a value. So a sender
+has a budget of octets and values, counted unpacked, for each second. One that has used it up, or sends more
+records than are read, is not read for a while: it waits, others do not.
 """
 
 import collections
+import ipaddress
 import select
 import socket
 import struct
@@ -22,15 +27,24 @@ from rtshell_lite import errors, notes
 from rtshell_lite.events import msgpack
 from rtshell_lite.events.observer import Record
 from rtshell_lite.net import listening, loop
+from rtshell_lite.text import printable
 
-MOST_SENDERS = 64  # connections; one more takes the place of the one that has been silent longest
-LARGEST = 8 << 20  # octets of a message
+MOST_SENDERS = 64  # connections; one more takes the place of one of the address that has most
+LARGEST = 8 << 20  # octets of a message, unpacked
 MOST_OCTETS = 64 << 20  # of all messages that have not all come
-UNPACKED = 32 << 20  # octets of a message that was compressed
+MOST_PARTS = 100  # parts of a message that were compressed one by one
 UNFINISHED = 30.0  # seconds that a message may take to come
 PIECE = 1 << 16
 LONGEST = 4096  # characters of a name
-MOST_BOOKED = 1000  # records that are taken before other tasks go on
+LONGEST_MESSAGE = 1 << 16  # characters of a record's message; of longer ones, the beginning is taken
+SLICE = 100  # records that are taken before other tasks go on
+# what a sender may send in a second, and for how many seconds at once; a full buffer of Fluent Bit has 2 MB
+# and 200,000 values
+OCTETS = 8 << 20
+VALUES = 200000
+AHEAD = 5.0
+MOST_KNOWN = 1000  # addresses whose budget is remembered
+PAUSE = 0.05  # seconds between two looks whether there is room for more
 
 # Who has written a record, as far as it says: `name` is shown in lines, `where` is its path.
 Source = collections.namedtuple("Source", "where name")
@@ -39,9 +53,11 @@ Source = collections.namedtuple("Source", "where name")
 # ---- messages ----
 
 
-def pairs(data):
+def pairs(data, spend=lambda octets, values: None):
     """The tag of a message, octets that begin with it, and (time, record) one after the other; the last item
     is the map of options. Raises Malformed, struct.error, IndexError.
+
+    spend(octets, values) is called with what was in octets: all that was unpacked, then what is in each pair.
     """
     kind, count, at = msgpack.head(data, 0)
     if kind != msgpack.ARRAY or not 2 <= count <= 4:
@@ -56,7 +72,7 @@ def pairs(data):
         options = _options(data, at, count > 2)
         if isinstance(body, str):
             body = body.encode("utf-8", "surrogateescape")
-        return tag, _packed(body, options), options
+        return tag, _packed(body, options, spend), options
     record, at = msgpack.value(data, at)
     return tag, iter([(body, record)]), _options(data, at, count > 3)
 
@@ -78,36 +94,51 @@ def _options(data, at, has_any):
 
 def _listed(data, at, number):
     for _ in range(number):
-        pair, at = msgpack.value(data, at)
-        yield _checked(pair)
+        pair, at, _ = _pair(data, at)
+        yield pair
 
 
-def _packed(body, options):
+def _packed(body, options, spend):
     if options.get("compressed") == "gzip":
         body = _unpacked(body)
+        spend(len(body), 0)
     at = 0
+    budget = msgpack.Budget(msgpack.MOST)
     while at < len(body):
-        pair, at = msgpack.value(body, at)
-        yield _checked(pair)
+        pair, at, values = _pair(body, at)
+        budget.spend(values)
+        spend(0, values)
+        yield pair
 
 
 def _unpacked(body):
+    """What was compressed, in one part or in several. Raises Malformed."""
     import zlib
 
-    stream = zlib.decompressobj(31)
-    try:
-        found = stream.decompress(body, UNPACKED)
-    except zlib.error as e:
-        raise msgpack.Malformed(str(e))
-    if not stream.eof:
-        raise msgpack.Malformed("torn, or unpacks to more than %d MB" % (UNPACKED >> 20))
-    return found
+    found = b""
+    for _ in range(MOST_PARTS):
+        stream = zlib.decompressobj(31)
+        try:
+            found += stream.decompress(body, LARGEST - len(found) + 1)
+        except zlib.error as e:
+            raise msgpack.Malformed(str(e))
+        if len(found) > LARGEST:
+            raise msgpack.Malformed("unpacks to more than %d MB" % (LARGEST >> 20))
+        if not stream.eof:
+            raise msgpack.Malformed("torn")
+        body = stream.unused_data
+        if not body:
+            return found
+    raise msgpack.Malformed("more than %d compressed parts" % MOST_PARTS)
 
 
-def _checked(pair):
+def _pair(data, at):
+    """((time, record) at `at`, where the next pair begins, how many values it has)"""
+    budget = msgpack.Budget()
+    pair, at = msgpack.value(data, at, budget=budget)
     if not isinstance(pair, list) or len(pair) != 2:
         raise msgpack.Malformed("not [time, record]")
-    return pair
+    return pair, at, budget.spent
 
 
 def record_of(tag, when, fields, address):
@@ -135,7 +166,15 @@ def record_of(tag, when, fields, address):
         message = " ".join("%s=%s" % item for item in known.items())
     level = known.get("level", "").strip().upper() or "NORMAL"
     name = known.get("name") or _text(tag)
-    return Source(where, where), Record(when, name[:LONGEST], level[:LONGEST], message)
+    where = where[:LONGEST]
+    return Source(where, where), Record(when, name[:LONGEST], level[:LONGEST], _beginning(message))
+
+
+def _beginning(message):
+    """A message, or the beginning of one that is too long, with its length."""
+    if len(message) <= LONGEST_MESSAGE:
+        return message
+    return f"{message[:LONGEST_MESSAGE]}… ({len(message)} characters)"
 
 
 def _text(found):
@@ -150,9 +189,10 @@ def _text(found):
 class _Sender:
     """One connection: what has come of its next message."""
 
-    def __init__(self, connection, address):
+    def __init__(self, connection, address, account):
         self.connection = connection
         self.address = address
+        self.account = account
         self.data = bytearray()
         self.scan = msgpack.Scan()
         self.heard = time.monotonic()
@@ -168,41 +208,64 @@ class _Sender:
             pass
 
 
+class _Account:
+    """What an address has sent: from when on it may send more."""
+
+    def __init__(self):
+        self._due = 0.0  # by time.monotonic(), if it had nothing ahead
+
+    def spend(self, octets, values):
+        self._due = max(self._due, time.monotonic() - AHEAD) + octets / OCTETS + values / VALUES
+
+    def is_spent(self):
+        """Whether it has to wait."""
+        return self._due > time.monotonic()
+
+    def is_idle(self):
+        """Whether nothing is to be remembered of it."""
+        return self._due < time.monotonic() - AHEAD
+
+
 class Door:
     """Receives logs at a TCP port: `await door.serve(take)`, where take(Source, Record) gets each record.
 
-    port      0: any; then `port` is the one taken
-    allowed   addresses of those who may send; empty: anybody
+    place     (host, port) where it listens, port 0 for any; then `port` is the one taken
+    allowed   addresses of those who may send; empty: anybody who reaches it
     Raises Failed where it cannot listen. `close` it in the end.
     """
 
-    def __init__(self, port, allowed=()):
+    def __init__(self, place, allowed=()):
+        host, port = place
         self._allowed = set(allowed)
-        self._socket = listening.socket_at("", port)
+        if host == "0.0.0.0":
+            host = ""  # IPv6, too
+        self._socket = listening.socket_at(host, port)
         if self._socket is None:
-            raise errors.Failed("--listen", f"TCP port {port} is in use, or needs a privilege")
+            where = printable(place[0])
+            raise errors.Failed("--listen", f"TCP port {port} of {where} is in use, or needs a privilege")
         self.port = self._socket.getsockname()[1]
-        notes.note("receiving logs at TCP port %d" % self.port)
+        notes.note(f"receiving logs at {printable(place[0])}, TCP port {self.port}")
         self._senders = set()
         self._refused = set()  # whose refusal has been reported
+        self._accounts = {}  # by address
 
     def close(self):
         """Receive no more."""
         self._socket.close()
 
-    async def serve(self, take):
-        """Receive until the task is cancelled."""
+    async def serve(self, take, has_room=lambda: True):
+        """Receive until the task is cancelled, and read on only while has_room()."""
         group = loop.Group()
         group.start(self._sweep())
         try:
             async with group:
                 while True:
                     await loop.ready(self._socket.fileno(), select.POLLIN)
-                    self._accept(group, take)
+                    self._accept(group, take, has_room)
         finally:
             self.close()
 
-    def _accept(self, group, take):
+    def _accept(self, group, take, has_room):
         try:
             connection, (address, *_) = self._socket.accept()
         except OSError:
@@ -215,12 +278,22 @@ class Door:
         if len(self._senders) >= MOST_SENDERS:
             self._turn_away(self._senders)
         connection.setblocking(False)
-        sender = _Sender(connection, address)
+        sender = _Sender(connection, address, self._account(address))
         self._senders.add(sender)
-        group.start(self._receive(sender, take))
+        group.start(self._receive(sender, take, has_room))
+
+    def _account(self, address):
+        if len(self._accounts) >= MOST_KNOWN:
+            self._accounts = {key: each for key, each in self._accounts.items() if not each.is_idle()}
+        key = address
+        if ":" in address:
+            key = ipaddress.ip_address(address.partition("%")[0]).exploded[:19]  # one host may have all of a /64
+        return self._accounts.setdefault(key, _Account())
 
     def _turn_away(self, senders):
-        longest = min(senders, key=lambda sender: sender.heard)
+        """Close, of some senders, the one that has been silent longest, of the address that has most."""
+        counts = collections.Counter(sender.address for sender in senders)
+        longest = min(senders, key=lambda sender: (-counts[sender.address], sender.heard))
         self._report(longest.address, "turned away: more connections or octets than there is room for")
         self._senders.discard(longest)
         longest.close()
@@ -230,18 +303,31 @@ class Door:
             self._refused.add((address, why))
             notes.note(f"{address}: {why}")
 
-    async def _receive(self, sender, take):
+    async def _receive(self, sender, take, has_room):
+        async def pause():
+            """Let others go on, and wait until there is room, and the sender may send more."""
+            await loop.sleep(0)
+            begun = sender.begun
+            sender.begun = None  # it does not keep us waiting, but we it
+            while not sender.is_closed and (sender.account.is_spent() or not has_room()):
+                await loop.sleep(PAUSE)
+            if sender.is_closed:
+                raise EOFError
+            if begun is not None:
+                sender.begun = time.monotonic()
+
         with sender.connection:
             try:
-                await self._read(sender, take)
+                await self._read(sender, take, pause)
             except (msgpack.Malformed, struct.error, IndexError, UnicodeError) as e:
                 self._report(sender.address, f"does not send logs as fluentd takes them ({e})")
             except (OSError, EOFError):
                 pass
         self._senders.discard(sender)
 
-    async def _read(self, sender, take):
-        while not sender.is_closed:
+    async def _read(self, sender, take, pause):
+        while True:
+            await pause()
             await loop.ready(sender.connection.fileno(), select.POLLIN)
             try:
                 piece = sender.connection.recv(PIECE)
@@ -249,19 +335,21 @@ class Door:
                 continue
             if not piece:
                 return
+            sender.account.spend(len(piece), 0)
             sender.heard = time.monotonic()
             if sender.begun is None:
                 sender.begun = sender.heard
             sender.data += piece
-            await self._take_messages(sender, take)
+            await self._take_messages(sender, take, pause)
             if len(sender.data) > LARGEST:
                 raise msgpack.Malformed("a message of more than %d MB" % (LARGEST >> 20))
             if sum(len(each.data) for each in self._senders) > MOST_OCTETS:
                 self._turn_away([each for each in self._senders if each.data])
 
-    async def _take_messages(self, sender, take):
+    async def _take_messages(self, sender, take, pause):
         end = sender.scan.end(sender.data)
         while end is not None:
+            sender.account.spend(0, sender.scan.seen)
             message = bytes(sender.data[:end])
             del sender.data[:end]
             sender.scan = msgpack.Scan()
@@ -269,11 +357,12 @@ class Door:
                 sender.begun = sender.heard
             else:
                 sender.begun = None
-            tag, found, options = pairs(message)
+            tag, found, options = pairs(message, sender.account.spend)
             for number, (when, fields) in enumerate(found, 1):
                 take(*record_of(tag, when, fields, sender.address))
-                if number % MOST_BOOKED == 0:
-                    await loop.sleep(0)
+                if number % SLICE == 0:
+                    await pause()
+            await pause()
             _answer(sender.connection, options.get("chunk"))
             end = sender.scan.end(sender.data)
 

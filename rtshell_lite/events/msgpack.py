@@ -1,16 +1,18 @@
 """What logs are sent in: the part of MessagePack that senders of logs use, read within limits.
 
-    end = Scan(limit).end(data)      where the first value in `data` ends; None while it has not all come
+    end = Scan().end(data)           where the first value in `data` ends; None while it has not all come
     found, at = value(data, 0)       the value, and where the next one begins
 
 Texts are str, octets bytes, and a time of fluentd (extension 0) is a float; other extensions are None.
-Malformed is raised for anything else, and for values inside more than DEEPEST values.
+Malformed is raised for anything else, for values inside more than DEEPEST values, and for more values than a
+Budget has: one octet may be a value, which takes a hundred octets of memory.
 """
 
 import struct
 
 DEEPEST = 16  # values inside one another
-MOST = 1000000  # values in a value
+MOST = 1000000  # values in a message that is read piece by piece
+MOST_AT_ONCE = 1000  # values in a value that is read as a whole; a record of OpenRTM has 17
 
 # By the first octet: the form of the number after it. The number is the value, the length, or the count.
 _NUMBERS = {
@@ -82,13 +84,13 @@ def head(data, at):
 
 class Scan:
     """Finds the end of the value with which `data` begins, without looking at any octet of it twice, however
-    it comes.
+    it comes; `seen` is how many values there are in it.
     """
 
     def __init__(self):
         self._at = 0
         self._wanted = 1  # values that are to come
-        self._seen = 0
+        self.seen = 0
 
     def end(self, data):
         """Where the value ends; None while it has not all come. Raises Malformed."""
@@ -105,36 +107,58 @@ class Scan:
                 return None
             self._at = at
             self._wanted -= 1
-            self._seen += 1
+            self.seen += 1
             if kind in (ARRAY, MAP):
                 if kind == MAP:
                     number *= 2
                 self._wanted += number
-            if self._seen + self._wanted > MOST:
+            if self.seen + self._wanted > MOST:
                 raise Malformed("more than %d values" % MOST)
         return self._at
 
 
-def value(data, at, depth=0):
+class Budget:
+    """How many values may still come, of `most`."""
+
+    def __init__(self, most=MOST_AT_ONCE):
+        self._most = most
+        self._left = most
+
+    @property
+    def spent(self):
+        """How many values have come."""
+        return self._most - self._left
+
+    def spend(self, number=1):
+        """Note values. Raises Malformed where there are too many."""
+        self._left -= number
+        if self._left < 0:
+            raise Malformed("more than %d values" % self._most)
+
+
+def value(data, at, depth=0, budget=None):
     """(the value at `at`, where the next one begins). Raises Malformed, and struct.error or IndexError where
-    `data` ends in it.
+    `data` ends in it. It may have as many values as are left in a Budget, MOST_AT_ONCE without one.
     """
     if depth > DEEPEST:
         raise Malformed("more than %d values inside one another" % DEEPEST)
+    if budget is None:
+        budget = Budget()
+    budget.spend()
     kind, number, at = head(data, at)
     if kind in (NUMBER, CONSTANT):
         return number, at
     if kind == ARRAY:
         values = []
         for _ in range(number):
-            each, at = value(data, at, depth + 1)
+            each, at = value(data, at, depth + 1, budget)
             values.append(each)
         return values, at
     if kind == MAP:
         fields = {}
         for _ in range(number):
-            key, at = value(data, at, depth + 1)
-            each, at = value(data, at, depth + 1)
+            key, at = value(data, at, depth + 1, budget)
+            each, at = value(data, at, depth + 1, budget)
             if isinstance(key, (str, bytes, int, float)):
                 fields[key] = each
         return fields, at

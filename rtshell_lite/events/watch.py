@@ -17,7 +17,9 @@ RATE = 1 / component.POLL  # Hz
 # items that may wait to be printed, and characters in them
 MOST = 100000
 MOST_CHARACTERS = 16 << 20
-BATCH = 1000  # items that are printed at a time
+# items that are printed at a time, and about how many characters in them: each may be printed as ten
+BATCH = 1000
+BATCH_CHARACTERS = 1 << 18
 # seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a
 # heartbeat, 1 s
 HURRY = 0.1
@@ -306,7 +308,11 @@ class Watch:
     def listen(self, door):
         """Take what comes at a forward.Door, too, until the end."""
         self._doors.append(door)
-        self._group.start(door.serve(self._put_wanted))
+        self._group.start(door.serve(self._put_wanted, self._has_room))
+
+    def _has_room(self):
+        """Whether those who send to a forward.Door are read; what components send has more room."""
+        return len(self._items) < MOST / 2 and self._size < MOST_CHARACTERS / 2
 
     def _put_wanted(self, source, record):
         if self.what.wants(record):
@@ -371,8 +377,12 @@ class Watch:
         return self._take(BATCH)
 
     def _take(self, most):
-        batch = [self._items.popleft() for _ in range(min(most, len(self._items)))]
-        self._size -= sum(_size(item) for _, item in batch)
+        batch = []
+        size = 0
+        while self._items and len(batch) < most and size < BATCH_CHARACTERS:
+            batch.append(self._items.popleft())
+            size += _size(batch[-1][1])
+        self._size -= size
         return batch
 
     async def _detach_all(self, hurried):

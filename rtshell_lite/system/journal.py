@@ -8,7 +8,7 @@ changes.
 
 import time
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.datalog import schemas
 from rtshell_lite.events import connections, watch
 from rtshell_lite.net import loop
@@ -54,7 +54,10 @@ class Journal:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
                 async with loop.Group() as others:
                     others.start(connections.follow(flight.components, self._put_port))
-                    await self._follow(flight, events, logs)
+                    try:
+                        await self._follow(flight, events, logs)
+                    finally:
+                        _report_dropped(events.dropped + logs.dropped)
 
     async def _follow(self, flight, events, logs):
         known = set()
@@ -126,6 +129,11 @@ class Journal:
         moment = int(time.time() * 1e9)
         self._work.attach(moment, "system-%d.rtsys" % self._number, "application/xml", profile)
         self._work.attach(moment, "components-%d.json" % self._number, "application/json", more)
+
+
+def _report_dropped(number):
+    if number:
+        notes.left_out(f"{number} events and log records dropped: they came faster than they could be written")
 
 
 def _ignore(line):

@@ -30,7 +30,7 @@ Of a level and a source; beside a component that is asked:
 
 From some addresses only; what is no log is reported once, and the port goes on:
 
-  $ rm told; rtvlog --listen 0 --from 127.0.0.2 -t 30 > out 2> told & log=$!; listening
+  $ rm told; rtvlog --listen 0.0.0.0:0 --from 127.0.0.2 -t 30 > out 2> told & log=$!; listening
   $ fluent $port message ERROR Motor0 hot; soon 'grep from told'; kill $log; wait $log; cat out; sed 1d told
   rtvlog: 127.0.0.1: may not send (--from)
   $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening
@@ -38,6 +38,28 @@ From some addresses only; what is no log is reported once, and the port goes on:
   $ fluent $port message ERROR Motor0 hot; wait; cat out; sed 1d told
   [robot1/manager 1795247382.250000] ERROR <Motor0> hot
   rtvlog: 127.0.0.1: does not send logs as fluentd takes them (not an event)
+
+Only this host can send, unless an address is given:
+
+  $ listens() { awk -v port=":$(printf %04X $1)" '$4 == "0A" && index($2, port) {print substr($2, 1, 8)}' /proc/net/tcp; }
+  $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening; listens $port; fluent $port message ERROR Motor0 hot; wait
+  0100007F
+  $ rm told; rtvlog --listen 0.0.0.0:0 -n 1 > out 2> told & listening; python3 -c "import socket, sys; socket.create_connection(('127.0.0.3', int(sys.argv[1]))).close()" $port; fluent $port message ERROR Motor0 hot; wait; cut -d, -f1 told
+  rtvlog: receiving logs at 0.0.0.0
+
+A gzip bomb (10 MB of values in 10 kB) ends its connection, not the command:
+
+  $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening
+  $ cat > bomb.py <<.
+  > import gzip, socket, sys
+  > body = gzip.compress(b"\x92\1\xdd\0\x70\0\0" + b"\x80" * 0x700000)
+  > octets = b"\x93\xa1t\xc6" + len(body).to_bytes(4, "big") + body + b"\x81\xaacompressed\xa4gzip"
+  > socket.create_connection(("127.0.0.1", int(sys.argv[1]))).sendall(octets)
+  > .
+  $ python3 bomb.py $port
+  $ soon 'grep values told'; fluent $port message ERROR Motor0 hot; wait; cat out; sed 1d told
+  [robot1/manager 1795247382.250000] ERROR <Motor0> hot
+  rtvlog: 127.0.0.1: does not send logs as fluentd takes them (more than 1000 values)
 
 rtlog records them beside the events:
 
@@ -50,10 +72,10 @@ rtlog records them beside the events:
 Ctrl-C, a port that is taken, wrong usage:
 
   $ interrupt 1 rtvlog --listen 0
-  rtvlog: receiving logs at TCP port * (glob)
+  rtvlog: receiving logs at 127.0.0.1, TCP port * (glob)
   [130]
   $ rtvlog -t 0.2 --listen $PORT
-  rtvlog: --listen: TCP port $PORT is in use, or needs a privilege
+  rtvlog: --listen: TCP port $PORT of 127.0.0.1 is in use, or needs a privilege
   [1]
   $ rtvlog -q -t 0.2 -n 1 --listen 0
   rtvlog: --listen: 0 of 1 within 0.2s
@@ -68,8 +90,11 @@ Ctrl-C, a port that is taken, wrong usage:
   rtvlog: argument --from: not an IP address: robot1 (see --help)
   [2]
   $ rtvlog --listen=99999
-  rtvlog: argument --listen: not a TCP port: 99999 (see --help)
+  rtvlog: argument --listen: not [HOST:]PORT: 99999 (see --help)
+  [2]
+  $ rtvlog --listen 0 --from 10.0.0.1
+  rtvlog: --from 10.0.0.1: only this host reaches 127.0.0.1; listen at an address of this host, or at all: --listen 0.0.0.0:0 (see --help)
   [2]
   $ rtlog --listen 0 -f a.mcap .
-  rtlog: --listen needs --events, --from needs --listen (see --help)
+  rtlog: --listen needs --events (see --help)
   [2]

@@ -1,11 +1,13 @@
 """Logs in MessagePack, from anybody: whatever is sent, memory and time are bounded, and the next sender is
 served.
 """
+import gzip
 import os
 import random
 import socket
 import struct
 import time
+import tracemalloc
 import unittest
 from unittest import mock
 
@@ -98,6 +100,42 @@ class Messages(unittest.TestCase):
         with self.assertRaises(msgpack.Malformed):
             msgpack.Scan().end(b"\xdd\xff\xff\xff\xff")
 
+    def test_a_record_has_few_values(self):
+        """30 kB that unpack to 32 MB of values took 1.5 GB."""
+        bomb = b"\x92\1\xdd\x00\x70\0\0" + b"\x80" * 0x700000
+        for octets in (
+            fluent.pack(["t", gzip.compress(bomb), {"compressed": "gzip"}]),
+            fluent.pack(["t", bomb]),
+            b"\x92\xa1t\x91" + bomb,
+            b"\x92" + bomb[2:] + b"\x90",
+        ):
+            with self.subTest(octets[:20]):
+                tracemalloc.start()
+                try:
+                    with self.assertRaises(msgpack.Malformed):
+                        self.records(octets)
+                    self.assertLess(tracemalloc.get_traced_memory()[1], 20 << 20)
+                finally:
+                    tracemalloc.stop()
+
+    def test_parts_compressed_one_by_one(self):
+        """As fluentd joins them; only the first was taken."""
+        body = b"".join(gzip.compress(fluent.pack(PAIR)) for _ in range(3))
+        records, _ = self.records(fluent.pack(["t", body, {"compressed": "gzip"}]))
+        self.assertEqual(len(records), 3)
+        with self.assertRaises(msgpack.Malformed):
+            self.records(fluent.pack(["t", gzip.compress(b"") * 200, {"compressed": "gzip"}]))
+
+    def test_a_long_message_is_cut(self):
+        """7 MB of controls took 567 MB to print."""
+        for fields in ({"message": "\1" * 7000000}, "\1" * 7000000, {"a": "\1" * 7000000}):
+            ((source, record),), _ = self.records(fluent.message("message", [[17, fields]]))
+            self.assertLess(len(record.message), 66000)
+            self.assertIn("… (70000", record.message)
+        fields = dict.fromkeys(("host", "manager", "name", "level"), "x" * 100000)
+        ((source, record),), _ = self.records(fluent.message("message", [[17, fields]]))
+        self.assertLess(len(source.where + record.logger + record.level), 20000)
+
     def test_any_octets(self):
         chance = random.Random(int(os.environ.get("RTSHELL_SEED", 1)))
         whole = [fluent.message(mode, [PAIR, PAIR]) for mode in ("message", "forward", "packed", "gzip")]
@@ -114,7 +152,7 @@ class Messages(unittest.TestCase):
 
 
 class Doors(unittest.TestCase):
-    def served(self, work, wanted, allowed=()):
+    def served(self, work, wanted, allowed=(), has_room=lambda: True):
         """Run work(port) on a thread beside a Door, until `wanted` records have come: (those, what was
         reported).
         """
@@ -122,13 +160,13 @@ class Doors(unittest.TestCase):
         reported = []
 
         async def main():
-            door = forward.Door(0, allowed)
+            door = forward.Door(("127.0.0.1", 0), allowed)
             bell = loop.Bell()
 
             def take(_, record):
                 records.append(record.message)
                 bell.ring()
-            async with loop.background(door.serve(take)):
+            async with loop.background(door.serve(take, has_room)):
                 result = await loop.on_thread(work, door.port)
                 while len(records) < wanted:
                     self.assertTrue(await bell.wait(fluent.LIMIT))
@@ -172,6 +210,58 @@ class Doors(unittest.TestCase):
                 connection.close()
         self.assertEqual(self.served(work, 1)[0], ["warm"])
 
+    def test_records_without_end_blind_nobody(self):
+        """One that sends more than its share waits, and others do not."""
+        flood = fluent.pack(["t", gzip.compress(b"\x92\1\x80" * 300000), {"compressed": "gzip"}])
+
+        def work(port):
+            with socket.create_connection(("127.0.0.1", port), fluent.LIMIT) as hostile:
+                hostile.sendall(flood)
+                hostile.setblocking(False)
+                try:
+                    for _ in range(10000):
+                        hostile.send(flood)
+                except OSError:
+                    pass  # it is not read any more
+                with socket.socket() as other:
+                    other.bind(("127.0.0.2", 0))
+                    other.connect(("127.0.0.1", port))
+                    other.sendall(fluent.message("message", [PAIR], {"chunk": "x"}))
+                    other.settimeout(fluent.LIMIT)
+                    other.recv(100)
+        with mock.patch.object(forward, "VALUES", 1000):
+            records, _, _ = self.served(work, 1)
+        self.assertIn("warm", records)
+        self.assertLess(len(records), 20000)
+
+    def test_nothing_is_read_while_there_is_no_room(self):
+        taken = []
+
+        def has_room():
+            taken.append(0)
+            return len(taken) > 20
+
+        def work(port):
+            fluent.send(port, fluent.message("message", [PAIR]))
+        with mock.patch.object(forward, "PAUSE", 0.01):
+            self.assertEqual(self.served(work, 1, has_room=has_room)[0], ["warm"])
+
+    def test_one_address_turns_itself_away(self):
+        """Others keep their place, however long they were silent."""
+        def work(port):
+            with socket.socket() as other:
+                other.bind(("127.0.0.2", 0))
+                other.connect(("127.0.0.1", port))
+                idle = [
+                    socket.create_connection(("127.0.0.1", port), fluent.LIMIT)
+                    for _ in range(forward.MOST_SENDERS + 5)
+                ]
+                self.assertEqual(idle[0].recv(1), b"")
+                other.sendall(fluent.message("message", [PAIR]))
+                for connection in idle:
+                    connection.close()
+        self.assertEqual(self.served(work, 1)[0], ["warm"])
+
     def test_messages_that_never_end(self):
         def work(port):
             with socket.create_connection(("127.0.0.1", port), fluent.LIMIT) as connection:
@@ -191,7 +281,7 @@ class Doors(unittest.TestCase):
             other.bind(("", 0))
             other.listen(1)
             with self.assertRaises(errors.Failed):
-                forward.Door(other.getsockname()[1])
+                forward.Door(("0.0.0.0", other.getsockname()[1]))
 
 
 if __name__ == "__main__":
