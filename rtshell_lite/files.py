@@ -235,6 +235,23 @@ def create(path, mode=0o666, buffering=-1):
     return open(fd, "ab", buffering)
 
 
+def append(path):
+    """A regular file, new or old, open for appending bytes.
+    Raises OSError, also for a link, which is not followed, and for a FIFO, which is not waited for.
+    """
+    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
+    try:
+        fd = os.open(path, flags, 0o666)
+    except OSError as e:
+        if e.errno in (errno.ELOOP, errno.ENXIO):  # a link; a FIFO that nobody reads, or a socket
+            raise OSError(e.errno, "not a regular file", path)
+        raise
+    if not stat.S_ISREG(os.fstat(fd).st_mode):
+        os.close(fd)
+        raise OSError(errno.EINVAL, "not a regular file", path)
+    return open(fd, "ab")
+
+
 def umask():
     """The permissions that new files of this process do not get."""
     # it can only be read by setting it; meanwhile other threads create files that are more private

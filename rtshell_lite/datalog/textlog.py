@@ -25,8 +25,7 @@ class Writer:
         if files.is_special(self._target):
             self._file = files.open_special(self._target)
         else:
-            flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
-            self._file = open(os.open(self._target, flags, 0o666), "ab")
+            self._file = files.append(self._target)
         try:
             if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
                 writer.lock(self._file, name)

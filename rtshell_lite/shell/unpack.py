@@ -119,6 +119,7 @@ class Files:
         """
         for directory in {os.path.dirname(name) for name in self.contents}:
             self._check_links(directory)
+            self._check_compiled(directory)
         order = sorted(self.contents, key=lambda name: (name.startswith("bin/"), name))
         temporaries = []
         try:
@@ -140,6 +141,17 @@ class Files:
             place = os.path.join(place, part)
             if os.path.islink(place):
                 raise errors.Error(f"{place}: refused: it is a link")
+
+    def _check_compiled(self, directory):
+        """Raise Error if what Python has compiled, or will compile, is anything but a file in a directory."""
+        place = os.path.join(self.directory, directory, "__pycache__")
+        if os.path.islink(place):
+            raise errors.Error(f"{place}: refused: it is a link")
+        if not os.path.isdir(place):
+            return
+        for entry in os.scandir(place):
+            if not entry.is_file(follow_symlinks=False):
+                raise errors.Error(f"{entry.path}: refused: it is not a file")
 
     def _write_temporary(self, name):
         content, program = self.contents[name]

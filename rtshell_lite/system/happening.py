@@ -6,7 +6,7 @@ import collections
 import os
 import time
 
-from rtshell_lite import notes
+from rtshell_lite import files, notes
 from rtshell_lite.text import json_line
 
 
@@ -44,24 +44,35 @@ def now(where, seen, done="", begun=None, error=None):
 
 class Log:
     """A file to which Happenings are appended as lines of JSON; none where its name is None.
-    Raises OSError.
+    Raises OSError, errors.Failed for a link that somebody else has put into a directory for all.
     """
 
     def __init__(self, name):
         self._file = None
-        if name is not None:
-            self._file = open(name, "a", encoding="utf-8", opener=_open_at_once)
+        if name is None:
+            return
+        try:
+            self._file = _opened(files.destination(name))
+        except OSError as e:
+            e.filename = name
+            raise
 
     def add(self, happening):
         """Append one."""
         if self._file is None:
             return
         try:
-            self._file.write(json_line(happening.as_dict()) + "\n")
+            self._file.write(json_line(happening.as_dict()).encode("ascii") + b"\n")
             self._file.flush()
         except OSError as e:  # a full disk is no reason to leave a robot alone
             self._file = None
             notes.fail(f"nothing more goes to the log of events: {e.strerror}")
+
+
+def _opened(target):
+    if files.is_special(target):
+        return open(target, "ab", opener=_open_at_once)
+    return files.append(target)
 
 
 def _open_at_once(name, flags):

@@ -5,7 +5,7 @@ import os
 import select
 import time
 
-from rtshell_lite import notes
+from rtshell_lite import files, notes
 from rtshell_lite.net import loop
 
 LINES = 200  # that are kept of each process
@@ -59,8 +59,8 @@ class Output:
             return
         target = os.path.join(self._log, self.name + ".log")
         try:
-            with open(target, "a", encoding="utf-8") as file:
-                file.write(time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n")
+            with files.append(target) as file:
+                file.write((time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n").encode("utf-8"))
                 is_full = file.tell() > LOG
             if is_full:
                 os.replace(target, target + ".1")

@@ -175,6 +175,18 @@ class Unpacked(Robot):
         os.symlink(outside, os.path.join(place, "lib"))
         self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), "refused: it is a link")
         self.assertEqual((os.listdir(place), os.listdir(outside)), (["lib"], []))
+        os.unlink(os.path.join(place, "lib"))
+        package = os.path.join(place, "lib", "rtshell_lite")
+        os.makedirs(package)
+        compiled = os.path.join(package, "__pycache__")
+        os.symlink(outside, compiled)
+        self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), "refused: it is a link")
+        self.assertEqual((os.listdir(package), os.listdir(outside)), (["__pycache__"], []))
+        os.unlink(compiled)
+        os.mkdir(compiled)
+        os.symlink(outside, os.path.join(compiled, "text.pyc"))
+        self.check_line("rtshell_lite", 1, self.from_wheel("--unpack", place), "refused: it is not a file")
+        self.assertEqual(os.listdir(package), ["__pycache__"])
 
     def wheel(self, name, member, content="evil"):
         path = os.path.join(self.directory, name)

@@ -3,6 +3,7 @@ before; what is read by name has an end. If this fails, somebody else's link or 
 file, or of a command.
 """
 import os
+import socket
 import stat
 import subprocess
 import sys
@@ -12,11 +13,12 @@ import threading
 import unittest
 from unittest import mock
 
-from rtshell_lite import errors, files
+from rtshell_lite import errors, files, notes
 from rtshell_lite.data.idl import tokens
 from rtshell_lite.datalog import textlog, writer
 from rtshell_lite.datalog.records import Channel
 from rtshell_lite.shell import unpack
+from rtshell_lite.system import happening, output
 
 PART = 3  # a short run takes one in PART of its tests
 CHANNELS = [Channel("input0", "IDL:RTC/TimedLong:1.0", b"", ("/a.rtc:out",))]
@@ -211,6 +213,74 @@ class Writing(Case):
         ):
             record(path)
         self.assertEqual(self.text("log"), "another's")
+
+
+class Appended(Case):
+    """Logs that grow in a directory where others can write."""
+
+    def test_a_file_grows(self):
+        for word in b"a", b"b":
+            with files.append(self.path("log")) as file:
+                file.write(word)
+        self.assertEqual(self.text("log"), "ab")
+        self.assertEqual(mode(self.path("log")), 0o666 & ~files.umask())
+
+    def planted(self):
+        """Paths where somebody else has put something."""
+        os.mkfifo(self.path("fifo"))
+        yield self.path("fifo")
+        read = os.open(self.path("fifo"), os.O_RDONLY | os.O_NONBLOCK)
+        yield self.path("fifo")
+        os.close(read)
+        self.path("victim", "mine")
+        os.symlink("victim", self.path("link"))
+        yield self.path("link")
+        os.symlink("nothing", self.path("dangling"))
+        yield self.path("dangling")
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(self.path("socket"))
+            yield self.path("socket")
+
+    def test_what_is_planted_is_refused_at_once(self):
+        for path in self.planted():
+            with self.subTest(path), self.assertRaisesRegex(OSError, "not a regular file"):
+                files.append(path)
+        self.assertEqual(self.text("victim"), "mine")
+        self.assertFalse(os.path.lexists(self.path("nothing")))
+
+    def test_what_processes_print(self):
+        """A planted FIFO stopped rtkeep for ever."""
+        for path in self.planted():
+            os.rename(path, self.path("talk.log"))
+            failed = []
+            with mock.patch.object(notes, "fail", failed.append):
+                talk = output.Output("talk", lambda name, line: None, self.top)
+                talk._write_log("hello")
+            self.assertIn("not a regular file", failed[0])
+            os.rename(self.path("talk.log"), path)
+        self.assertEqual(self.text("victim"), "mine")
+
+    def test_events(self):
+        for path in self.path("log"), os.devnull:
+            happening.Log(path).add(happening.now("a", "b"))
+        self.assertIn('"object": "a"', self.text("log"))
+        os.symlink("log", self.path("own"))
+        happening.Log(self.path("own")).add(happening.now("c", "b"))
+        self.assertIn('"object": "c"', self.text("log"))
+        os.mkfifo(self.path("fifo"))
+        with self.assertRaises(OSError):
+            happening.Log(self.path("fifo"))
+
+
+    def test_what_python_has_compiled(self):
+        """A FIFO there stopped --unpack for ever."""
+        os.makedirs(self.path("lib/__pycache__"))
+        os.mkfifo(self.path("lib/__pycache__/x.pyc"))
+        laid_out = unpack.Files(self.top)
+        laid_out.add("lib/x.py", b"")
+        with self.assertRaisesRegex(errors.Error, "not a file"):
+            laid_out.write()
+        self.assertEqual(os.listdir(self.path("lib")), ["__pycache__"])
 
 
 class Endless(Case):
