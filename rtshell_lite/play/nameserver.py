@@ -10,6 +10,10 @@ from rtshell_lite.giop.requests import Thrown
 
 KEY = b"NameService"  # by which every name server is known
 MOST_NAMES = 20000  # in all contexts
+MOST_CONTEXTS = 5000
+MOST_OCTETS = 8 << 20  # of all names and references
+LONGEST = 1024  # octets of a name, its kind included
+LONGEST_TEXT = 1 << 16  # of names as one text
 MOST_ITERATORS = 100
 _SPECIAL = "\\/."  # in names as one text
 _NOT_FOUND = "CosNaming.NamingContext.NotFound"
@@ -21,12 +25,17 @@ class Names:
     def __init__(self, host):
         self.host = host
         self.count = 0  # of names
+        self.octets = 0  # of names, and of what is bound to them
+        self.contexts = 0
         self.iterators = []
         self.root = Context(self)
         self.root.withdraw = orb.publish(self.root, host, KEY)
 
     def context(self):
         """A new Context, bound to no name."""
+        if self.contexts >= MOST_CONTEXTS:
+            raise Thrown("NO_RESOURCES")
+        self.contexts += 1
         made = Context(self)
         made.withdraw = orb.publish(made, self.host)
         return made
@@ -73,7 +82,7 @@ class Context:
         try:
             self._put(name, made.reference, True, again=False)
         except Thrown:
-            made.withdraw()
+            made.end()
             raise
         return made.reference
 
@@ -88,15 +97,22 @@ class Context:
 
     def unbind(self, name):
         context, last = self._place(name)
-        if context.bound.pop(last, None) is None:
+        known = context.bound.pop(last, None)
+        if known is None:
             raise Thrown(_NOT_FOUND, _why("missing_node"), name[-1:])
         self._names.count -= 1
+        self._names.octets -= _octets(last, known[0])
 
     def destroy(self):
         if self.bound:
             raise Thrown("CosNaming.NamingContext.NotEmpty")
         if self is not self._names.root:
-            self.withdraw()
+            self.end()
+
+    def end(self):
+        """Answer no more."""
+        if self.withdraw() is not None:
+            self._names.contexts -= 1
 
     def list(self, how_many):
         found = [_binding(name, is_context) for name, (_, is_context) in self.bound.items()]
@@ -149,10 +165,14 @@ class Context:
             raise Thrown("CosNaming.NamingContext.AlreadyBound")
         if known is not None and known[1] != is_context:
             raise Thrown(_NOT_FOUND, _why("not_context" if is_context else "not_object"), name[-1:])
+        more = _octets(last, reference)
+        if known is not None:
+            more -= _octets(last, known[0])
+        if known is None and self._names.count >= MOST_NAMES or self._names.octets + more > MOST_OCTETS:
+            raise Thrown("NO_RESOURCES")
         if known is None:
-            if self._names.count >= MOST_NAMES:
-                raise Thrown("NO_RESOURCES")
             self._names.count += 1
+        self._names.octets += more
         context.bound[last] = reference, is_context
 
 
@@ -193,8 +213,14 @@ def _why(word):
 
 
 def _check(name):
-    if not name:
+    if not name or any(len(each.id) + len(each.kind) > LONGEST for each in name):
         raise Thrown("CosNaming.NamingContext.InvalidName")
+
+
+def _octets(name, reference):
+    """Octets of what is kept for a name; its texts have a character for each octet on the wire."""
+    profiles = sum(len(profile) for _, profile in reference.profiles)
+    return len(name[0]) + len(name[1]) + len(reference.type_id) + profiles
 
 
 # ---- names as one text (CosNaming 2.4) ----
@@ -212,6 +238,8 @@ def _spelt(id, kind):
 def parsed(text):
     """[(id, kind)] of a name as one text. Raises InvalidName."""
     invalid = Thrown("CosNaming.NamingContext.InvalidName")
+    if len(text) > LONGEST_TEXT:
+        raise invalid
     found = [["", None]]
     letters = iter(text)
     for letter in letters:

@@ -21,7 +21,8 @@ class Show:
 
     prefix     Names below which they are bound
     server     address of the name server; None for the first of RTCTREE_NAMESERVERS
-    serve      (host or "", port) of a name server of our own instead, or None
+    serve      (host, port) of a name server of our own instead, or None; at all addresses of this host with
+               0.0.0.0 or ::
     choice     flight.Choice of the out ports that send
     is_absolute  the timestamps in the data stay
     """
@@ -76,8 +77,11 @@ class Show:
             server = tree.name_server(self._server or tree.servers()[0])
             return await _facing(*server.endpoint), server
         host, port = self._serve
-        port = orb.listen(host, port)
-        host = host or await _facing(ELSEWHERE, DISCARD)
+        if host in ("0.0.0.0", "::"):
+            port = orb.listen("", port)
+            host = await _facing(ELSEWHERE, DISCARD)
+        else:
+            port = orb.listen(host, port)
         nameserver.Names(host)
         address = f"{host}:{port}"
         if ":" in host:

@@ -55,6 +55,19 @@ Everything can be asked:
   10
   [129]
 
+Only this host can ask, unless an address is given:
+
+  $ listens() { awk -v port=":$(printf %04X $1)" '$4 == "0A" && index($2, port) {print substr($2, 1, 8)}' /proc/net/tcp /proc/net/tcp6 | sort -u; }
+  $ play --serve 0 --loop; echo $W; listens ${W##*:}; kill $pid; wait $pid
+  /127.0.0.1:* (glob)
+  0100007F
+  [143]
+  $ play --serve 0.0.0.0:0 --loop; listens ${W##*:}; rtls 127.0.0.1:${W##*:}/test.host_cxt; kill $pid; wait $pid
+  00000000
+  ConsoleIn0.rtc
+  Motor0.rtc
+  [143]
+
 What cannot be:
 
   $ rtlog -f a.mcap --as-components; rtlog -p -f a.mcap --serve 1; rtlog -p -f a.mcap --as-components --serve x

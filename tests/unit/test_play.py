@@ -120,6 +120,43 @@ class Names(unittest.TestCase):
             self.assertEqual([one.binding_name[0].id for one in listed], ["b"])
         self.run_with_server(work)
 
+    def test_names_are_counted_in_octets(self):
+        """60 names of 2 MB made every list of them fail."""
+        async def work(ask, root):
+            long = "x" * nameserver.LONGEST
+            for operation, *more in (
+                ("bind", root), ("rebind", root), ("bind_context", root), ("bind_new_context",), ("resolve",),
+            ):
+                with self.refused("InvalidName"):
+                    await ask(operation, name(long + ".y"), *more)
+            with self.assertRaises(Thrown):
+                nameserver.parsed("x" * (nameserver.LONGEST_TEXT + 1))
+            with mock.patch.object(nameserver, "MOST_OCTETS", 5000):
+                bound = 0
+                with self.refused("NO_RESOURCES"):
+                    for bound in range(10):
+                        await ask("rebind", name("%s%d" % (long[:900], bound)), root)
+                self.assertLess(bound, 6)
+                for number in range(bound):
+                    await ask("rebind", name("%s%d" % (long[:900], number)), root)
+                    await ask("unbind", name("%s%d" % (long[:900], number)))
+                await ask("bind", name(long), root)
+        self.run_with_server(work)
+
+    def test_contexts_are_counted(self):
+        async def work(ask, root):
+            with mock.patch.object(nameserver, "MOST_CONTEXTS", 3):
+                first = orb.context(await ask("bind_new_context", name("a.cxt")))
+                with self.refused("AlreadyBound"):
+                    await ask("bind_new_context", name("a.cxt"))
+                await ask("new_context")
+                await ask("new_context")
+                with self.refused("NO_RESOURCES"):
+                    await ask("new_context")
+                await ask("destroy", of=first)
+                await ask("new_context")
+        self.run_with_server(work)
+
     def test_of_another_server(self):
         """The caller may go on there."""
         async def work(ask, root):
