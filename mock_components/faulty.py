@@ -153,6 +153,12 @@ def bottomless(peer, connection, request):
     name_server(peer, connection, request, [(b"deeper", b"host_cxt")], key=b"%d" % (depth + 1))
 
 
+def branching(peer, connection, request):
+    """Three contexts in a context, three in each of these ..., or the same one by new references."""
+    names = [(name, b"host_cxt") for name in (b"a", b"b", b"c")]
+    name_server(peer, connection, request, names, key=b"%d" % random.randrange(1 << 60))
+
+
 def other_port(peer, connection, request):
     """A context whose references lead to another port, which is silent or closed."""
     name_server(peer, connection, request, [(b"lost", b"rtc"), (b"lost", b"host_cxt")], port=peer.other.port)
@@ -179,7 +185,7 @@ UNREACHABLE = {"refused": (
     "The port is closed."
 ), "dead-host": "Drops SYNs, as a host does that is switched off."}
 RUDE = [silent, half_header, drip, reset, close, garbage, announce]
-POLITE = [sequence_bomb, string_bomb, wrong_id, crumbs, strangers, hostile, many, loop, bottomless]
+POLITE = [sequence_bomb, string_bomb, wrong_id, crumbs, strangers, hostile, many, loop, bottomless, branching]
 ELSEWHERE = ["elsewhere-silent", "elsewhere-refused"]
 
 

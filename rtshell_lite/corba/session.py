@@ -36,6 +36,7 @@ class Session:
     stalled      the same for processes that answer, but not what needs the answers of others: only calls of
                  that kind (failures.asks_others) are not made
     turned_away  how many connections to this command were turned away
+    endless      paths, as text, below which a walk did not end
     on_end       function(endpoint), called when a connection with a process has ended, or None
     answered     {endpoint: when it last answered}, by time.monotonic(); of all commands of this process,
                  which keeps connections
@@ -51,6 +52,7 @@ class Session:
         self.turned_away = 0
         self.silent = {}
         self.stalled = {}
+        self.endless = set()  # type: set
         self.on_end = None
 
     def is_over(self):

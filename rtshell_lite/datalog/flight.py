@@ -227,20 +227,25 @@ async def _components(top):
         node = await tree.resolve(top)
         nodes = await tree.walk(node, managers=node.kind == "manager")
         if node.kind == "component":
-            nodes += await _members(node)
+            nodes += await _members(node, {orb.identity(node.ref)})
     if nodes and nodes[0].error is not None:
         raise nodes[0].error
     return [node for node in nodes if node.kind == "component" and node.alias is None]
 
 
-async def _members(node):
-    """The Nodes of the members of a composite, as far as they have names."""
+async def _members(node, known):
+    """The Nodes of the members of a composite, as far as they have names, and are not among those `known`,
+    identities: a composite may claim to be a member of itself.
+    """
     from rtshell_lite import path as paths
 
     found = []
     for organisation in await composites.owned(node):
         for text in await composites.member_paths(node, organisation):
-            if text.startswith("/"):
-                member = await tree.component(paths.parse(text))
-                found += [member] + await _members(member)
+            if not text.startswith("/"):
+                continue
+            member = await tree.component(paths.parse(text))
+            if orb.identity(member.ref) not in known:
+                known.add(orb.identity(member.ref))
+                found += [member] + await _members(member, known)
     return found

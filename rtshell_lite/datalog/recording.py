@@ -127,7 +127,10 @@ class _Recording:
         """Record until a limit is reached, or nothing more can come; returns the exit status."""
         readers = await self._wanted_readers()
         followed = flight.Flight(self._plan.tops, self._plan.choice, self._reader_below, readers)
-        await followed.find()
+        seconds = max(0.0, self._limits.left())
+        if not await loop.race(_done(followed.find()), _pass_by(seconds)):
+            words = f"what is below it could not be listed within {seconds:.3g}s"
+            return notes.fail(errors.Silent(", ".join(map(str, self._plan.tops)), words))
         for failure in followed.failures.values():
             self._tally.add(failure)
         if self._tally.statuses and not readers and len(followed.failures) == len(self._plan.tops):
@@ -277,3 +280,12 @@ class _Recording:
         reader.deliver = deliver
         reader.miss = functools.partial(self._work.put_gap, channel)
         reader.compare_clocks()
+
+async def _done(coroutine):
+    await coroutine
+    return True
+
+
+async def _pass_by(seconds):
+    await loop.sleep(seconds)
+    return False

@@ -3,7 +3,7 @@ unbind and destroy, and what must never be deleted by mistake.
 """
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.path import REFERENCES, Path
 from rtshell_lite.robot import aliases, tree
 from rtshell_lite.text import counted, printable, shell_word
@@ -150,6 +150,8 @@ class _Bindings:
         returns self.
         """
         places = {}  # type: dict  # Path of a directory: the Path by which it is known
+        endless = session.current().endless
+        before = set(endless)
         for node in await tree.walk_servers(await tree.known_servers(path.server), managers=False):
             if node.kind not in ("server", "directory"):
                 continue
@@ -162,6 +164,8 @@ class _Bindings:
                 self._roots.add(place)
             else:
                 self._bind(places, node, place)
+        if endless - before or str(Path(path.server, (), None, False)) in endless:
+            raise errors.Failed(str(path), "not deleted: its other names are not known, as not all is listed")
         above = await tree.resolve(path.parent())
         self._without((await self.known.path(above), path.names[-1]))
         return self
@@ -197,6 +201,7 @@ class _Deletion:
         self.note = note
         self.bindings = bindings
         self._entered = aliases.Known()
+        self._left = tree.MOST_WALKED  # directories that are entered: new ones may come without end
 
     async def lines(self, above, node):
         """Delete the naming context `node`, bound in `above`, after what is below it; yields a line for each
@@ -215,6 +220,9 @@ class _Deletion:
             names = counted(len(below), "name")
             raise errors.Failed(str(node.path), f"not empty ({names}); delete it with --recursive")
         self._entered.enter(node)
+        self._left -= 1
+        if self._left < 0:
+            raise errors.Failed(str(node.path), f"more than {tree.MOST_WALKED} directories are below it")
         for child in below:
             if child.kind == "directory":
                 async for line in self.lines(node, child):

@@ -11,8 +11,9 @@ Resolution is lazy: only what a path names is asked. As a library:
 
 import os
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
 from rtshell_lite.robot import aliases
 from rtshell_lite.path import DEFAULT_PORT, MANAGER_PORT, REFERENCES, ROOT, Name, Path, parse
 
@@ -36,6 +37,13 @@ from rtshell_lite.text import closest, from_wire, printable, shell_word
 
 AT_ONCE = 1000  # names whose objects are asked for at a time: a pending call takes memory
 DEPTH = 64  # contexts can be bound inside themselves by another name
+# What is taken in one walk: a name server can make three contexts in each of its contexts, for ever.
+MOST_WALKED = 50000  # names
+MOST_WRITTEN = 8 << 20  # characters of all their paths
+WALK = 20  # times the timeout
+# of a walk of what did not end before, in a command that looks again and again
+FEW_WALKED = 1000
+SHORT_WALK = 2
 
 
 # ---- name servers ----
@@ -460,6 +468,7 @@ async def walk(node, depth=None, managers=True, objects=()):
     entered, managers unless `managers` is False, and the contexts of other name servers where they are bound.
     A directory that cannot be listed has its `error` set, a manager that does not answer is `zombie` or
     `silent`. Components are not asked whether they live. `objects` as in `children`, below one name server.
+    What exceeds a _Limit is left out, which is reported.
     """
     if depth is None:
         depth = DEPTH
@@ -503,21 +512,69 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
     return found
 
 
+class _Limit:
+    """What is taken in a walk below the Node `top`."""
+
+    def __init__(self, top):
+        here = session.current()
+        self._where = str(top.path)
+        self._places = here.endless
+        self._seconds = WALK * here.timeout
+        if self._where in here.endless:
+            self._names = FEW_WALKED
+            self._until = SHORT_WALK * here.timeout
+        else:
+            self._names = MOST_WALKED
+            self._until = self._seconds
+        self._characters = MOST_WRITTEN
+
+    def takes(self, node):
+        """Count a Node; False where it exceeds the limit."""
+        self._names -= 1
+        self._characters -= len(str(node.path))
+        return self._names >= 0 and self._characters >= 0
+
+    async def pass_by(self):
+        """Return False when there is no time left."""
+        await loop.sleep(self._until)
+        return False
+
+    def report(self):
+        """Report that it was reached."""
+        self._places.add(self._where)
+        notes.left_out(
+            f"{self._where}: more is below it than is taken ({MOST_WALKED} names, {MOST_WRITTEN >> 20} MB of "
+            f"paths, {self._seconds:g} s); the rest is left out"
+        )
+
+
 async def _walk(node, depth, managers, known, objects=()):
-    is_top = not node.path.names
-    if node.kind == "unsure" and is_top:
+    limit = _Limit(node)
+    found = []
+    if not await loop.race(_enter(node, depth, managers, known, objects, limit, found), limit.pass_by()):
+        limit.report()
+    return found or [node]
+
+
+async def _enter(node, depth, managers, known, objects, limit, found):
+    """Append a Node, and all below it, to the list `found`; False where the limit was reached."""
+    if not limit.takes(node):
+        return False
+    if node.kind == "unsure" and not node.path.names:
         (node,) = await check_alive([node])
-    if node.kind in ("directory", "manager") and not is_top:
+    if node.kind in ("directory", "manager") and node.path.names:
         node.alias = await known.path(node)
+    found.append(node)
+    if node.kind not in DIRECTORIES or node.alias is not None or depth <= 0:
+        return True
+    known.enter(node)
     below = []
-    if node.kind in DIRECTORIES and node.alias is None and depth > 0:
-        known.enter(node)
-        if managers or is_top or node.kind != "manager":
-            below = await _below(node, objects)
-    found = [node]
+    if managers or not node.path.names or node.kind != "manager":
+        below = await _below(node, objects)
     for child in below:
-        found += await _walk(child, depth - 1, managers, known, objects)
-    return found
+        if not await _enter(child, depth - 1, managers, known, objects, limit, found):
+            return False
+    return True
 
 
 async def _below(node, objects):

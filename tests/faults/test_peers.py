@@ -21,11 +21,11 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
-NAMING = {"hostile", "many", "loop", "bottomless"}  # these answer as a name server does, if strangely
+NAMING = {"hostile", "many", "loop", "bottomless", "branching"}  # these answer as a name server does, if strangely
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
 # kB at most, where these are more than running.RESIDENT: omniORB takes what the builtin ORB refuses.
 HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") == "omniorb" else {}
-ENDLESS = {"many", "endless", "endless-nothing", "endless-long"}
+ENDLESS = {"many", "endless", "endless-nothing", "endless-long", "branching"}
 MOST_SAID = 2 << 20     # octets on stdout and stderr
 KEPT = 1 << 20          # octets of each
 # times MOST_SAID: 20,000 names are 20,000 lines of JSON

@@ -8,8 +8,10 @@ import binascii
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
+import tools
 from mock_components import faulty, giop, malice
 from rtshell_lite import errors
 from rtshell_lite.corba import stubs
@@ -129,6 +131,26 @@ class Commands(unittest.TestCase):
             "endless", 5, "only its first 50000 names are taken", "rtfind", "SERVER"
         ).splitlines()
         self.assertEqual(len(lines), len(set(lines)))
+
+    def test_contexts_in_contexts_without_end(self):
+        """They were listed for ever."""
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        more = "SERVER: more is below it than is taken (50000 names, 8 MB of paths, 10 s); the rest is left out"
+        log = os.path.join(directory.name, "x.mcap")
+        late = "SERVER: what is below it could not be listed within 1s"
+        for status, said, limit, *words in (
+            (5, more, 10, "rtls", "-R", "--timeout", "0.5", "SERVER"),
+            (4, late, 1, "rtlog", "-t", "1", "-f", log, "SERVER"),
+            (1, "not deleted", 10, "rtdel", "--recursive", "--timeout", "0.5", "SERVER/a.host_cxt"),
+        ):
+            with self.subTest(words[0]):
+                watch = tools.Stopwatch()
+                server = self.peer("branching")
+                found, _, err = run(*[word.replace("SERVER", server) for word in words])
+                self.assertEqual(found, status, err)
+                self.assertIn(said.replace("SERVER", server), err[-1])
+                self.assertLess(watch.seconds(), limit + 5)
 
     @unittest.skipIf(IS_BUILTIN, "the builtin ORB refuses the answer: see the next test")
     def test_long_texts_are_cut(self):
