@@ -2,8 +2,8 @@
 
 Python's own Unpickler, even with another find_class, calls what it finds, sets attributes, and believes
 lengths. This one knows the opcodes that data needs. A class is only a name; an object is a Record of that
-name with its attributes. An opcode takes at least one octet and makes one small object, and lengths are
-compared with the file: so memory is bounded by a multiple of what is read.
+name with its attributes. Lengths are compared with the file. An opcode of one octet may make an object of a
+hundred: so the objects have a limit that depends on what is read, and the opcodes have one, too.
 """
 
 import codecs
@@ -14,6 +14,11 @@ from rtshell_lite.text import printable
 LONGEST_LINE = 4096  # octets of a number or name that is written as a line (protocol 0)
 LONGEST_NUMBER = 256  # octets of an integer
 LARGEST = 256 << 20  # octets of one pickle
+# opcodes that make a container: FEW, and one more for each SHARE octets, which those of data have, up to MOST
+FEW = 50000
+SHARE = 5
+MOST = 2000000
+MOST_OPCODES = 5000000
 
 
 class Refused(Exception):
@@ -33,6 +38,8 @@ class Class:
 
 class Record:
     """An object: its Class, and its attributes in `fields`."""
+
+    __slots__ = ("type", "fields")
 
     def __init__(self, type):
         self.type = type
@@ -69,12 +76,23 @@ class Machine:
         if self.position >= self._size:
             raise EOFError
         self._stack = []
-        self._memo = {}
+        self._memo = []  # values in the order of their numbers, which costs less than a dictionary
+        self._others = {}  # by number, where that is not the next one
         self._limit = min(self._size, self.position + LARGEST)
         self._file.seek(self.position)
+        begin = self.position
+        opcodes = 0
+        made = 0
         try:
             code = self._read(1)
             while code != b".":
+                opcodes += 1
+                if code in _MAKING:
+                    made += 1
+                    if made > min(MOST, FEW + (self.position - begin) // SHARE):
+                        raise Refused("too many values in few octets")
+                if opcodes > MOST_OPCODES:
+                    raise Refused("too many values")
                 operation = _OPERATIONS.get(code)
                 if operation is None:
                     raise Refused(f"opcode {code!r}")
@@ -274,11 +292,27 @@ def _protocol(machine):
 
 
 def _remember(index):
-    return lambda m: m._memo.__setitem__(index(m), m._top())
+    def remember(machine):
+        number = index(machine)
+        if number == len(machine._memo):
+            machine._memo.append(machine._top())
+        elif 0 <= number < len(machine._memo):
+            machine._memo[number] = machine._top()
+        else:
+            machine._others[number] = machine._top()
+
+    return remember
 
 
 def _recall(index):
-    return lambda m: m.push(m._memo[index(m)])
+    def recall(machine):
+        number = index(machine)
+        if 0 <= number < len(machine._memo):
+            machine.push(machine._memo[number])
+        else:
+            machine.push(machine._others[number])
+
+    return recall
 
 
 _OPERATIONS = {
@@ -327,7 +361,7 @@ _OPERATIONS = {
     b"p": _remember(lambda m: int(m._line())),
     b"q": _remember(lambda m: m._number("<B")),
     b"r": _remember(lambda m: m._number("<I")),
-    b"\x94": _remember(lambda m: len(m._memo)),
+    b"\x94": _remember(lambda m: len(m._memo) + len(m._others)),
     b"g": _recall(lambda m: int(m._line())),
     b"h": _recall(lambda m: m._number("<B")),
     b"j": _recall(lambda m: m._number("<I")),
@@ -339,3 +373,6 @@ _OPERATIONS = {
     b"R": Machine.reduce,
     b"b": Machine.build,
 }
+
+# Those that make an object larger than a number.
+_MAKING = frozenset(bytes((code,)) for code in b"]}ltdoiR\x81\x85\x86\x87")

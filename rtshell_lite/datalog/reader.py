@@ -15,6 +15,7 @@ from rtshell_lite.datalog.records import Channel, Entry
 
 MOST = 1000  # sources of a channel: more are hostile
 RUN = 1 << 20  # octets that are read at a time
+LONGEST_NUMBER = 300  # digits of an integer
 WORDS = 16 << 20  # octets of a schema, a channel or the like
 
 # Where messages are: the offset of a chunk and the one after it, earliest and latest log time, the number of
@@ -163,12 +164,23 @@ class Log:
         yield self._octets(0, len(mcap.MAGIC))
         at = len(mcap.MAGIC)
         while at < self.end:
-            kind, end = self._head(at)
-            if kind == mcap.CHUNK and self._records(stretches[at]) is None:
+            kind, end = self._head(at) or (None, at)
+            if kind is None or end > self.end:  # what the summary says is not so
+                self._damaged[at] = 1
+                at = min((place for place in stretches if place > at), default=self.end)
+                continue
+            if kind == mcap.CHUNK and not self._is_sound(at, stretches):
                 at = self._indexes(end)[2]
                 continue
             yield self._octets(at, end - at)
             at = end
+
+    def _is_sound(self, at, stretches):
+        """Whether the chunk at an offset is whole."""
+        if at in stretches:
+            return self._records(stretches[at]) is not None
+        self._damaged[at] = 1
+        return False
 
     # ---- finding what is where ----
 
@@ -243,6 +255,7 @@ class Log:
         self._ids = {}
         self._defined = {}  # Schema and Channel records, in chunks or not: bodies by (opcode, id)
         self._numbers = {}  # our number of a channel, by its id
+        self._places = {}  # the same, by its name and type
         self._counts = counted or {}
         self._stretches = []
         self._others = []  # (opcode, begin, end) of Metadata and Attachment records
@@ -301,7 +314,8 @@ class Log:
         if chunk.compression and not compression.is_read(chunk.compression):
             self._compressed = chunk.compression
             return end
-        if is_known and index is not None and index[0] == end - self.end and index[1] > 0:
+        is_sound = index is not None and index[0] == end - self.end and index[1] > 0
+        if is_known and is_sound and end + index[2] <= self.size:
             self._add(end, chunk.first, chunk.last, index[1], True)
             return end + index[2]
         counts, _, after = self._indexes(end)
@@ -390,12 +404,14 @@ class Log:
     def _take_metadata(self, body):
         name, texts = mcap.metadata(body)
         created = texts.get("created", "")
-        if name == "rtlog" and self.started is None and created.isdigit() and len(created) < 20:
+        if name == "rtlog" and self.started is None and created.isdecimal() and len(created) < 20:
             self.started = min(int(created), mcap.LATEST)
 
     def _define(self, kind, body):
         if kind == mcap.SCHEMA:
             number, schema = mcap.schema(body)
+            if number == 0:  # a channel without a schema says so with it
+                return
             self._schemas.setdefault(number, schema)
             self._defined.setdefault((kind, number), body)
             return
@@ -406,14 +422,15 @@ class Log:
         schema = self._schemas.get(schema_number)
         self._ids.setdefault((topic, schema, encoding, tuple(sorted(about.items()))), number)
         channel = _make_channel(topic, schema, encoding, about)
-        for place, other in enumerate(self.channels):
-            if other[:2] == channel[:2]:
-                more = tuple(source for source in channel.sources if source not in other.sources)
-                self.channels[place] = other._replace(sources=(other.sources + more)[:MOST])
-                self._numbers[number] = place
-                return
-        self._numbers[number] = len(self.channels)
-        self.channels.append(channel)
+        place = self._places.setdefault(channel[:2], len(self.channels))
+        self._numbers[number] = place
+        if place == len(self.channels):
+            self.channels.append(channel)
+            return
+        other = self.channels[place]
+        if other.sources != channel.sources and len(other.sources) < MOST:
+            more = tuple(dict.fromkeys(other.sources + channel.sources))
+            self.channels[place] = other._replace(sources=more[:MOST])
 
     # ---- messages ----
 
@@ -479,7 +496,8 @@ class Log:
 
     def _parse(self, number, moment, ours, data):
         try:
-            return Entry(number, moment, ours, None, None, json.loads(data.decode("utf-8")))
+            value = json.loads(data.decode("utf-8"), parse_int=_integer)
+            return Entry(number, moment, ours, None, None, value)
         except (ValueError, RecursionError):
             self._damaged[-1 - number] = 1
             return None
@@ -519,6 +537,13 @@ class Log:
         if sum(self._indexes(stretch.end)[0].values()) == stretch.count:
             return None
         return stretch.end, mcap.message_indexes(self._times(stretch), stretch.end)[0]
+
+
+def _integer(digits):
+    """An integer of JSON; a longer one takes long to read, and no number of a message is one."""
+    if len(digits) > LONGEST_NUMBER:
+        raise ValueError("a number that cannot be")
+    return int(digits)
 
 
 def _walk(octets):

@@ -129,7 +129,10 @@ class Series:
         if name is not None:
             self.names[value] = name
         self.is_step = self.is_step or name is not None or isinstance(value, bool)
-        value = float(value)
+        try:
+            value = float(value)
+        except OverflowError:  # an integer of hundreds of digits
+            value = math.inf
         is_first = self._is_after_gap(moment)
         self._moment = moment
         if not math.isfinite(value):

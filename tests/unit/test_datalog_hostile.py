@@ -1,12 +1,15 @@
 """Logs that somebody has made to do harm: they are refused, or read, within bounds."""
+import json
 import struct
+import time
 import tracemalloc
 import unittest
 import zlib
 from unittest import mock
 
 from rtshell_lite import errors
-from rtshell_lite.datalog import compression, logfile, mcap, schemas
+from rtshell_lite.datalog import compression, logfile, mcap, mend, schemas
+from rtshell_lite.views import plot
 from test_datalog import Case, LONG, messages, as_read
 
 HEADER = mcap.MAGIC + mcap.header("x")
@@ -68,6 +71,7 @@ class Hostile(Case):
             channel(0, type="other"),
             mcap.metadata_record("rtlog", {"created": "9" * 400}),
             mcap.metadata_record("rtlog", {"created": ("x")}),
+            mcap.metadata_record("rtlog", {"created": ("²")}),
             mcap.record(mcap.METADATA, b"\xff" * 9),
             mcap.record(mcap.ATTACHMENT, bytes(16) + b"\xff" * 30),
             mcap.record(mcap.ATTACHMENT, bytes(24) + struct.pack("<Q", 1 << 62)),
@@ -175,6 +179,80 @@ class Hostile(Case):
             for at in (len(data), 0, 8, len(data) + 7, 1 << 62):
                 end = mcap.HEAD.pack(mcap.FOOTER, 20) + struct.pack("<QQI", at, 0, 0) + mcap.MAGIC
                 self.assertEqual(self.all(data + summary + end)[1], as_read(written), (summary, at))
+
+    def test_indexes_of_chunks(self):
+        """One that leads past the end of the file was an internal error; so was what lies after a chunk in the
+        place of its indexes, when the log was mended.
+        """
+        sound = HEADER + channel() + chunk(message())
+        place = len(HEADER + channel())
+        for size, between in (
+            (1 << 63, b""), ((1 << 64) - 1, b""), (35, b"\x99" * 35), (51, b"\x99" * 51), (10**6, b""), (41, b"")
+        ):
+            count = (size - 19) // 16
+            data = sound + between + mcap.record(mcap.DATA_END, bytes(4))
+            index = mcap.record(
+                mcap.CHUNK_INDEX,
+                struct.pack("<QQQQ", 1, 2, place, len(sound) - place),
+                mcap.blob(struct.pack("<HQ", 0, 0)),
+                struct.pack("<Q", size),
+                mcap.string(""),
+                bytes(16),
+            )
+            counts = mcap.record(
+                mcap.STATISTICS,
+                struct.pack("<QHIIIIQQ", count, 1, 1, 0, 0, 1, 0, 0),
+                mcap.blob(struct.pack("<HQ", 0, count)),
+            )
+            end = mcap.HEAD.pack(mcap.FOOTER, 20) + struct.pack("<QQI", len(data), 0, 0) + mcap.MAGIC
+            with self.subTest(size):
+                _, found = self.all(data + channel() + index + counts + end)
+                self.assertEqual([entry.data for entry in found], [b"x"])
+                out = self.name + "-mended"
+                mend.mend(self.name, out)
+                with logfile.load(out) as log:
+                    self.assertEqual([entry.data for entry in log.entries()], [b"x"])
+                    self.assertTrue(log.closed)
+
+    def test_mending(self):
+        odd = (
+            mcap.record(mcap.CHUNK, b"xx"),
+            b"".join(mcap.schema_record(n, "s", "ros2msg", b"int32 x") for n in range(65536)),
+        )
+        for record in odd:
+            self.put(HEADER + channel() + record + chunk(message()))
+            mend.mend(self.name, self.name + "-mended")
+            with logfile.load(self.name + "-mended") as log:
+                self.assertEqual([entry.data for entry in log.entries()], [b"x"])
+
+    def test_many_channels(self):
+        """Each was compared with all before it: 65,535 took minutes; and so was each of their sources."""
+        begun = time.process_time()
+        self.read_channels([{} for _ in range(20000)], "c%d")
+        sources = [[f"{number}-{other}" for other in range(1000)] for number in range(300)]
+        log = self.read_channels([{"sources": json.dumps(each)} for each in sources], "c")
+        self.assertEqual(len(log.channels[0].sources), 1000)
+        self.assertLess(time.process_time() - begun, 3)
+
+    def read_channels(self, described, name):
+        records = []
+        for number, about in enumerate(described):
+            called = name.replace("%d", str(number))
+            records.append(mcap.channel_record(number, 0, called, "cdr", dict(about, type=LONG)))
+        self.put(HEADER + b"".join(records) + chunk(message()))
+        return self.read()[0]
+
+    def test_integers_of_thousands_of_digits(self):
+        """Reading one takes long, and plotting it was an internal error."""
+        named = mcap.channel_record(0, 0, "a", "json", {})
+        data = b'{"a": %s}'
+        texts = [data % (b"1" * 4000), data % (b"1" * 300), data % b"7"]
+        log, found = self.all(HEADER + named + chunk(b"".join(message(data=each) for each in texts)))
+        self.assertEqual(([entry.value["a"] for entry in found][1], len(found), log.damaged), (7, 2, 1))
+        series = plot.Series("a")
+        for value in (10**400, 1, -(10**400), 2):
+            series.add(0, value)
+        self.assertEqual((series.least, series.greatest), (1, 2))
 
     def test_schemas(self):
         """Each is a type, or refused."""

@@ -314,6 +314,39 @@ class Hostile(Case):
                 (found, list(log.notes())[0].rpartition(": ")[2]), ([], "a value that never ends")
             )
 
+    def test_objects_of_one_octet(self):
+        """3 MB took 250 MB."""
+        for pickled in (b"N" + b"\x94" * 600000 + b".", b"(" + b"}" * 600000 + b"t.", b"(" + b"]\x94" * 600000,
+                        b"(cknown\nKnown\nq\0" + b"h\0)\x81" * 150000 + b"t.", b"N" + b"2" * 6000000):
+            tracemalloc.start()
+            try:
+                load(pickled)
+            except pickles.Refused:
+                pass
+            self.assertLess(tracemalloc.get_traced_memory()[1], 40 * len(pickled))
+            tracemalloc.stop()
+
+    def test_many_small_structures(self):
+        """As in a cloud of points: each has few octets, and all are read."""
+        for protocol in 0, 2, 4:
+            log, found = self.read(files.log([files.values(40000)], protocol))
+            self.assertEqual((len(found[0].value), log.torn), (40000, 0))
+
+    def test_values_are_recalled_by_any_number(self):
+        for pickled, wanted in (
+            (b"K\1q\0K\2q\1h\0h\1\x87.", None),
+            (b"(K\1q\5K\2q\0K\3q\5h\5h\0t.", (1, 2, 3, 3, 2)),
+            (b"(K\1\x94K\2\x94K\3q\0h\0h\1t.", (1, 2, 3, 3, 2)),
+        ):
+            if wanted is None:
+                with self.assertRaises(pickles.Refused):
+                    load(pickled)
+            else:
+                self.assertEqual(load(pickled), wanted)
+        for pickled in b"K\1q\0g-1\n.", b"K\1p-1\n0h\0.", b"h\0.":
+            with self.assertRaises(pickles.Refused):
+                load(pickled)
+
     def test_long_text_many_times(self):
         """A text counts with its length at every place where it is used."""
         for text, protocol in (("\xe9" * 100000, 2), (b"\xe9" * 100000, 4)):
