@@ -281,6 +281,7 @@ class _Recording:
         reader.miss = functools.partial(self._work.put_gap, channel)
         reader.compare_clocks()
 
+
 async def _done(coroutine):
     await coroutine
     return True
