@@ -93,7 +93,7 @@ class Snapshot:
         return self
 
     async def or_default(self, ref, ask, otherwise):
-        """`component.elsewhere`, but a context that did not answer is not asked for `rest` seconds."""
+        """`component.or_default`, but a context that did not answer is not asked for `rest` seconds."""
         if self._left_alone and time.monotonic() < self._left_alone.get(orb.identity(ref), 0):
             return otherwise
         answer = await component.or_default(self.node, ref, ask(self.node, ref), None)

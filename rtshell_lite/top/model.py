@@ -483,7 +483,7 @@ class Top:
     # ---- acting ----
 
     def change(self, path, transition):
-        """Take the component at a path (text) through a component.Transition;
+        """Take the component at a path (text) through a transitions.Transition;
         `news` returns its state then.
         """
         self._act(path, transition.command, lambda node: transitions.change(node, transition))

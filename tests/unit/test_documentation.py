@@ -157,6 +157,22 @@ class Commands(unittest.TestCase):
         self.assertGreater(seen, 50)
 
 
+class Promises(unittest.TestCase):
+    """What README.md says of all commands."""
+
+    def test_what_timeout_means(self):
+        """It names each command whose --timeout is another one."""
+        other = [name for name in names("bin") if "options.duration(" in read("bin", name)]
+        sentence = re.search(r"In ([^.]*), `--timeout`\sis how long they run", read("README.md"))
+        self.assertEqual(re.findall(r"`(rt\w+)`", sentence.group(1)), other)
+
+    def test_tls(self):
+        sources = "".join(text for name, text in below("rtshell_lite").items() if name.endswith(".py"))
+        self.assertNotIn("sslTP", sources, "README.md says that nothing speaks TLS")
+        self.assertIn("Nothing here speaks TLS", read("README.md"))
+        self.assertIsNone(re.search(r"transports[^.]*TLS", read("README.md")))
+
+
 class Pages(unittest.TestCase):
     @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
     def test_groff_has_nothing_to_say(self):
