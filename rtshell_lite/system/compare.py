@@ -287,32 +287,22 @@ def _remarks(step):
 
 
 def _missing(step):
-    """Differences for a component that is missing;
-    for the components, or else the ports, that are missing of a connection.
+    """Differences for a component that is missing, and for the ports that are missing of a connection, all
+    components of which are there.
     """
-    if isinstance(step, steps.Present):
-        ends = [(_need(step).capitalize(), step.placement, None)]
-    elif isinstance(step, connect_steps.Connect):
-        ends = []
-        role = "Source"
-        for placement, port in step.ends:
-            ends.append((role, placement, port))
-            role = "Destination"
-    else:
+    where = step.where
+    if isinstance(step, steps.Present) and step.placement.error is not None:
+        return [_difference(step, f"{_need(step).capitalize()} component missing[: {{path}}]", where, where)]
+    if not isinstance(step, connect_steps.Connect) or step.placement_error() is not None:
         return []
-    components = [
-        _difference(step, f"{role} component missing[: {{path}}]", placement.where, placement.where)
-        for role, placement, _ in ends
-        if placement.error is not None
-    ]
-    if components:
-        return components
-    lost = [
-        (role, f"{placement.where}:{printable(port)}", port)
-        for role, placement, port in ends
-        if port is not None and isinstance(placement.port(port), errors.Error)
-    ]
-    return [_difference(step, f"{role} port missing[: {{path}}]", where, port) for role, where, port in lost]
+    found = []
+    role = "Source"
+    for placement, port in step.ends:
+        if isinstance(placement.port(port), errors.Error):
+            where = f"{placement.where}:{printable(port)}"
+            found.append(_difference(step, f"{role} port missing[: {{path}}]", where, port))
+        role = "Destination"
+    return found
 
 
 def _in_words(step, difference):

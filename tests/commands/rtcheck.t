@@ -101,14 +101,11 @@ Components: missing ones, other ones. What is not required is reported, and does
   [1]
   $ rtexit --wait=5 ConsoleOut1.rtc; rtcheck a.xml
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
-  Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [1]
   $ sed 's/isRequired="true"/isRequired="false"/' a.xml > optional.xml; rtcheck optional.xml
   Action failed: Optional component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
-  Action failed: Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   $ rtcheck --json optional.xml
   {"actual": null, "check": "component", "expected": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "message": "Optional component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "path": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "required": false}
-  {"actual": null, "check": "connection", "expected": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "message": "Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "path": "/localhost:$PORT/test.host_cxt/ConsoleOut1.rtc", "required": false}
 
 --verbose reports every check, --dry-run does so without asking anyone:
 
@@ -135,7 +132,6 @@ Components: missing ones, other ones. What is not required is reported, and does
   rtcheck: Checking state is Active for /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc in execution context 0
   rtcheck: Checking state is Active for /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc in execution context 0
   Action failed: Optional component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
-  Action failed: Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   $ ctl reset; rtcheck --dry-run a.xml; calls
   Check for required component "RTC:Shinji Kurihara:example:ConsoleIn:1.0", "ConsoleIn0" at path /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc (Required)
   Check for required component "RTC:Shinji Kurihara:example:ConsoleOut:1.0", "ConsoleOut0" at path /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc (Required)
@@ -206,9 +202,6 @@ What cannot be asked is reported once, and is no difference:
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
-  Source component missing: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
-  Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
-  Destination component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [1]
   $ RTCTREE_NAMESERVERS=localhost:1; sed "s/localhost:$PORT/localhost:1/" a.xml | rtcheck --timeout 1
   rtcheck: /localhost:1: connection refused; is the name server running?

@@ -86,7 +86,6 @@ What is elsewhere can be checked, started, stopped and examined with the same fi
   $ rtstop -q $M a.xml
   $ rtcheck -s inactive a.xml -m ConsoleIn0.rtc=Gone.rtc
   Required component missing: /localhost:$PORT/old.host_cxt/arm.cxt/Gone.rtc
-  Source component missing: /localhost:$PORT/old.host_cxt/arm.cxt/Gone.rtc
   [1]
   $ rtstart --dry-run a.xml -m nowhere=b
   rtstart: --map nowhere=b: nothing in the file is there (see --help)
