@@ -22,6 +22,7 @@ import collections
 import contextlib
 import functools
 import math
+import os
 import signal
 import time
 from _thread import allocate_lock
@@ -38,6 +39,7 @@ __all__ = [
     "Context",
     "Error",
     "Event",
+    "Finding",
     "Manager",
     "Port",
     "Service",
@@ -51,6 +53,7 @@ __all__ = [
     "connections",
     "disconnect",
     "dump_profile",
+    "examine",
     "find",
     "keep",
     "load_profile",
@@ -64,6 +67,7 @@ __all__ = [
     "start",
     "stop",
     "values",
+    "values_of",
     "watch",
     "zombies",
 ]
@@ -76,6 +80,9 @@ LOOK = 2.0  # seconds between questions to a process whose components report not
 Context = collections.namedtuple("Context", "number kind rate running state owner participants")
 # What has happened to a component: its path, seconds since 1970, and what rtwatch prints of it.
 Event = collections.namedtuple("Event", "path time kind subject event")
+# What rtdoctor says: `level` is fail, warn or ok; `check` the kind of the check; `path` the object, or "here"
+# for this host; a message; what mends it, a command or words, or "".
+Finding = collections.namedtuple("Finding", "level check path message remedy")
 PROFILE = ("instance_name", "type_name", "description", "version", "vendor", "category")
 # A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its
 # connections.
@@ -102,9 +109,21 @@ def _plain(function):
 
     @functools.wraps(function)
     def run(*args, **more):
-        return loop.run(function(*args, **more), _signals(), _session, as_guest=True)
+        try:
+            return loop.run(function(*args, **more), _signals(), _session, as_guest=True)
+        except Error as e:
+            raise _at_caller(e) from None
 
     return run
+
+
+def _at_caller(error):
+    """A failure without our frames, and without what led to it, so that a program's traceback ends where it
+    called. With RTSHELL_DEBUG they stay.
+    """
+    if os.environ.get("RTSHELL_DEBUG"):
+        return error
+    return error.with_traceback(None)
 
 
 def _signals():
@@ -334,14 +353,17 @@ async def component(path, wait=0.0):
 @_plain
 async def components(top="/"):
     """The Components at and below a path, a list.
-    What does not answer is left out; if that leaves none, the first failure is raised.
+    What is dead or does not answer is left out; if that leaves none, the first failure is raised.
     """
-    from rtshell_lite.robot import search
+    from rtshell_lite.robot import search, tree
 
     nodes, _, failures, _ = await search.components([await _path(top)])
-    if failures and not nodes:
+    nodes = await tree.check_alive(nodes)
+    living = [node for node in nodes if node.kind == "component"]
+    failures += [node.error for node in nodes if node.kind != "component"]
+    if failures and not living:
         raise failures[0]
-    return [Component(str(node.path)) for node in nodes]
+    return [Component(str(node.path)) for node in living]
 
 
 # ---- connections ----
@@ -499,9 +521,18 @@ def values(port, timeout=None, idl=(), **properties):
     A value has its IDL members as attributes: value.tm.sec, value.data. Raises errors.Unreachable when none
     comes for `timeout` seconds. `idl` are files with types that are not standard ones.
     """
+    with contextlib.closing(values_of([port], timeout, idl, **properties)) as coming:
+        for _, value in coming:
+            yield value
+
+
+def values_of(ports, timeout=None, idl=(), **properties):
+    """Yield (port, value) for what several out ports send, in the order in which it came; `port` is one of
+    `ports`, as it is spelt there. Ends when the first connection is lost; otherwise as `values`.
+    """
     feed = _Feed()
     try:
-        feed.begin(port, idl, _properties(properties))
+        feed.begin(list(ports), idl, _properties(properties))
         while True:
             yield from feed.next(timeout)
     finally:
@@ -515,8 +546,8 @@ def next_value(port, timeout=5.0, idl=(), **properties):
 
 
 class _Feed:
-    """The values of an out port. They are received on a thread of its own,
-    so that the component need not wait for the program.
+    """The values of out ports. They are received on a thread of its own,
+    so that the components need not wait for the program.
     """
 
     session = _session
@@ -527,7 +558,7 @@ class _Feed:
         self._news = allocate_lock()  # released when values have come, or the end; acquired by the program
         self._news.acquire()
         self._wanted = loop.Bell()  # rings when the program wants values
-        self._batch = self._type = self._where = None
+        self._ports = self._types = self._batch = self._where = None
 
     def begin(self, *words):
         """Connect. Raises what that raises."""
@@ -539,8 +570,8 @@ class _Feed:
         self._loop.post(self._wanted.ring)
         if not self._wait(timeout):
             raise errors.Unreachable(self._where, f"no value within {timeout:g}s")
-        for _, message in self._batch:
-            yield self._type.decode(message.data, message.little)
+        for number, message in self._batch:
+            yield self._ports[number], self._types[number].decode(message.data, message.little)
 
     def end(self):
         """Disconnect."""
@@ -556,6 +587,8 @@ class _Feed:
             came = self._news.acquire()
         else:
             came = self._news.acquire(timeout=max(seconds, 0))
+        if isinstance(self._failure, Error):
+            raise _at_caller(self._failure) from None
         if self._failure is not None:
             raise self._failure
         return came
@@ -576,8 +609,8 @@ class _Feed:
         if self._news.locked():
             self._news.release()
 
-    async def _receive(self, port, idl, properties):
-        from rtshell_lite.data import inbox, reading
+    async def _receive(self, names, idl, properties):
+        from rtshell_lite.data import connection, inbox, reading
 
         here = loop.current()
         here.make_bell()
@@ -585,23 +618,35 @@ class _Feed:
         self._loop = here
         if self._is_ending:
             return
-        (found,) = await _found(port)
-        self._type = await _type(found, idl)
+        found = await _found(*names)
+        self._ports = names
+        self._types = [await _type(port, idl) for port in found]
         box = inbox.Inbox()
-        async with reading.Reader(found, box.taker(0), properties=properties) as reader:
-            self._where = reader.where
+        readers = [
+            reading.Reader(port, box.taker(number), properties=properties)
+            for number, port in enumerate(found)
+        ]
+        self._where = ", ".join(reader.where for reader in readers)
+        async with connection.Connections(readers):
+            _check(readers)
             self._tell()
             while await self._wanted.wait():
-                self._batch = await _values_in(box, reader)
+                self._batch = await _values_in(box, readers)
                 self._tell()
 
 
-async def _values_in(box, reader):
+async def _values_in(box, readers):
     """What has come into an Inbox, once there is anything."""
     while True:
         batch = await box.get(POLL)
         if batch:
             return batch
+        _check(readers)
+
+
+def _check(readers):
+    """Raise the first failure of Readers."""
+    for reader in readers:
         if reader.failure:
             raise reader.failure
 
@@ -892,13 +937,36 @@ class _Watching(_Happenings):
                     self._take(Event(watched.where, *event))
 
 
+@_plain
+async def examine(*tops, profile=None, state="Active", measure=0.0):
+    """What rtdoctor finds out about what is at and below these paths (default: all name servers): a list of
+    Findings, failures first.
+
+    profile  what the system should be like, and `state` the state that its components should be in
+    measure  for how many seconds to connect to out ports, and measure rates; 0: do not connect
+    """
+    from rtshell_lite.doctor import examination, finding
+
+    compare = None
+    if profile is not None:
+        file = "FILE"  # in the commands that mend it
+        if isinstance(profile, str):
+            file = text.shell_word(profile)
+        compare = _profile(profile), file, state
+    found = []
+    async for findings in examination.examine([await _path(top) for top in tops], compare, measure):
+        found += findings
+    return [Finding(*one) for one in finding.sorted_by_level(found)]
+
+
 # ---- the RTC Tree ----
 
 
 @_plain
 async def find(pattern, top="/"):
     """The paths of what is called like a pattern (Motor*.rtc), at and below a path: a list, in the order of
-    the tree. What does not answer is left out; if that leaves none, the first failure is raised.
+    the tree. Names of what is dead or silent are in it. Directories that do not answer are left out; if that
+    leaves nothing, the first failure is raised.
     """
     from rtshell_lite.robot import search
 

@@ -2,11 +2,13 @@
 import contextlib
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import traceback
 import unittest
 
 import processes
@@ -181,6 +183,47 @@ class World(unittest.TestCase):
         self.assertEqual(api.component(self.home + "ConsoleIn0.rtc").ports()[0].connections, [])
         with self.assertRaisesRegex(errors.Unreachable, "no value within 0.3s"):
             api.next_value(port, timeout=0.3)
+
+    def test_values_of_several_ports_in_one_loop(self):
+        ports = [self.home + "ConsoleIn0.rtc:out", self.home + "SequenceOutComponent0.rtc:Long"]
+        numbers = iter(range(1000))
+        stop = threading.Event()
+
+        def write():
+            while not stop.is_set():
+                for port in "ConsoleIn0:out", "SequenceOutComponent0:Long":
+                    self.world.ctl("write", port, str(next(numbers)))
+        writer = threading.Thread(target=write)
+        seen = {}
+        with contextlib.closing(api.values_of(ports, timeout=worlds.LIMIT)) as coming:
+            writer.start()
+            for port, value in coming:
+                seen.setdefault(port, []).append(value.data)
+                if sorted(seen) == sorted(ports) and min(map(len, seen.values())) > 1:
+                    break
+        stop.set()
+        writer.join()
+        for port in ports:
+            self.assertEqual(sorted(seen[port]), seen[port])
+            self.assertEqual(api.connections(port), [])
+        with self.assertRaises(errors.NotFound), contextlib.closing(
+            api.values_of([ports[0], self.home + "nosuch.rtc:out"])
+        ) as coming:
+            next(coming)
+
+    def test_tracebacks_end_where_the_program_called(self):
+        """Failures of users show none of the frames below the library's door, and no other failure."""
+        def wait():
+            return api.next_value(self.home + "ConsoleIn0.rtc:out", timeout=0.1)
+        for function in (lambda: api.component(self.home + "nosuch.rtc"), wait):
+            try:
+                function()
+            except api.Error as e:
+                said = "".join(traceback.format_exception(type(e), e, e.__traceback__))
+            inner = re.findall(r'File ".*/rtshell_lite/(.*)", line', said)
+            self.assertEqual(set(inner), {"api.py"}, said)
+            self.assertLess(len(inner), 6, said)
+            self.assertEqual(said.count("Traceback"), 1, said)
 
     def test_components_do_not_wait_while_the_program_looks_at_a_value(self):
         coming = api.values(self.home + "ConsoleIn0.rtc:out", timeout=worlds.LIMIT)
@@ -476,6 +519,26 @@ class Robot(unittest.TestCase):
         with self.assertRaises(errors.NotFound):
             api.start(profile)
 
+    def test_what_rtdoctor_finds(self):
+        found = api.examine(self.home)
+        self.assertEqual([each for each in found if each.level == "fail"], [])
+        self.assertTrue([each for each in found if each.level == "ok"])
+        profile = api.capture(self.home, unconnected=True)
+        failed = [each for each in api.examine(self.home, profile=profile) if each.level == "fail"]
+        self.assertEqual({each.check for each in failed}, {"profile"})
+        (nowhere,) = [each for each in api.examine("/127.0.0.1:1") if each.level == "fail"]
+        self.assertEqual((nowhere.check, nowhere.path), ("name server", "/127.0.0.1:1"))
+        self.assertTrue(nowhere.remedy)
+
+    def test_the_dead_are_no_components(self):
+        (dead,) = api.zombies(self.server)
+        listed = [component.path for component in api.components(self.server)]
+        self.assertNotIn(dead, listed)
+        self.assertIn(self.home + "ConsoleIn0.rtc", listed)
+        with self.assertRaises(errors.Unreachable) as caught:
+            api.components(self.server + "/dead.host_cxt")
+        self.assertEqual(caught.exception.where, dead)
+
     def test_names(self):
         self.assertEqual(api.find("ConsoleI*.rtc", self.server), [self.home + "ConsoleIn0.rtc"])
         self.assertEqual(len(api.zombies(self.server)), 1)
@@ -507,7 +570,7 @@ class Documents(unittest.TestCase):
         self.assertEqual(
             set(api.__all__)
             - named
-            - {"Component", "Connection", "Context", "Event", "Manager", "Port", "Service"},
+            - {"Component", "Connection", "Context", "Event", "Finding", "Manager", "Port", "Service"},
             set(),
         )
 
