@@ -127,7 +127,7 @@ class NoPattern(NotFound):
 
 
 class NoEntry(NotFound):
-    message = "{}: no such path; did you mean the name server {}?"
+    message = "{}: no such path; a name server is written with a slash: {}"
 
 
 class NoServer(NotFound):

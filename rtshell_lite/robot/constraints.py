@@ -30,7 +30,7 @@ def doubts(present, values, sets):
         constraint = _constraint(sets, name)
         if _are_numbers(present.get(name, "")) and not _are_numbers(value):
             reasons.append(
-                (name, f"{value or repr('')} is not a number, as the present value is ({present[name]})")
+                (name, f"{value or repr('')} is not a number, unlike the old value ({present[name]})")
             )
         elif not fits(constraint, value):
             reasons.append(

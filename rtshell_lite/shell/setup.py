@@ -30,7 +30,7 @@ end
 """
 
 _CSH = """\
-alias rtcwd 'setenv RTCSH_CWD "`\\rtcwd \\!*`"'
+alias rtcwd 'set _rtcwd = "`\\rtcwd \\!*`" && setenv RTCSH_CWD "$_rtcwd"'
 """
 
 FUNCTIONS = {"sh": _POSIX, "bash": _POSIX, "zsh": _POSIX, "fish": _FISH, "csh": _CSH}

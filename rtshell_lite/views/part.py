@@ -42,6 +42,16 @@ def _is_below(where, server, names):
     return server in (None, where.server) and where.names[: len(names)] == names
 
 
+def at(picture, paths):
+    """Numbers of the boxes of the components at these Paths."""
+    places = {(path.server, path.names) for path in paths}
+    return {
+        number
+        for number, box in enumerate(picture.boxes)
+        if box.path and (box.path.server, box.path.names) in places
+    }
+
+
 def matching(picture, pattern):
     """Numbers of the boxes whose name, or whose path, a GLOB matches."""
     return {
@@ -74,12 +84,13 @@ def neighbours(picture, numbers, hops=1, upstream=True, downstream=True):
 # ---- groups ----
 
 
-def fold(picture, kind, opened=()):
-    """The graph.Graph with groups of this kind (of KINDS) as one box each, but for those named in `opened`.
+def fold(picture, kind, opened=(), alone=()):
+    """The graph.Graph with groups of this kind (of KINDS) as one box each, but for those named in `opened`;
+    the boxes with numbers in `alone` are in none.
 
     A group of one component is that component. Parallel connections are one, labelled with their number.
     """
-    groups = _groups(picture, kind)
+    groups = _groups(picture, kind, alone)
     boxes = []
     places = {}
     singles = {}
@@ -89,7 +100,7 @@ def fold(picture, kind, opened=()):
             continue
         name = group_name(picture, number, kind)
         members = groups.get(name, ())
-        if len(members) < 2 or name in opened:
+        if len(members) < 2 or name in opened or number in alone:
             places[number] = singles[number] = len(boxes)
             boxes.append(picture.boxes[number])
             continue
@@ -111,16 +122,16 @@ def choose_kind(picture, most=MOST):
     return KINDS[-1]
 
 
-def groups(picture, kind):
-    """Names of the groups of this kind that are folded, sorted."""
-    return sorted(name for name, members in _groups(picture, kind).items() if len(members) > 1)
+def groups(picture, kind, alone=()):
+    """Names of the groups of this kind that are folded, sorted; see `fold`."""
+    return sorted(name for name, members in _groups(picture, kind, alone).items() if len(members) > 1)
 
 
-def _groups(picture, kind):
+def _groups(picture, kind, alone):
     found = collections.defaultdict(list)
     for number in range(len(picture.boxes)):
         name = group_name(picture, number, kind)
-        if name is not None:
+        if name is not None and number not in alone:
             found[name].append(number)
     return found
 

@@ -58,7 +58,7 @@ Metadata cannot be activated:
 A value that is not a number is taken by the component all the same; it is text to the wire:
 
   $ rtconf ConfigSample0.rtc set int_param0 many; rtconf ConfigSample0.rtc get int_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: many is not a number, as the present value is (-999)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but many is not a number, unlike the old value (-999)
   many
 
 Somebody else has set values and activated nothing, so that no set is active:

@@ -45,7 +45,7 @@ load brings the sets to what such a text says. Nothing is done for values that a
   $ rtconf ConfigSample0.rtc dump | rtconf ConfigSample0.rtc load -v
   $ rtconf ConfigSample0.rtc load -v one.conf
   $ rtconf ConfigSample0.rtc set int_param0=5 str_param0='a=b' ; rtconf ConfigSample0.rtc act mode0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a=b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a=b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc load --dry-run one.conf
   rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s mode1 set int_param0=-999 str_param0=mode1
   rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s mode1 act
@@ -68,12 +68,12 @@ What it costs:
 The commands of --dry-run do the same:
 
   $ rtconf ConfigSample0.rtc set int_param0=-5 str_param0='$(id) "' ; rtconf ConfigSample0.rtc act mode0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -5 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: $(id) " does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -5 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but $(id) " does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc dump two.conf
   $ rtconf ConfigSample0.rtc load one.conf; rtconf ConfigSample0.rtc load --dry-run two.conf | sh
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -5 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: $(id) " does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -5 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but $(id) " does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc dump | cmp - two.conf
 
 A text may be written by hand: some sets, some parameters, comments; without `active` the active set stays:
@@ -90,7 +90,7 @@ A text may be written by hand: some sets, some parameters, comments; without `ac
 Values come back as they were, whatever they hold:
 
   $ rtconf ConfigSample0.rtc set str_param0="$(printf ' =#[]\\ 日本\n\t\033\377 ')" str_param1='# no comment '
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0:  =#[]\\ 日本\x0a\x09\x1b\xff  does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but  =#[]\\ 日本\x0a\x09\x1b\xff  does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc dump odd.conf; grep str_ odd.conf | tail -2
   str_param0= =#[]\\ 日本\x0a\x09\x1b\xff\x20
   str_param1=# no comment\x20
@@ -215,8 +215,8 @@ diff, status 1 when there are differences; the active sets are compared, too:
 
   $ rtconf ConfigSample0.rtc diff ../cpp.host_cxt/ConfigSample0.rtc
   $ rtconf ConfigSample0.rtc set int_param0=-1 'str_param0=a b'; rtconf ConfigSample0.rtc act default
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -1 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -1 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc -a -s __widget__ set int_param0 spin
   $ rtconf ConfigSample0.rtc diff ../cpp.host_cxt/ConfigSample0.rtc
   mode1         int_param0  -1       -999

@@ -25,13 +25,13 @@ What the other versions print as C++ 1.1 does is not repeated:
   default set in conf file
   $ each rtconf ConfigSample0.rtc -s default set str_param0 new
   cpp11:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0: new does not fit the component's constraint (default,mode0,mode1)
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0 is set, but new does not fit the component's constraint (default,mode0,mode1)
   py2:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0: new does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0 is set, but new does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   java:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0: new does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0 is set, but new does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   rtorb:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0: new does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: str_param0 is set, but new does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ each rtconf ConfigSample0.rtc -s default get str_param0
   cpp11:
   new
@@ -48,7 +48,7 @@ A value that is no number is taken by all, and read back as it is:
 
   $ each rtconf ConfigSample0.rtc -s mode1 set int_param0 many
   cpp11:
-  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: int_param0: many is not a number, as the present value is (-999)
+  rtconf: /localhost:$PORT/V.host_cxt/ConfigSample0.rtc: int_param0 is set, but many is not a number, unlike the old value (-999)
   $ each rtconf ConfigSample0.rtc -s mode1 get int_param0
   cpp11:
   many

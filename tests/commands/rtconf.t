@@ -84,17 +84,17 @@ set, one value, negative numbers, and several:
   $ rtconf ConfigSample0.rtc get int_param0
   12
   $ rtconf ConfigSample0.rtc set int_param0 -5; rtconf ConfigSample0.rtc get int_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -5 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -5 does not fit the component's constraint 0<=x<=150
   -5
   $ rtconf ConfigSample0.rtc set double_param0 -.5e3; rtconf ConfigSample0.rtc get double_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: double_param0: -.5e3 does not fit the component's constraint 0<=x<=100
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: double_param0 is set, but -.5e3 does not fit the component's constraint 0<=x<=100
   -.5e3
   $ rtconf ConfigSample0.rtc -- set str_param0 --help; rtconf ConfigSample0.rtc get str_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: --help does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but --help does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   --help
   $ rtconf ConfigSample0.rtc set int_param0=1 int_param1=-2 str_param0='a b' str_param1=
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param1: -2 does not fit the component's constraint 0<=x<=1000
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param1 is set, but -2 does not fit the component's constraint 0<=x<=1000
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc -l -s mode1 | sed 's/ *$//'
   -mode1*
     double_param0  -.5e3
@@ -108,26 +108,26 @@ set, one value, negative numbers, and several:
 A value may hold anything: equals signs, newlines, blanks, any script, escapes, bytes that are no text:
 
   $ rtconf ConfigSample0.rtc set str_param0 'a=b=c'; rtconf ConfigSample0.rtc get str_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a=b=c does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a=b=c does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   a=b=c
   $ rtconf ConfigSample0.rtc set str_param0=a=b str_param1=c=d; rtconf ConfigSample0.rtc get str_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a=b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a=b does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   a=b
   $ rtconf ConfigSample0.rtc set str_param0 '日本語 é ☃'; rtconf ConfigSample0.rtc get str_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: 日本語 é ☃ does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but 日本語 é ☃ does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   日本語 é ☃
   $ rtconf ConfigSample0.rtc set str_param0 '  two
   > lines	\n  '; rtconf ConfigSample0.rtc get str_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0:   two\x0alines\x09\\n   does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but   two\x0alines\x09\\n   does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
     two
   lines\t\\n\x20\x20 (esc)
   $ rtconf ConfigSample0.rtc set str_param0 "$(printf 'a\033[31m\377')"; rtconf ConfigSample0.rtc get str_param0
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a\x1b[31m\xff does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a\x1b[31m\xff does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   a\x1b[31m\xff (esc)
   $ rtconf ConfigSample0.rtc get str_param0 --json
   {"str_param0": "a\u001b[31m\udcff"}
   $ rtconf ConfigSample0.rtc set str_param0 ''; rtconf ConfigSample0.rtc get str_param0 | od -c
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: '' does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but '' does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   0000000  \n
   0000001
 
@@ -178,8 +178,8 @@ set keeps active what is active, wherever it changes something; act changes that
   $ rtconf ConfigSample0.rtc --dry-run -s mode0 set int_param0=-79 'str_param0=$(id)  x' str_param1=日本 | sh
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -79 does not fit the component's constraint 0<=x<=150
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: $(id)  x does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -79 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: $(id)  x does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -79 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but $(id)  x does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtconf ConfigSample0.rtc -s mode0 -l
   -mode0
     double_param0  3.141592653589793238462643383279
@@ -196,7 +196,7 @@ set keeps active what is active, wherever it changes something; act changes that
   rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s mode1 set int_param0=-3
   $ rtconf ConfigSample0.rtc --dry-run set int_param0 -3 | sh; rtconf ConfigSample0.rtc get int_param0
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -3 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -3 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -3 does not fit the component's constraint 0<=x<=150
   -3
 
 JSON, one set a line:

@@ -116,6 +116,27 @@ Fish is another language. (Its function is tried where fish is installed.)
   8 tried, 0 canaries
   $ rtcwd --shell fish | head -n 1; rtcwd --shell csh; rtcwd --shell zsh | head -n 1; rtcwd --shell bash | head -n 1
   function rtcwd
-  alias rtcwd 'setenv RTCSH_CWD "`\rtcwd \!*`"'
+  alias rtcwd 'set _rtcwd = "`\rtcwd \!*`" && setenv RTCSH_CWD "$_rtcwd"'
   rtcwd() {
   rtcwd() {
+
+So is csh. (Its alias is tried where tcsh or csh is installed.)
+
+  $ cat >try.csh <<'end'
+  > eval "`rtcwd --shell csh`"
+  > rtcwd nothing.cxt
+  > echo "$status in $RTCSH_CWD"
+  > rtcwd a.cxt
+  > echo "$status in $RTCSH_CWD"
+  > end
+  $ for shell in tcsh bsd-csh; do
+  >     if command -v $shell >/dev/null; then
+  >         $shell -f try.csh 2>error
+  >     else
+  >         printf '3 in %s\n0 in %s/a.cxt\n' "$RTCSH_CWD" "$RTCSH_CWD"
+  >     fi
+  > done
+  3 in /localhost:$PORT/test.host_cxt
+  0 in /localhost:$PORT/test.host_cxt/a.cxt
+  3 in /localhost:$PORT/test.host_cxt
+  0 in /localhost:$PORT/test.host_cxt/a.cxt

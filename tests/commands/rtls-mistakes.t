@@ -16,11 +16,11 @@ The words of find, patterns in paths, a directory for its components:
   $ rtfind /localhost:$PORT -n 'Con*' | head -n 1
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   $ rtls nosuchhost; rtls Console
-  rtls: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; did you mean the name server /nosuchhost?
+  rtls: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; a name server is written with a slash: /nosuchhost
   rtls: /localhost:$PORT/test.host_cxt/Console: no such path; did you mean ConsoleIn0.rtc?
   [3]
   $ rtcwd nosuchhost
-  rtcwd: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; did you mean the name server /nosuchhost?
+  rtcwd: /localhost:$PORT/test.host_cxt/nosuchhost: no such path; a name server is written with a slash: /nosuchhost
   [3]
   $ rtact .
   rtact: /localhost:$PORT/test.host_cxt: not a component (it is a directory; --all takes the components in it)

@@ -182,7 +182,7 @@ Several paths: what is in a directory follows its name. Options may be anywhere.
 What does not exist. Of the directory that should have held it, the name nearest to it is offered.
 
   $ rtls nothing.like.it
-  rtls: /localhost:$PORT/test.host_cxt/nothing.like.it: no such path; did you mean the name server /nothing.like.it?
+  rtls: /localhost:$PORT/test.host_cxt/nothing.like.it: no such path; a name server is written with a slash: /nothing.like.it
   [3]
   $ rtls ConsolIn0.rtc
   rtls: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?

@@ -6,7 +6,7 @@ world: two
   $ rtcon -i one -n n SequenceOutComponent0.rtc:Long SequenceInComponent0.rtc:Long
   $ rtcomp -a Sensor0.rtc:in -a Motor0.rtc:in,out manager.mgr:Arm; rtcon -i two ConsoleIn0.rtc:out Arm.rtc:Sensor0.in
   $ rtconf ConfigSample0.rtc set str_param0=changed; rtec Motor0.rtc rate 250
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: changed does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but changed does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtcryo --all > named.xml; grep -v -e '"MANAGER"' -e '"REFERENCE"' named.xml > a.xml; grep -o 'name="MANAGER".*' named.xml | sort | uniq -c
         6 name="MANAGER" rtsExt:value="localhost:$PORT/test.host_cxt/manager.mgr"/>
 
@@ -38,11 +38,11 @@ The manager is given, and then does it; by hand with the commands of --dry-run, 
   rtcon -n outSensor0.in -i two -p dataport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.dataflow_type=push -p dataport.inport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.interface_type=corba_cdr -p dataport.outport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.serializer.cdr.endian=little,big -p dataport.subscription_type=new /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/Sensor0.rtc:in
   rtcon -n n -i one -p dataport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.dataflow_type=push -p dataport.inport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.interface_type=corba_cdr -p dataport.outport.data_type=IDL:RTC/TimedLong:1.0 -p dataport.serializer.cdr.endian=little,big -p dataport.subscription_type=new /localhost:$PORT/test.host_cxt/SequenceOutComponent0.rtc:Long /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
   $ sh -e script; same; gone
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: 12345 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param1: 98765 does not fit the component's constraint 0<=x<=1000
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: double_param0: 297992458 does not fit the component's constraint 0<=x<=100
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -999 does not fit the component's constraint 0<=x<=150
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: changed does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but 12345 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param1 is set, but 98765 does not fit the component's constraint 0<=x<=1000
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: double_param0 is set, but 297992458 does not fit the component's constraint 0<=x<=100
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -999 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but changed does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   $ rtresurrect --create --manager manager.mgr -v a.xml
   rtresurrect: component /localhost:$PORT/test.host_cxt/Arm.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
   rtresurrect: component /localhost:$PORT/test.host_cxt/ConfigSample0.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done

@@ -23,8 +23,8 @@ All is already as the file says, and nothing is done:
 Tear it down and change it; --dry-run prints the commands that restore it, and does nothing:
 
   $ rtteardown a.xml; rtconf ConfigSample0.rtc act mode0; rtconf ConfigSample0.rtc set str_param0="it's \$5" int_param0=-5
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: it's $5 does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: -5 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but it's $5 does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -5 does not fit the component's constraint 0<=x<=150
   $ rtec Motor0.rtc rate 500; rtcomp -r $C/Motor0.rtc $C/composite0.rtc
   $ rtresurrect --dry-run a.xml > script; cat script
   rtcomp -a /localhost:$PORT2/test.host_cxt/Motor0.rtc /localhost:$PORT2/test.host_cxt/composite0.rtc
@@ -39,7 +39,7 @@ Tear it down and change it; --dry-run prints the commands that restore it, and d
 They can be given to a shell, and then nothing is left to do:
 
   $ sh -e script; rtcheck -s inactive a.xml; rtresurrect --dry-run a.xml
-  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0: 12345 does not fit the component's constraint 0<=x<=150
+  rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but 12345 does not fit the component's constraint 0<=x<=150
 
 What rtresurrect does, step by step:
 

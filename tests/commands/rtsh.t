@@ -71,10 +71,10 @@ A command that reads stdin itself gets what follows its line:
 The exit status is that of the last command; with -e that of the first that failed:
 
   $ rtsh -c 'ls nowhere; ls ConsoleIn0.rtc'
-  rtls: /localhost:$PORT/test.host_cxt/nowhere: no such path; did you mean the name server /nowhere?
+  rtls: /localhost:$PORT/test.host_cxt/nowhere: no such path; a name server is written with a slash: /nowhere
   ConsoleIn0.rtc
   $ rtsh -e -c 'ls nowhere; ls ConsoleIn0.rtc'
-  rtls: /localhost:$PORT/test.host_cxt/nowhere: no such path; did you mean the name server /nowhere?
+  rtls: /localhost:$PORT/test.host_cxt/nowhere: no such path; a name server is written with a slash: /nowhere
   [3]
   $ printf 'pwd -x\nls ConsoleIn0.rtc\n' | rtsh
   rtpwd: unrecognized arguments: -x (see --help)
@@ -83,7 +83,7 @@ The exit status is that of the last command; with -e that of the first that fail
   rtpwd: unrecognized arguments: -x (see --help)
   [2]
   $ rtsh -c 'ls nowhere; exit; pwd'
-  rtls: /localhost:$PORT/test.host_cxt/nowhere: no such path; did you mean the name server /nowhere?
+  rtls: /localhost:$PORT/test.host_cxt/nowhere: no such path; a name server is written with a slash: /nowhere
   [3]
   $ rtsh -c 'exit 7; pwd'
   [7]

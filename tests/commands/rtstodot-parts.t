@@ -94,6 +94,22 @@ Groups:
   | 5 components                   |
   | 3 Inactive, 1 Active, 1 Error  |
   +--------------------------------+
+
+What is asked for by name is not folded:
+
+  $ rtstodot --ascii --live --group directory --around Motor0.rtc
+  +--------------------------------+
+  | /localhost:$PORT/test.host_cxt |
+  | 2 components                   |
+  | 1 Active, 1 Error              |
+  | from Motor0                    |<+
+  |                           data +-|-+
+  +--------------------------------+ | |
+  | Motor0  Inactive               | | |
+  | in                             |<|-+
+  |                            out +-+
+  +--------------------------------+
+
   $ rtstodot --ascii --live --group host --open test
   +------------------------+
   | Hokuyo_AIST0  Inactive |

@@ -40,9 +40,9 @@ class Doubts(unittest.TestCase):
         self.assertEqual([reason for _, reason in found], expected)
 
     def test_numbers(self):
-        self.check("0", "abc", ["abc is not a number, as the present value is (0)"])
-        self.check("0,1.5", "2,b", ["2,b is not a number, as the present value is (0,1.5)"])
-        self.check("0", "", ["'' is not a number, as the present value is (0)"])
+        self.check("0", "abc", ["abc is not a number, unlike the old value (0)"])
+        self.check("0,1.5", "2,b", ["2,b is not a number, unlike the old value (0,1.5)"])
+        self.check("0", "", ["'' is not a number, unlike the old value (0)"])
         for present, value in (
             ("0", "-1e-3"),
             ("abc", "def"),
@@ -58,7 +58,7 @@ class Doubts(unittest.TestCase):
             self.check("5", "200", ["200 does not fit the component's constraint 0<=x<=150"], **{name: (
                 "0<=x<=150"
             )})
-        doubts = ["abc is not a number, as the present value is (5)"]
+        doubts = ["abc is not a number, unlike the old value (5)"]
         self.check("5", "abc", doubts, __constraints__="0<=x<=150")
         self.check(
             "red",

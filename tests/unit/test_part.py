@@ -97,6 +97,13 @@ class Groups(unittest.TestCase):
         self.assertEqual(names(folded), ["/h/a.host_cxt", "Y0", "Y1", "Z0"])
         self.assertEqual(len(folded.edges), 5)
 
+    def test_what_is_asked_for_by_name_is_in_no_group(self):
+        folded = part.fold(self.found, "directory", alone={2})
+        self.assertEqual(names(folded), ["/h/a.host_cxt", "Y0", "Y1", "Z0"])
+        self.assertEqual(part.groups(self.found, "directory", {2}), ["/h/a.host_cxt"])
+        self.assertEqual(names(part.fold(self.found, "host", alone={0, 3})), ["X0", "X1", "Y0", "Y1", "Z0"])
+        self.assertEqual(part.at(self.found, [self.found.boxes[3].path]), {3})
+
     def test_kinds(self):
         self.assertEqual(names(part.fold(self.found, "none")), names(self.found))
         self.assertEqual(names(part.fold(self.found, "host")), ["a", "b", "Z0"])
