@@ -27,6 +27,8 @@ class Parser(argparse.ArgumentParser):
 
     # {a word of another tool: the option that is meant}
     synonyms = {}  # type: dict
+    # {an option of rtshell up to 3.0, which later ones do not have: what is written instead}
+    former = {}  # type: dict
 
     def error(self, message):
         message = message.replace("invalid int value", "not a whole number")
@@ -147,6 +149,8 @@ class Parser(argparse.ArgumentParser):
 
     def _known(self, name, word):
         # argparse takes abbreviations, and allow_abbrev=False breaks -n5 before Python 3.8
+        if name in self.former:
+            self.error(f"{name} is an option of old versions; now: {self.former[name]}")
         if name not in self._option_string_actions:
             self.error("unrecognized arguments: " + text.printable(word))
         return self._option_string_actions[name]

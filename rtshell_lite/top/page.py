@@ -163,6 +163,7 @@ class Page:
         self.lines = []  # what is shown of `rows`, with lines for groups
         self.attributes = _attributes()
         self.rows = []  # that match the filter
+        self.common = ""  # the directory that their names leave out
         self.selected = None  # the path of a Row
         self.number = self.first = self.room = (
             0  # index of the selected Row, of the first one shown; how many can be shown
@@ -397,6 +398,7 @@ class Page:
         found = rows.arranged(components, self.sort, self.wanted)
         if self.only is not None:
             found = [row for row in found if row.path in self.only]
+        found, self.common = rows.shortened(found)
         self.lines = rows.grouped(found, self.group)
         self.rows = [line for line in self.lines if isinstance(line, rows.Row)]
         paths = [row.path for row in self.rows]
@@ -422,7 +424,8 @@ class Page:
             matching = f"; {len(self.rows)} with: {self.wanted}"
         else:
             matching = ""
-        self._put(0, f"{rows.summary(components)}{matching}", curses.A_BOLD)
+        below = f"; below {self.common}" if self.common else ""
+        self._put(0, f"{rows.summary(components)}{matching}{below}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)
         if len(rates) > most:

@@ -2,6 +2,7 @@
 
 import collections
 import functools
+import os
 import re
 
 from rtshell_lite import path, text
@@ -48,6 +49,23 @@ def arranged(rows, sort="name", wanted=""):
         "trouble": lambda row: min(STATES.index(row.state), STATES.index("Active")),
     }
     return sorted(rows, key=keys[sort])
+
+
+def shortened(shown):
+    """(the Rows, the directory in which all those are whose names are paths): it is left out of these names.
+    "" for Rows with names of their own.
+    """
+    paths = [row.path for row in shown if row.name == row.path]
+    common = os.path.commonprefix(paths)
+    common = common[: common.rfind("/") + 1]
+    if len(paths) < 2 or common == "/":
+        return shown, ""
+    short = []
+    for row in shown:
+        if row.name == row.path:
+            row = row._replace(name=row.name[len(common) :])
+        short.append(row)
+    return short, common
 
 
 @functools.lru_cache(maxsize=4096)

@@ -15,6 +15,9 @@ COUNTED = (
     ("service_ports", "CorbaPort"),
 )
 
+# Above the columns of `row`.
+HEAD = ["STATE", "PORTS", "IN", "OUT", "SVC", "NAME"]
+
 
 async def all_blocks(paths, recurse, typed):
     """`blocks` for each path, in parallel by name server; an errors.Error for what failed.

@@ -275,6 +275,9 @@ Wrong usage:
   $ rtcat -x ConsoleIn0.rtc
   rtcat: unrecognized arguments: -x (see --help)
   [2]
+  $ rtcat --ll ConsoleIn0.rtc
+  rtcat: --ll is an option of old versions; now: -ll (see --help)
+  [2]
   $ rtcat ConsoleIn0.rtc:out:in
   rtcat: ConsoleIn0.rtc:out:in: a single colon separates a component from its port; write \: in a name
   [2]

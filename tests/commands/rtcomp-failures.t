@@ -16,6 +16,11 @@ Wrong usage:
   $ rtcomp a b
   rtcomp: unrecognized arguments: b (see --help)
   [2]
+  $ rtcomp -c Sensor0.rtc manager.mgr; rtcomp --port=Sensor0.rtc:in manager.mgr; rtcomp manager.mgr -n Arm
+  rtcomp: -c is an option of old versions; now: -a PATH (see --help)
+  rtcomp: --port is an option of old versions; now: -a PATH:PORT,… (see --help)
+  rtcomp: -n is an option of old versions; now: MANAGER:NAME (see --help)
+  [2]
   $ rtcomp -a
   rtcomp: argument -a/--add: expected one argument (see --help)
   [2]

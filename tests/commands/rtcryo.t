@@ -138,6 +138,20 @@ In YAML:
     id: RTSystem:Me:RTSystem:0
     version: '0.2'
 
+What a file says, in the other form; nobody is asked:
+
+  $ RTCTREE_NAMESERVERS=localhost:1 rtcryo --from a.xml -y -o a.yaml; head -n 2 a.yaml
+  rtsProfile:
+    abstract: RT System created by rtcryo.
+  $ rtcryo --from - <a.yaml | cmp - a.xml && rtcryo --from a.yaml --yaml | cmp - a.yaml && echo same
+  same
+  $ rtcryo --from a.xml -n Arm; rtcryo --from a.xml --all; rtcryo --from a.xml localhost; rtcryo --from nosuch.xml
+  rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)
+  rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)
+  rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)
+  rtcryo: nosuch.xml: No such file or directory
+  [1]
+
 Everything that a system can have: service connections, one with three ends, a connection within one component:
 
   $ rtcon -i all ConsoleIn1.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in
@@ -293,6 +307,7 @@ A name server that is not there, a path that is malformed, a file that cannot be
   $ grep -c pathUri arm.rtsys; ls -A
   7
   a.xml
+  a.yaml
   arm.rtsys
   b.xml
   both.xml

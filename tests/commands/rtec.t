@@ -26,6 +26,14 @@ its owner, who else takes part:
   0  0     Periodic  1000  Stopped  Inactive  Motor0      -
   1  1000  Periodic  1000  Running  Inactive  composite0  Sensor0,Controller0,Motor0
 
+A head says so on a terminal only:
+
+  $ NO_COLOR=1 tty 80 rtec Multi0.rtc
+  N  HANDLE  KIND      RATE  RUNS     STATE     OWNER    PARTICIPANTS
+  0  0       Periodic  1000  Running  Inactive  Multi0   -
+  1  1       Periodic  1000  Running  Inactive  Multi0   -
+  2  1000    Periodic  1000  Running  Inactive  Driver0  Multi0
+
 --json has all that and the context's properties:
 
   $ rtec --json Multi0.rtc | python3 -c 'import json, sys

@@ -63,21 +63,25 @@ Colours: directories, zombies, states.
    (esc)
   $ ctl error ConsoleOut1
   $ tty 80 rtls -l | tail -n 4
-  \x1b[01;37;41mError\x1b[00m     \x1b[01m1\x1b[00m/0   \x1b[01m1\x1b[00m/0   \x1b[01m0\x1b[00m/0   \x1b[01m0\x1b[00m/0  ConsoleOut1.rtc (esc)
-  -         -     -     -     -    *\x1b[02;37mDeadMock0.rtc\x1b[00m (esc)
-  \x1b[01;34mInactive\x1b[00m  \x1b[01m10\x1b[00m/0  \x1b[01m10\x1b[00m/0  \x1b[01m0\x1b[00m/0   \x1b[01m0\x1b[00m/0  SequenceInComponent0.rtc (esc)
-  \x1b[01;34mInactive\x1b[00m  \x1b[01m10\x1b[00m/0  \x1b[01m0\x1b[00m/0   \x1b[01m10\x1b[00m/0  \x1b[01m0\x1b[00m/0  SequenceOutComponent0.rtc (esc)
+  \x1b[01;37;41mError\x1b[00m     \x1b[01m1\x1b[00m/0    \x1b[01m1\x1b[00m/0   \x1b[01m0\x1b[00m/0   \x1b[01m0\x1b[00m/0  ConsoleOut1.rtc (esc)
+  -         -      -     -     -    *\x1b[02;37mDeadMock0.rtc\x1b[00m (esc)
+  \x1b[01;34mInactive\x1b[00m  \x1b[01m10\x1b[00m/0   \x1b[01m10\x1b[00m/0  \x1b[01m0\x1b[00m/0   \x1b[01m0\x1b[00m/0  SequenceInComponent0.rtc (esc)
+  \x1b[01;34mInactive\x1b[00m  \x1b[01m10\x1b[00m/0   \x1b[01m0\x1b[00m/0   \x1b[01m10\x1b[00m/0  \x1b[01m0\x1b[00m/0  SequenceOutComponent0.rtc (esc)
   $ tty 80 rtls -l ..
-  -  -  -  -  -  \x1b[01;34mtest.host_cxt\x1b[00m (esc)
+  STATE  PORTS  IN  OUT  SVC  NAME
+  -      -      -   -    -    \x1b[01;34mtest.host_cxt\x1b[00m (esc)
 
 Not with NO_COLOR (which must not be empty), on a terminal that cannot, in a file, or for programs.
 
   $ NO_COLOR=1 tty 80 rtls -l ConsoleIn0.rtc
-  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  STATE     PORTS  IN   OUT  SVC  NAME
+  Inactive  1/0    0/0  1/0  0/0  ConsoleIn0.rtc
   $ NO_COLOR= tty 80 rtls -l ConsoleIn0.rtc
-  \x1b[01;34mInactive\x1b[00m  \x1b[01m1\x1b[00m/0  \x1b[01m0\x1b[00m/0  \x1b[01m1\x1b[00m/0  \x1b[01m0\x1b[00m/0  ConsoleIn0.rtc (esc)
+  STATE     PORTS  IN   OUT  SVC  NAME
+  \x1b[01;34mInactive\x1b[00m  \x1b[01m1\x1b[00m/0    \x1b[01m0\x1b[00m/0  \x1b[01m1\x1b[00m/0  \x1b[01m0\x1b[00m/0  ConsoleIn0.rtc (esc)
   $ TERM=dumb tty 80 rtls -l ConsoleIn0.rtc
-  Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  STATE     PORTS  IN   OUT  SVC  NAME
+  Inactive  1/0    0/0  1/0  0/0  ConsoleIn0.rtc
   $ FORCE_COLOR=1 CLICOLOR_FORCE=1 rtls -l ConsoleIn0.rtc
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   $ FORCE_COLOR=1 tty 80 rtls --json ConsoleIn0.rtc

@@ -67,10 +67,14 @@ In another order, and only some: words of paths, or states, in capitals or not:
 Two components of one name: all have their paths, so that they can be compared:
 
   $ mock these Motor --context b.host_cxt/%n.rtc
-  $ top -f tor0 && end-mock these
+  $ top -f tor0
   STATE         RATE  CONN  COMPONENT
   Inactive      1000     0  /localhost:$PORT/b.host_cxt/Motor0.rtc
   Active        1000     2  /localhost:$PORT/test.host_cxt/Motor0.rtc
+  $ NO_COLOR=1 tty 80 rttop -n 1 --timeout 1 -f tor0 && end-mock these
+  STATE         RATE  CONN  COMPONENT  below /localhost:$PORT/
+  Inactive      1000     0  b.host_cxt/Motor0.rtc
+  Active        1000     2  test.host_cxt/Motor0.rtc
 
 The flow of ports, over a second, by a connection that is gone at the end:
 

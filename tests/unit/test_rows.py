@@ -125,6 +125,18 @@ class Shown(unittest.TestCase):
         ):
             self.assertEqual(rows.line(given), expected)
 
+    def test_what_all_paths_begin_with_is_left_out(self):
+        paths = ["/h/a.host_cxt/X.rtc", "/h/a.host_cxt/c.cxt/X.rtc", "/h/a.host_cxt/Y.rtc"]
+        given = [row(path, path=path) for path in paths]
+        short, common = rows.shortened(given)
+        self.assertEqual(common, "/h/a.host_cxt/")
+        self.assertEqual([each.name for each in short], ["X.rtc", "c.cxt/X.rtc", "Y.rtc"])
+        self.assertEqual([each.path for each in short], paths)
+        elsewhere = row("/g/a.host_cxt/X.rtc", path="/g/a.host_cxt/X.rtc")
+        for others in [elsewhere] + given, given[:1] + [row("Z.rtc")], [row("Z.rtc"), row("Y.rtc")], []:
+            self.assertEqual(rows.shortened(others), (others, ""))
+        self.assertEqual(rows.shortened([row("Z.rtc")] + given)[0][0].name, "Z.rtc")
+
     def test_wide_lines(self):
         given = [
             row(
