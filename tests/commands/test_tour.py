@@ -85,6 +85,7 @@ class Tour(unittest.TestCase):
             [
                 ("rtcon ConsoleIn0.rtc:out MyServiceProvider0.rtc:MyService", "2"),
                 ("rtact Broken0.rtc", "6"),
+                ("rtdoctor -q Broken0.rtc", "1"),
                 ("rtcall Robot0.rtc:svc sey hello", "3"),
                 ("rtcall Robot0.rtc:svc say hello", "6"),
                 ("rtcall Robot0.rtc:svc move_to 'Point(30, 4)' seconds=0", "6"),
@@ -94,10 +95,20 @@ class Tour(unittest.TestCase):
             said,
         )
         self.assertNotIn("a key goes on", said, "it waits on terminals only")
+        self.assertRegex(said, r"(?m)^fail  \S+/Broken0.rtc: in Error; try: rtreset ")
+        self.assertNotIn("grep: ", said)
         self.assertRegex(said, r"(?m)^/localhost:\d+/line.host_cxt/Link1.rtc: it is Inactive \(certain\)$")
         self.assertRegex(said, r"\$ rtprint -n 3 Link1.rtc:out\n(\[[\d.]+\] \d+\n){3}\n")
         contents = re.findall(r"^  (\d  [A-Z]\w+( \w+)?)  ", said, re.MULTILINE)
         self.assertEqual([line for line, _ in contents], re.findall(r"^\d  [A-Z].*$", said, re.MULTILINE))
+
+    def test_it_looks_into_files_that_may_not_be_there_yet(self):
+        """Those of commands in the background: grep -s says nothing of it."""
+        with open(self.words[1], encoding="utf-8") as file:
+            looks = re.findall(r'soon "(grep .*)"', file.read())
+        self.assertEqual(len(looks), 2)
+        for look in " && ".join(looks).split(" && "):
+            self.assertTrue(look.startswith("grep -qs "), look)
 
     def test_chapters_wait_for_a_key_on_a_terminal(self):
         """Ctrl-C ends the tour, and leaves the terminal as it was, and no file."""
