@@ -31,6 +31,15 @@ for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
     PAGES.setdefault("share/" + os.path.dirname(path), []).append(path)
 
 
+def overview():
+    """The beginning of README.md, for the page of a package index, on which links into the repository, and
+    pictures in it, would lead nowhere.
+    """
+    with open("README.md", encoding="utf-8") as file:
+        beginning = file.read().partition("\nRead on: ")[0]
+    return "".join(line for line in beginning.splitlines(True) if not line.startswith("!["))
+
+
 def without_words(path, is_command=False):
     """Blank the comments and docstrings of a module, which are a fifth of a wheel. Lines keep their numbers,
     and commands the docstring that their --help prints.
@@ -79,22 +88,28 @@ class Modules(build_py):
 
 
 class Starters(build_scripts):
-    """Runs those modules; in a checkout that is installed as it is, the files themselves."""
+    """Runs those modules; in a checkout that is installed as it is, the files themselves. rtshell_lite runs
+    each of them.
+    """
 
     def run(self):
         if "develop" in self.distribution.command_obj:
             return super().run()
         is_checkout = "editable_wheel" in self.distribution.command_obj
         self.mkpath(self.build_dir)
+        self.write("rtshell_lite", installation.OVERALL_STARTER)
         for path in COMMANDS:
             name = os.path.basename(path)
-            made = os.path.join(self.build_dir, name)
             starter = installation.STARTER.format(name=name)
             if is_checkout:
                 starter = "import runpy\n\nrunpy.run_path(%r, run_name='__main__')\n" % os.path.abspath(path)
-            with open(made, "w", newline="\n") as file:
-                file.write("#!%s\n%s" % (self.executable, starter))
-            os.chmod(made, 0o755)
+            self.write(name, starter)
+
+    def write(self, name, starter):
+        made = os.path.join(self.build_dir, name)
+        with open(made, "w", newline="\n") as file:
+            file.write("#!%s\n%s" % (self.executable, starter))
+        os.chmod(made, 0o755)
 
 
 class SameEverywhere(bdist_wheel):
@@ -110,5 +125,6 @@ class SameEverywhere(bdist_wheel):
                 os.chmod(os.path.join(where, name), 0o755 if is_program else 0o644)
 
 
-setuptools.setup(scripts=COMMANDS, data_files=sorted(PAGES.items()),
+setuptools.setup(long_description=overview(), long_description_content_type="text/markdown",
+                 scripts=COMMANDS, data_files=sorted(PAGES.items()),
                  cmdclass={"build_py": Modules, "build_scripts": Starters, "bdist_wheel": SameEverywhere})

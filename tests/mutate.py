@@ -241,7 +241,7 @@ def covering(path):
         file
         for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
         for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True))
-        if "/idl_stubs/" not in file
+        if "/idl_stubs/" not in file and os.path.isfile(file)
     ]
     arrows = {file: set(imported(file)) for file in files}
     near = [path]

@@ -7,11 +7,22 @@ import sys
 import rtshell_lite
 from rtshell_lite import bytecode, errors, text
 
+# in the order in which somebody meets them; a command that is in none is listed last
+SUBJECTS = {
+    "looking around": "rtls rtcat rtcwd rtpwd rtfind rtdoc rtstodot rttop",
+    "states, configuration, execution contexts": "rtact rtdeact rtreset rtexit rtconf rtec rtfsm",
+    "connections and names": "rtcon rtdis rtdel",
+    "managers and composites": "rtmgr rtcomp",
+    "values, logs and services": "rtprint rtinject rtlog rtplot rtcall",
+    "whole systems": "rtcryo rtcheck rtresurrect rtteardown rtstart rtstop rtkeep",
+    "what is wrong, what happens": "rtdoctor rttrace rtwatch rtvlog",
+    "shells and files": "rtsh rtmount",
+}
 PACKAGE = os.path.dirname(os.path.abspath(rtshell_lite.__file__))
 COMMANDS = os.path.join(PACKAGE, "commands")  # but for a checkout
 _MEMBERS = "rtshell_lite/commands/"  # of a wheel file
 _PAGES = "data/share/man/"
-# the file in bin/ that runs a command of an installation, after its first line
+# the files in bin/ of an installation, after their first lines: one that runs a command, and rtshell_lite
 STARTER = """\
 from rtshell_lite import start
 
@@ -20,6 +31,15 @@ start.quietly(__name__)
 from rtshell_lite import cli
 
 cli.installed("{name}")
+"""
+OVERALL_STARTER = """\
+from rtshell_lite import start
+
+start.quietly(__name__)
+
+from rtshell_lite import __main__, anywhere
+
+anywhere.main(__main__.__doc__ or "")
 """
 
 
@@ -124,21 +144,27 @@ def summary(source):
 
 
 def summaries():
-    """A line for each command: its name and the first line of its help."""
+    """A line for each command, its name and the first line of its help, below lines with their subjects."""
     import textwrap
 
     known = commands()
     size = max(map(len, known)) + 4
-    return [
-        line
-        for name, path in sorted(known.items())
-        for line in textwrap.wrap(
-            summary(read(path)),
-            text.width() - 2,
-            initial_indent=f"  {name}".ljust(size),
-            subsequent_indent=" " * size,
-        )
-    ]
+    subjects = {subject: names.split() for subject, names in SUBJECTS.items()}
+    placed = {name for names in subjects.values() for name in names}
+    subjects["others"] = sorted(set(known) - placed)
+    lines = []
+    for subject, names in subjects.items():
+        there = [name for name in names if name in known]
+        if there:
+            lines.append(subject)
+        for name in there:
+            lines += textwrap.wrap(
+                summary(read(known[name])),
+                text.width() - 2,
+                initial_indent=f"  {name}".ljust(size),
+                subsequent_indent=" " * size,
+            )
+    return lines
 
 
 def _members(archive):

@@ -31,7 +31,7 @@ REPORTING = {"rtsh", "rtdoctor"}  # that nobody listens is what their commands s
 
 def names(directory, suffix=""):
     found = [name for name in os.listdir(os.path.join(ROOT, directory)) if name.endswith(suffix)]
-    return sorted(name[: len(name) - len(suffix)] for name in found if not name.startswith("."))
+    return sorted(name[: len(name) - len(suffix)] for name in found if name[0] != "." and "_" not in name)
 
 
 def read(*path):

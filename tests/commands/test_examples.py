@@ -134,7 +134,7 @@ def read(*path):
 
 
 def commands():
-    return sorted(name for name in os.listdir(os.path.join(processes.ROOT, "bin")) if name.startswith("rt"))
+    return invocations.all_commands()
 
 
 def examples(command):

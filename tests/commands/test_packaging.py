@@ -7,6 +7,7 @@ import platform
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 import zipfile
 
@@ -62,6 +63,15 @@ class Checkout(unittest.TestCase):
             "to be stated in tests/commands/NAME.t by a line such as "
             "'invocation: A' or 'local: it contacts nobody': see tests/support/invocations.py",
         )
+
+    def test_commands_of_a_clone_know_where_they_are(self):
+        """Without PYTHONPATH, and by a link."""
+        with tempfile.TemporaryDirectory() as directory:
+            link = os.path.join(directory, "mine")
+            os.symlink(os.path.join(ROOT, "bin", "rtpwd"), link)
+            for command in os.path.join(ROOT, "bin", "rtpwd"), link:
+                done = run([sys.executable, "-SB", command], cwd=directory)
+                self.assertEqual(done, (0, "/\n", ""))
 
     def test_commands_can_be_read_and_run(self):
         for name in names("bin"):
@@ -123,7 +133,7 @@ class Wheel(unittest.TestCase):
 
     def test_all_commands_and_modules(self):
         scripts = sorted(name.rpartition("/")[2] for name in self.members() if ".data/scripts/" in name)
-        self.assertEqual(scripts, names("bin"))
+        self.assertEqual(scripts, sorted(names("bin") + ["rtshell_lite"]))
         modules = [name for name in self.members() if name.startswith("rtshell_lite/commands/rt")]
         self.assertEqual(sorted(modules), ["rtshell_lite/commands/%s.py" % name for name in names("bin")])
         for where, directories, files in os.walk(os.path.join(ROOT, "rtshell_lite")):
@@ -143,6 +153,12 @@ class Wheel(unittest.TestCase):
                 [name for name in wheel.namelist() if name.endswith("/METADATA")][0]
             ).decode()
         self.assertIn("Requires-Python: >=3.6\n", metadata)
+        self.assertIn("Author: rtshell_lite developers\n", metadata)
+        for minor in range(6, 14):
+            self.assertIn("Classifier: Programming Language :: Python :: 3.%d\n" % minor, metadata)
+        self.assertIn("Description-Content-Type: text/markdown", metadata)
+        self.assertIn("\n# rtshell_lite\n\nShell commands for robots", metadata)
+        self.assertNotIn("](docs/", metadata, "such a link leads nowhere on an index page")
         requirements = re.findall("^Requires-Dist: (.*)$", metadata, re.MULTILINE)
         self.assertEqual(len(requirements), 2)
         for requirement in requirements:
@@ -163,8 +179,14 @@ class Installed(Robot):
         self.assertEqual(
             manual_pages(os.path.join(environment, "share", "man")), manual_pages(os.path.join(ROOT, "man"))
         )
-        status, out, _ = run([os.path.join(programs, "python"), "-m", "rtshell_lite"])
-        self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
+        out = run([os.path.join(programs, "python"), "-m", "rtshell_lite"])[1]
+        self.assertEqual(sorted(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE)), names("bin"))
+        self.assertNotIn("\nothers\n", out, "each command has a subject in shell/installation.py")
+        script = os.path.join(programs, "rtshell_lite")
+        self.assertEqual(run([script]), (0, out, ""))
+        self.assertEqual(run([script, "rtpwd"]), (0, "/\n", ""))
+        self.assertEqual(run([script, "rtpwd", "--nosuch"])[0], 2)
+        self.assertIn("--unpack DIR", run([script, "--help"])[1])
         unpacked = os.path.join(self.directory, "unpacked")
         self.assertEqual(
             run([os.path.join(programs, "python"), "-m", "rtshell_lite", "--unpack", unpacked])[0], 0
@@ -267,7 +289,7 @@ class WheelFile(Robot):
             line = [self.python] + options + ["-m", "rtshell_lite"] + words
             status, out, err = run(line, environment={"PYTHONPATH": WHEEL})
             self.assertEqual((status, err), (0, ""))
-            self.assertEqual(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE), names("bin"))
+            self.assertEqual(sorted(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE)), names("bin"))
 
     def test_own_usage_errors(self):
         for words, part in [

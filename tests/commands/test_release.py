@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import subprocess
+import tarfile
 import tempfile
 import unittest
 import zipfile
@@ -14,6 +15,7 @@ import rtshell_lite
 ROOT = environments.ROOT
 PART = 5  # a short run takes one in PART of its tests
 ONCE = "one Python builds the wheel"
+BUILDERS = glob.glob(os.path.join(environments.STORE, "build-*", "bin", "python"))
 
 
 class Reproducible(unittest.TestCase):
@@ -29,7 +31,7 @@ class Reproducible(unittest.TestCase):
             for path in [os.path.join(where, each) for each in files]:
                 os.chmod(path, (0o777 if os.access(path, os.X_OK) else 0o666) & ~mask)
                 os.utime(path, (mask, mask))
-        builder = glob.glob(os.path.join(environments.STORE, "build-*", "bin", "python"))[0]
+        builder = BUILDERS[0]
         environment = dict(os.environ, SOURCE_DATE_EPOCH="1764072000", **environment)
         subprocess.check_call(
             [
@@ -51,7 +53,7 @@ class Reproducible(unittest.TestCase):
         path, = glob.glob(os.path.join(source + "-wheel", "*.whl"))
         return path
 
-    @unittest.skipUnless(glob.glob(os.path.join(environments.STORE, "build-*")), "tests/run has built no wheel")  # noqa: E501
+    @unittest.skipUnless(BUILDERS, "tests/run has built no wheel")
     def test_octet_for_octet(self):
         self.top = tempfile.mkdtemp(prefix="rt-")
         self.addCleanup(shutil.rmtree, self.top)
@@ -67,9 +69,35 @@ class Reproducible(unittest.TestCase):
         with open(paths[0], "rb") as one, open(paths[1], "rb") as other:
             self.assertEqual(one.read(), other.read())
 
+    @unittest.skipUnless(BUILDERS, "tests/run has built no wheel")
+    def test_whoever_has_the_sources_can_test_them(self):
+        """An sdist has all that git has, but what is about git."""
+        self.top = tempfile.mkdtemp(prefix="rt-")
+        self.addCleanup(shutil.rmtree, self.top)
+        source = os.path.join(self.top, "source")
+        words = ["git", "ls-files", "-co", "--exclude-standard"]
+        git = subprocess.run(words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        listed = git.stdout.decode()
+        if not listed:
+            self.skipTest("needs git, and a clone")
+        files = [name for name in listed.split("\n") if os.path.isfile(os.path.join(ROOT, name))]
+        for name in files:
+            os.makedirs(os.path.dirname(os.path.join(source, name)), exist_ok=True)
+            shutil.copy2(os.path.join(ROOT, name), os.path.join(source, name))
+        builder = BUILDERS[0]
+        build = "import setuptools.build_meta as b, sys; b.build_sdist(sys.argv[1])"
+        subprocess.check_call(
+            [builder, "-c", build, self.top], cwd=source, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        path, = glob.glob(os.path.join(self.top, "*.tar.gz"))
+        with tarfile.open(path) as archive:
+            packed = {name.partition("/")[2] for name in archive.getnames()}
+        self.assertEqual(sorted(set(files) - packed - {".gitignore"}), [])
+        self.assertEqual([name for name in packed if "__pycache__" in name or "venv" in name], [])
+
     def test_the_changelog_begins_with_this_version(self):
         with open(os.path.join(ROOT, "CHANGELOG.md"), encoding="utf-8") as file:
-            first = re.search("^## (.*)$", file.read(), re.MULTILINE).group(1)
+            first = re.search("^## (?!Unreleased$)(.*)$", file.read(), re.MULTILINE).group(1)
         self.assertRegex(
             first, "^%s [(]2[0-9]{3}-[0-9]{2}-[0-9]{2}[)]$" % re.escape(rtshell_lite.__version__)
         )

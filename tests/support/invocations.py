@@ -26,9 +26,9 @@ import transcripts
 
 
 def all_commands():
-    """Names of all files in bin/."""
+    """Names of all commands in bin/."""
     directory = os.path.join(processes.ROOT, "bin")
-    return sorted(name for name in os.listdir(directory) if re.match(r"rt\w+$", name))
+    return sorted(name for name in os.listdir(directory) if re.match(r"rt[a-z]+$", name))
 
 
 def stated(kind):

@@ -18,7 +18,9 @@ def read(path):
 
 def below(pattern):
     return sorted(
-        os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, pattern), recursive=True)
+        os.path.relpath(path, ROOT)
+        for path in glob.glob(os.path.join(ROOT, pattern), recursive=True)
+        if os.path.isfile(path)
     )
 
 
