@@ -60,6 +60,7 @@ __all__ = [
     "log",
     "manager",
     "next_value",
+    "recording",
     "restore",
     "send",
     "service",
@@ -649,6 +650,67 @@ def _check(readers):
     for reader in readers:
         if reader.failure:
             raise reader.failure
+
+
+@contextlib.contextmanager
+def recording(name, ports, idl=(), **properties):
+    """Record what out ports send into a log (MCAP, see `log`) for the time of a `with` statement, which
+    begins once all are connected. A channel has the path of its port as its name; an existing file is
+    replaced.
+
+    At the end it raises OSError if the file could not be written, errors.Unreachable if a port was lost,
+    errors.Failed if values were dropped; what came before is in the file.
+    """
+    feed = _Recording()
+    try:
+        feed.begin(name, list(ports), idl, _properties(properties))
+        yield
+    except BaseException:
+        feed.end()
+        raise
+    feed.end()
+    feed.check()
+
+
+class _Recording(_Feed):
+    """A log that is written, on a thread of its own."""
+
+    def __init__(self):
+        super().__init__()
+        self.readers = []
+
+    def check(self):
+        """Raise what went wrong."""
+        self._wait(0)
+
+    async def _receive(self, name, names, idl, properties):
+        from rtshell_lite.data import connection, datatypes, reading
+        from rtshell_lite.datalog import recorder, recording as records
+        from rtshell_lite.robot import ports
+
+        here = loop.current()
+        here.make_bell()
+        self._task = here.running
+        self._loop = here
+        if self._is_ending:
+            return
+        channels = recorder.Channels(datatypes.Types(idl=idl).load())
+        work = recorder.Recorder(channels)
+        for port in await _found(*names):
+            number = await channels.add(port, ports.label(port))
+            self.readers.append(reading.Reader(port, work.box.taker(number), properties=properties))
+        try:
+            async with connection.Connections(self.readers):
+                _check(self.readers)
+                await work.begin(records.File(name, "mcap", False), int(time.time() * 1e9))
+                self._tell()
+                await work.run()
+        finally:
+            await loop.finish(work.close())
+            _check(self.readers)
+            dropped = sum(work.box.dropped.values())
+            if dropped:
+                raise errors.Failed(text.printable(name), f"{dropped} values dropped")
 
 
 @_plain

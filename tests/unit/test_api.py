@@ -211,6 +211,44 @@ class World(unittest.TestCase):
         ) as coming:
             next(coming)
 
+    def test_recording_while_a_program_does_something(self):
+        ports = [self.home + "ConsoleIn0.rtc:out", self.home + "SequenceOutComponent0.rtc:Long"]
+        with tempfile.TemporaryDirectory() as directory:
+            name = os.path.join(directory, "run.mcap")
+            with api.recording(name, ports):
+                for number in range(5):
+                    self.world.ctl("write", "ConsoleIn0:out", str(number))
+                self.world.ctl("write", "SequenceOutComponent0:Long", "7")
+            found = [(entry["port"], entry["value"]["data"]) for entry in api.log(name)]
+            self.assertEqual(
+                sorted(found), sorted([(ports[0], number) for number in range(5)] + [(ports[1], 7)])
+            )
+            self.assertEqual([api.connections(port) for port in ports], [[], []])
+            with self.assertRaises(ZeroDivisionError), api.recording(name, ports[:1]):
+                1 / 0
+            self.assertEqual(list(api.log(name)), [])
+            with self.assertRaises(errors.NotFound), api.recording(name, [self.home + "nosuch.rtc:out"]):
+                self.fail("it began")
+            with self.assertRaises(OSError), api.recording(os.path.join(directory, "no", "x"), ports):
+                self.fail("it began")
+            self.assertEqual([api.connections(port) for port in ports], [[], []])
+
+    def test_a_recording_reports_a_component_that_has_died(self):
+        port = "/127.0.0.1:%d/lost.host_cxt/Lost0.rtc:out" % worlds.Server.port
+        lost = worlds.World("these", "ConsoleIn:Lost0", "--context", "lost.host_cxt/%n.rtc")
+        feed = api._Recording()  # which shows when the death is noticed
+        with tempfile.TemporaryDirectory() as directory:
+            name = os.path.join(directory, "run.mcap")
+            feed.begin(name, [port], (), {})
+            lost.ctl("write", "Lost0:out", "42")
+            lost.close()
+            worlds.eventually(lambda: feed.readers[0].failure, "its death is noticed")
+            feed.end()
+            with self.assertRaises(errors.Unreachable) as caught:
+                feed.check()
+            self.assertEqual(caught.exception.where, port)
+            self.assertEqual([entry["value"]["data"] for entry in api.log(name)], [42])
+
     def test_tracebacks_end_where_the_program_called(self):
         """Failures of users show none of the frames below the library's door, and no other failure."""
         def wait():
