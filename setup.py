@@ -108,7 +108,7 @@ class Starters(build_scripts):
     def write(self, name, starter):
         made = os.path.join(self.build_dir, name)
         with open(made, "w", newline="\n") as file:
-            file.write("#!%s\n%s" % (self.executable, starter))
+            file.write("#!%s\n%s%s" % (self.executable, installation.BEGINNING, starter))
         os.chmod(made, 0o755)
 
 

@@ -22,7 +22,14 @@ PACKAGE = os.path.dirname(os.path.abspath(rtshell_lite.__file__))
 COMMANDS = os.path.join(PACKAGE, "commands")  # but for a checkout
 _MEMBERS = "rtshell_lite/commands/"  # of a wheel file
 _PAGES = "data/share/man/"
-# the files in bin/ of an installation, after their first lines: one that runs a command, and rtshell_lite
+# the files in bin/ of an installation: how all begin, what runs a command, and what is in rtshell_lite
+BEGINNING = """\
+import _signal
+
+if _signal.getsignal(_signal.SIGINT) == _signal.default_int_handler:  # as start.quietly does, but at once
+    _signal.signal(_signal.SIGINT, _signal.SIG_DFL)
+
+"""
 STARTER = """\
 from rtshell_lite import start
 

@@ -36,7 +36,7 @@ def unpack(directory, wheels):
         files.add_wheel(own)
     else:
         files.add_package(installation.PACKAGE)
-    start = _python() + FIND_LIBRARY + installation.STARTER
+    start = _python() + installation.BEGINNING + FIND_LIBRARY + installation.STARTER
     for name, path in sorted(installation.commands().items()):
         files.add("bin/" + name, start.format(name=name).encode("utf-8"), True)
         module = f"lib/rtshell_lite/commands/{name}.py"

@@ -10,6 +10,7 @@ import unittest
 
 import processes
 import tools
+from rtshell_lite.shell import installation
 
 BOTH = "each ORB is interrupted in its own way"
 
@@ -108,6 +109,25 @@ class CtrlC(unittest.TestCase):
                 timeout=START_LIMIT,
             )
         self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (-signal.SIGINT, b"", b""))
+
+    def test_ends_an_installed_command_before_it_imports_anything_of_ours(self):
+        """What Python does before that cannot be helped."""
+        with tempfile.TemporaryDirectory() as directory:
+            os.mkdir(os.path.join(directory, "rtshell_lite"))
+            with open(os.path.join(directory, "rtshell_lite", "__init__.py"), "w") as file:
+                file.write("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
+            for starter in installation.STARTER.format(name="rtpwd"), installation.OVERALL_STARTER:
+                path = os.path.join(directory, "rtpwd")
+                with open(path, "w") as file:
+                    file.write(installation.BEGINNING + starter)
+                ran = subprocess.run(
+                    [sys.executable, path],
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE,
+                    preexec_fn=hear_ctrl_c,
+                    timeout=START_LIMIT,
+                )
+                self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (-signal.SIGINT, b"", b""))
 
     def test_rtpwd_waits_for_nobody(self):
         ran = subprocess.run(
