@@ -18,20 +18,19 @@ from rtshell_lite.text import printable, to_wire
 _orb = None  # type: types.ModuleType  # the module of the ORB, omniorb or iiop.client
 
 
-def start(transport=""):
-    """Start the ORB of this process, if it has not been; `transport`: one that has to be known, other than
-    IIOP.
+def start():
+    """Start the ORB of this process, if it has not been.
 
     Raises Usage (bad RTCTREE_ORB_ARGS, RTSHELL_ORB), MissingOmniORB where the user has chosen that,
     OnlyOmniORB where only omniORB can do what is asked, and is not installed.
     """
     global _orb
-    if _orb is None or transport and not loop.current().peers:
-        _orb = _chosen(transport)
+    if _orb is None:
+        _orb = _chosen()
     _orb.start()
 
 
-def _chosen(transport=""):
+def _chosen():
     name = os.environ.get("RTSHELL_ORB", "")
     if name not in ("", "omniorb", "builtin"):
         raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
@@ -40,7 +39,7 @@ def _chosen(transport=""):
     if name:
         needs_it = ""
     else:
-        needs_it = _setting_unknown_to(client) or transport
+        needs_it = _setting_unknown_to(client)
     if name != "omniorb" and not needs_it:
         return client
     from rtshell_lite.corba import omniorb
@@ -88,22 +87,20 @@ def answers_at_once():
 
 
 def corbaloc(where, address, key, default_port):
-    """The reference of the object `key` at `address` (host, host:port, PROTOCOL:rest); contacts nobody."""
+    """The reference of the object `key` at `address` (host, host:port, iiop:rest); contacts nobody. Raises
+    BadPath for other protocols.
+    """
     protocol, _, rest = address.partition(":")
-    if address.startswith(SCHEMES):
-        url = f"{address}#{key}"
-    elif protocol in PROTOCOLS and protocol != "iiop":
-        url = f"corbaloc:{address}/{key}"
-    else:
-        if protocol == "iiop":
-            address = rest
-        host, port = split_address(address)
-        if ":" not in address:
-            port = default_port
-        # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
-        url = "corbaloc:iiop:1.2@%s:%d/%s" % (host, port, key)
-    start("" if url.startswith("corbaloc:iiop:") else where)
-    return _orb.from_url(where, url)
+    if address.startswith(SCHEMES) or protocol in PROTOCOLS and protocol != "iiop":
+        raise errors.BadPath(where, "these commands speak IIOP with TCP only")
+    if protocol == "iiop":
+        address = rest
+    host, port = split_address(address)
+    if ":" not in address:
+        port = default_port
+    start()
+    # without 1.2@ omniORB speaks GIOP 1.0, which loses code sets and big replies
+    return _orb.from_url(where, "corbaloc:iiop:1.2@%s:%d/%s" % (host, port, key))
 
 
 def from_text(where, text):

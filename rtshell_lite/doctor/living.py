@@ -9,6 +9,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import listed, warn
+from rtshell_lite.net import loop
 from rtshell_lite.path import MANAGER_PORT
 from rtshell_lite.robot import manager
 from rtshell_lite.system import capture
@@ -59,9 +60,8 @@ async def _at_references(profile, missing):
     """`found`, by their references, and those to data ports."""
     locate = capture.locator(profile)
     refs = {}
-    for component in missing:
-        ref = capture.saved_reference(component)
-        if ref is not None:
+    for component, ref in zip(missing, await loop.each(missing, capture.living_reference)):
+        if ref is not None and not isinstance(ref, errors.Error):
             refs[capture.shown_path(component)] = ref, "it answers"
     for connector in profile.connectors:
         for each in connector.properties:
@@ -79,11 +79,11 @@ async def _at_references(profile, missing):
             refs.setdefault(capture.shown_path(component), (ref, "its port answers"))
     asked = list(refs.items())[:MOST]
     answers = await orb.each([ref for _, (ref, _) in asked], lambda ref: orb.is_alive("", ref))
-    return {
-        path: "%s at %s:%d" % (words, *orb.endpoint(ref))
-        for (path, (ref, words)), answer in zip(asked, answers)
-        if answer is True
-    }
+    living = {}
+    for (path, (ref, words)), answer in zip(asked, answers):
+        if answer is True:
+            living[path] = f"{words} at {orb.at_address(ref)}"
+    return living
 
 
 async def _at_managers(missing):

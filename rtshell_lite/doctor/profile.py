@@ -19,10 +19,7 @@ async def findings(profile, file, state):
     those on optional things are warnings.
     """
     result = await compare.compare(profile, state)
-    found = [
-        fail("profile", e.where, reason(e), remedies.words("look at component", path=shell_word(e.where)))
-        for e in result.failures
-    ]
+    found = [_unknown(e) for e in result.failures]
     differences = [difference for difference in result.differences if difference.check != compare.OTHER_ID]
     absent = {difference.path: difference for difference in reversed(differences) if _is_missing(difference)}
     differences = [
@@ -63,6 +60,13 @@ async def findings(profile, file, state):
         f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
     )
     return found or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
+
+
+def _unknown(e):
+    """The Finding on a component that could not be compared."""
+    if isinstance(e, errors.NotAsked):
+        return warn("profile", e.where, reason(e), remedies.not_asked(e, e.where))
+    return fail("profile", e.where, reason(e), remedies.words("look at component", path=shell_word(e.where)))
 
 
 def _is_idle(difference):

@@ -55,7 +55,7 @@ def findings_in(text, name):
     page_file.profile(text, name)  # other pages have none
     try:
         found = [
-            Finding(*[str(each.get(field, "")) for field in Finding._fields])
+            Finding(*[str(dict({"cause": ""}, **each)[field]) for field in Finding._fields])
             for each in page_file.read(text, name)["findings"]
         ]
     except (KeyError, TypeError):

@@ -106,9 +106,11 @@ async def _unbound(visit):
         living = await manager.components(await manager.find(word))
     except errors.Error:
         living = []
-    if not living:
+    if not living and all(node.kind == "server" and node.error is None for node in visit.nodes):
         message = "nothing is bound in it: nothing was started, or it was restarted"
         return [warn("name server", where, message, remedies.words("nothing bound"))]
+    if not living:
+        return []
     message = (
         f"has no names, though a manager at port {path.MANAGER_PORT} of its host has "
         f"{counted(len(living), 'component')} ({listed(printable(name) for name, _ in living)}): "
@@ -175,15 +177,8 @@ async def _timed(times, name, step):
 
 
 async def _transport(visit, endpoint, times, used):
-    """Name and TCP; addresses of other protocols than IIOP (http://…, ssliop:…) are left to the ORB."""
+    """Name and TCP."""
     host, port = endpoint
-    address = visit.path.server
-    if (
-        address.startswith(path.SCHEMES)
-        or address.partition(":")[0] in path.PROTOCOLS
-        and not address.startswith("iiop:")
-    ):
-        return
     where = str(visit.path)
     shown = printable(host)
     try:

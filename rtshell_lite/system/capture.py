@@ -10,7 +10,7 @@ from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import component, places, ports, search, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL, NAMES, PROFILE
-from rtshell_lite.text import printable
+from rtshell_lite.text import from_wire, printable
 from rtshell_lite.xmlprofile import model, rtsprofile
 
 # the property by which rtshell and RTSystemEditor say where the component of an end is bound
@@ -141,6 +141,22 @@ def saved_reference(component):
         return orb.corbaloc(component.path_uri, address, key, path.DEFAULT_PORT)
     except errors.Error:
         return None
+
+
+async def living_reference(component):
+    """The reference in a model.Component, if what it refers to answers, by the name of the component; else
+    None: a file may have been changed by hand. Raises Silent where it hangs.
+    """
+    ref = saved_reference(component)
+    if ref is None:
+        return None
+    try:
+        name = await orb.call(component.path_uri, orb.narrow(ref, "OpenRTM.DataFlowComponent"), "get_sdo_id")
+    except errors.Silent:
+        raise
+    except errors.Error:
+        return None
+    return ref if from_wire(name) == component.instance_name else None
 
 
 def is_reference(name, value):

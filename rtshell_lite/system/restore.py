@@ -94,6 +94,8 @@ async def creations(profile, outcomes, options, locate):
         if placements.is_gone(placement.error) or isinstance(placement.error, errors.MaybeGone):
             manager_path = named.get(id(placement.component)) or _above(placement.path) or options.manager
             try:
+                if not manager_path and isinstance(placement.error, errors.MaybeGone):
+                    raise placement.error
                 if not manager_path:
                     raise errors.Failed(
                         placement.where,
@@ -160,12 +162,11 @@ class Creator:
         if ref is None or not await self._is_beside(orb.endpoint(ref)[0]):
             return
         try:
-            await orb.is_alive(placement.where, ref)
+            if await capture.living_reference(placement.component) is None:
+                return
         except errors.Silent as e:
             why = f"what had this name hangs at {orb.at_address(ref)} ({e.why}): end its process first"
             raise errors.Failed(placement.where, f"not created: {why}")
-        except errors.Error:
-            return
         why = f"it lives at {orb.at_address(ref)}, though its name is not bound"
         raise errors.Failed(placement.where, f"not created: {why}: restart it, or end its process")
 

@@ -13,7 +13,7 @@ world: zombie 1 --nameserver localhost:$PORT2
   ok    /localhost:$PORT/test.host_cxt/top.cxt: an alias: the same directory as /localhost:$PORT
   0 failed, 3 to be looked at, 8 ok
   $ doctor --json | grep alias | head -1
-  {"check": "context", "level": "ok", "message": "an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt", "path": "/localhost:$PORT/test.host_cxt/again.cxt/loop.cxt", "remedy": ""}
+  {"cause": "", "check": "context", "level": "ok", "message": "an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt", "path": "/localhost:$PORT/test.host_cxt/again.cxt/loop.cxt", "remedy": ""}
 
 What is only empty, or dead, behind several names is nobody's to delete:
 

@@ -138,11 +138,9 @@ Our own ORB is the default. Where omniORBpy is asked for or needed, but cannot b
   $ RTCTREE_ORB_ARGS='-ORBtraceLevel;5' rtls
   rtls: RTCTREE_ORB_ARGS: -ORBtraceLevel: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)
   [1]
-  $ rtls /ssliop:127.0.0.1:1
-  rtls: /ssliop:127.0.0.1:1: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)
-  [1]
-  $ RTSHELL_ORB=builtin rtls /ssliop:127.0.0.1:1
-  rtls: /ssliop:127.0.0.1:1: not an address (the builtin ORB speaks IIOP only)
+  $ rtls /ssliop:127.0.0.1:1; rtls /http://127.0.0.1:1
+  rtls: /ssliop:127.0.0.1:1: these commands speak IIOP with TCP only
+  rtls: /http://127.0.0.1:1#: these commands speak IIOP with TCP only
   [2]
   $ RTSHELL_ORB=tao rtls
   rtls: RTSHELL_ORB: tao: neither omniorb nor builtin (see --help)

@@ -21,5 +21,5 @@ It is used by itself where only it knows what is asked: a setting, another trans
   $ RTCTREE_ORB_ARGS='-ORBendPoint;giop:tcp:127.0.0.1:' rtls --version -v | tail -1
   Python 3.*, builtin ORB (glob)
   $ rtls /ssliop:127.0.0.1:1
-  rtls: /ssliop:127.0.0.1:1: connection refused; is the name server running?
-  [4]
+  rtls: /ssliop:127.0.0.1:1: these commands speak IIOP with TCP only
+  [2]

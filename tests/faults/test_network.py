@@ -398,8 +398,8 @@ class Network(unittest.TestCase):
         self.assertNotIn(b"Doomed0.rtc", laptop("rtls", home).out)
 
     def test_a_firewall_that_closes_one_port(self):
-        """Others of that host answer, and still the component lives: nothing calls it dead, nothing deletes its
-        name, and nothing is created or restarted because of it.
+        """Others of that host answer, and still the component lives: nothing calls it dead, nothing deletes
+        its name, and nothing is created or restarted because of it.
         """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         walled = world("walled", "robot2", ["these", "Mock:Walled0"], "--port", "2995")

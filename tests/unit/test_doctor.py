@@ -55,6 +55,7 @@ class Connections(unittest.TestCase):
                 "/localhost/In0.rtc:out",
                 "connection out_in has an end that is nothing (nil)",
                 "rtdis -i one /localhost/In0.rtc:out",
+                "",
             ),
         )
 

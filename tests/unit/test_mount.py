@@ -371,7 +371,7 @@ class Answers(Case):
             answer = self.prepare(0)
             session.current().fall_silent("peer", "no answer", 0)
             value, = await self.answers(answer, 1)
-            self.assertEqual((str(value), self.calls), ("peer: no answer", 0))
+            self.assertEqual((str(value), self.calls), ("peer: not asked: its process gave no answer", 0))
         self.run_in_group(check)
 
     def test_a_reader_that_goes_away_takes_no_answer_from_others(self):
