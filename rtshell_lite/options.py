@@ -505,8 +505,8 @@ def check_listen(args):
     far = [sender for sender in args.senders if not is_loopback(sender)]
     if far and is_loopback(args.listen[0]):
         raise errors.Usage(
-            f"--from {far[0]}: only this host reaches {args.listen[0]}; listen at an address of this host, or "
-            f"at all: --listen 0.0.0.0:{args.listen[1]}"
+            f"--from {far[0]}: only this host reaches {args.listen[0]}; listen at an address of this host, "
+            f"or at all: --listen 0.0.0.0:{args.listen[1]}"
         )
 
 
@@ -527,11 +527,8 @@ def place(word):
 
 def is_place(word):
     """Whether a word looks like a `place`, not like a path in the RTC Tree."""
-    try:
-        place(word)
-    except argparse.ArgumentTypeError:
-        return False
-    return "/" not in word
+    host, _, number = word.rpartition(":")
+    return number.isdecimal() and "/" not in word and (":" not in host or host.startswith("["))
 
 
 def _address(value):

@@ -3,7 +3,8 @@ connection.
 
 Who connects may send anything, slowly, or nothing. So the head of a request has a largest size and a time in
 which it must come, there is no body, an answer has a time in which it must leave, and the number of
-connections has a limit: where it is reached, one that gets nothing gives its place, else the new one.
+connections has a limit. Of more, one that gets nothing is closed, else the oldest one of the address that has
+most; a browser whose stream ends so connects again.
 """
 
 import collections
@@ -39,6 +40,8 @@ ALWAYS = (
     ("X-Content-Type-Options", "nosniff"),
     ("X-Frame-Options", "DENY"),
 )
+# headers that a request has once at most: of two, others might believe the other one
+ONCE = ("host", "origin", "content-length", "transfer-encoding", "last-event-id")
 _REQUEST = re.compile(rb"([A-Z]{1,20}) (/[!-~]*) HTTP/(\d)\.(\d)\Z")
 _HEADER = re.compile(rb"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([ \t!-~\x80-\xff]*)\Z")
 
@@ -93,28 +96,30 @@ async def serve(listener, answer):
         while True:
             await loop.ready(listener.fileno(), select.POLLIN)
             try:
-                accepted, _ = listener.accept()
+                accepted, (address, *_) = listener.accept()
             except (BlockingIOError, ConnectionError):
                 continue  # gone already
             except OSError:  # out of files
                 if not _make_room(open_ones):
                     await loop.sleep(PAUSE)
                 continue
-            if len(open_ones) >= MOST and not _make_room(open_ones):
-                accepted.close()
-                continue
-            connection = Connection(accepted)
+            if len(open_ones) >= MOST:
+                _make_room(open_ones)
+            connection = Connection(accepted, address)
             open_ones.append(connection)
             connection.task = group.start(_attend(connection, answer, open_ones))
 
 
 def _make_room(open_ones):
-    """Close the oldest Connection that gets nothing; False if all get something."""
-    stranger = next((each for each in open_ones if not each.is_welcome), None)
-    if stranger is None:
+    """Close the oldest Connection that gets nothing, or of the address that has most; False if there
+    is none.
+    """
+    if not open_ones:
         return False
-    open_ones.remove(stranger)
-    stranger.task.cancel()  # which closes it
+    counts = collections.Counter(each.address for each in open_ones)
+    leaving = min(open_ones, key=lambda each: (each.is_welcome, -counts[each.address]))
+    open_ones.remove(leaving)
+    leaving.task.cancel()  # which closes it
     return True
 
 
@@ -171,14 +176,15 @@ async def _raise_later(seconds, exception):
 
 
 class Connection:
-    """One client.
+    """One client, from an address.
 
     is_welcome  whether it gets what it has asked for
     task        what attends to it
     """
 
-    def __init__(self, accepted):
+    def __init__(self, accepted, address):
         self.socket = accepted
+        self.address = address
         self.is_welcome = False
         self.task = None  # type: loop.Task
 
@@ -250,7 +256,7 @@ def _parsed_headers(lines):
         if found is None:
             raise Refused(400)
         name, value = [part.decode("latin-1") for part in found.groups()]
-        if name.lower() in headers and name.lower() in ("host", "origin"):
+        if name.lower() in headers and name.lower() in ONCE:
             raise Refused(400)
         headers[name.lower()] = value.strip()
     if "transfer-encoding" in headers or headers.get("content-length", "0") != "0":

@@ -91,20 +91,21 @@ class Place:
             raise http.Refused(403)
 
 
-async def place(words, otherwise=None):
-    """The Place for HOST:PORT; port 0 is any free one. `otherwise` is taken where that is in use. Raises
-    Usage, Failed.
+async def place(where, otherwise=None):
+    """The Place for a (host, port); port 0 is any free one. `otherwise` is taken where that is in use. Raises
+    Failed.
     """
-    host, colon, port = words.rpartition(":")
-    if not colon or not host or not port.isdigit() or not 0 <= int(port[:6]) < 65536:
-        raise errors.Usage(f"--serve {printable(words)}: not HOST:PORT")
+    host, port = where
     try:
-        found = await loop.on_thread(socket.getaddrinfo, host.strip("[]"), int(port), 0, socket.SOCK_STREAM)
+        found = await loop.on_thread(socket.getaddrinfo, host, port, 0, socket.SOCK_STREAM)
         family, _, _, _, address = sorted(found, key=lambda each: each[0])[0]
         listener = http.listening(family, address)
     except (OSError, OverflowError, UnicodeError) as e:
         if otherwise and getattr(e, "errno", None) == errno.EADDRINUSE:
             return await place(otherwise)
+        words = f"{host}:{port}"
+        if ":" in host:
+            words = f"[{host}]:{port}"
         raise errors.Failed(f"--serve {printable(words)}", getattr(e, "strerror", None) or str(e))
     token = ""
     if not _is_loopback(address[0]):
@@ -255,7 +256,8 @@ class Site:
         path = self._place.path
         if request.target == path:
             html = page.live_html(self._title, self._content())
-            return http.Answer(200, "text/html; charset=utf-8", html.encode(), ())
+            policy = ("Content-Security-Policy", page.live_policy())
+            return http.Answer(200, "text/html; charset=utf-8", html.encode(), (policy,))
         if request.target.startswith(path + "events?"):
             known = request.headers.get("last-event-id") or request.target.partition("?")[2]
             stream = functools.partial(self._send_events, known)

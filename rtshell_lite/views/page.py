@@ -38,6 +38,8 @@ from rtshell_lite.xmlprofile import model
 # of a component or port, or what else it is about; message; remedy, perhaps a command.
 Remark = collections.namedtuple("Remark", "level check path message remedy")
 
+_LIVE = ("layout.js", "page.js", "live.js")  # the scripts of a live page
+
 
 def html(fields):
     """The text of a page that shows these fields of its data."""
@@ -46,7 +48,20 @@ def html(fields):
 
 def live_html(title, system):
     """The text of a page that is kept live by who serves it; `system` are its fields in JSON."""
-    return _html(title, system, ("layout.js", "page.js", "live.js"), "'self'")
+    return _html(title, system, _LIVE, "'self'")
+
+
+def live_policy():
+    """The Content-Security-Policy of a live page, for its header."""
+    script = "".join(map(_file, _LIVE))
+    return _policy(script, _file("page.css"), "'self'") + "; frame-ancestors 'none'"
+
+
+def _policy(script, style, connect):
+    return (
+        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; img-src data:; "
+        f"connect-src {connect}; base-uri 'none'; form-action 'none'"
+    )
 
 
 def _html(title, system, scripts, connect):
@@ -55,10 +70,8 @@ def _html(title, system, scripts, connect):
     contents = {
         "title": printable(title).replace("&", "&amp;").replace("<", "&lt;"),
         "script": script,
-        "script_hash": _hash(script),
         "style": style,
-        "style_hash": _hash(style),
-        "connect": connect,
+        "policy": _policy(script, style, connect),
         "system": system,
     }
     return re.sub(r"\$(\w+)", lambda found: contents[found.group(1)], _file("page.html"))

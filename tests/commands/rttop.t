@@ -200,12 +200,11 @@ Wrong usage is found before anything is asked:
   rttop: --serve does not go with -p, -s, -f, -n or --json (see --help)
   [2]
   $ rttop --serve 127.0.0.1:70000
-  rttop: --serve 127.0.0.1:70000: not HOST:PORT (see --help)
+  rttop: argument --serve: not [HOST:]PORT: 127.0.0.1:70000 (see --help)
   [2]
-  $ rttop --serve=nonsense; rttop --serve=:80; rttop --serve=localhost:x
-  rttop: --serve nonsense: not HOST:PORT (see --help)
-  rttop: --serve :80: not HOST:PORT (see --help)
-  rttop: --serve localhost:x: not HOST:PORT (see --help)
+  $ rttop --serve=nonsense; rttop --serve=localhost:x
+  rttop: argument --serve: not [HOST:]PORT: nonsense (see --help)
+  rttop: argument --serve: not [HOST:]PORT: localhost:x (see --help)
   [2]
   $ rttop -n many
   rttop: argument -n/--number: not a whole number: 'many' (see --help)

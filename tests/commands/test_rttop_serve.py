@@ -224,6 +224,20 @@ class Robot(Served):
             self.assertEqual(self.process.wait(worlds.LIMIT), status)
             self.assertEqual(self.process.stderr.read(), b"")
 
+    def test_a_port_alone(self):
+        """It was taken for a name server, and the page was at another port."""
+        for form in "%d", ":%d":
+            with socket.socket() as free:
+                free.bind(("127.0.0.1", 0))
+                port = free.getsockname()[1]
+            self.start("--serve", form % port)
+            self.assertEqual(self.address, "http://127.0.0.1:%d/" % port)
+            with urllib.request.urlopen(self.address, timeout=worlds.LIMIT) as answer:
+                policy = answer.headers["Content-Security-Policy"]
+                html = answer.read().decode()
+            self.assertIn("frame-ancestors 'none'", policy)
+            self.assertIn(policy.replace("; frame-ancestors 'none'", ""), html)
+
     def test_an_address_in_use(self):
         self.start("--serve", "127.0.0.1:0")
         port = self.address.rsplit(":", 1)[1].strip("/")

@@ -207,13 +207,31 @@ class Hostile(Answers):
         self.assertEqual(self.read(crowd[-1])[0], 200)
 
     def test_a_crowd_that_looks(self):
-        """One more is not taken."""
-        crowd = [self.connect(b"GET /stream HTTP/1.1\r\n\r\n") for _ in range(http.MOST)]
-        for each in crowd:
-            self.assertEqual(each.recv(8), b"HTTP/1.1")
-        with self.assertRaises((ConnectionError, IndexError, ValueError)):
-            self.status(b"GET /page HTTP/1.1\r\n\r\n")
-        self.assertFalse(self.serving.ended)
+        """The oldest of the address that has most gives its place: idle streams took all, for ever."""
+        with socket.socket() as other:
+            other.bind(("127.0.0.2", 0))
+            other.settimeout(LIMIT)
+            other.connect(("127.0.0.1", self.serving.port))
+            other.sendall(b"GET /stream HTTP/1.1\r\n\r\n")
+            self.assertEqual(other.recv(8), b"HTTP/1.1")
+            crowd = [self.connect(b"GET /stream HTTP/1.1\r\n\r\n") for _ in range(http.MOST - 1)]
+            for each in crowd:
+                self.assertEqual(each.recv(8), b"HTTP/1.1")
+            self.assertFalse(self.serving.ended)
+            self.assertEqual(self.status(b"GET /page HTTP/1.1\r\n\r\n"), 200)
+            while not self.serving.ended:
+                time.sleep(0.01)
+            (left,) = self.serving.ended
+            self.assertEqual(left.address, "127.0.0.1")
+            with crowd[0].makefile("rb") as file:
+                file.read()  # which ends
+
+    def test_headers_that_are_there_twice(self):
+        for header in "Content-Length: 0", "Host: a", "Origin: a", "Last-Event-ID: 1":
+            self.assertEqual(
+                self.status(f"GET /page HTTP/1.1\r\n{header}\r\n{header}\r\n\r\n".encode()), 400
+            )
+        self.assertEqual(self.status(b"GET /page HTTP/1.1\r\nContent-Length: 0\r\n\r\n"), 200)
 
 
 if __name__ == "__main__":
