@@ -16,7 +16,21 @@ from rtshell_lite.corba import hosts, orb
 from rtshell_lite.text import quoted
 
 MOST = 1 << 16  # characters of a file that are taken
-OURS = re.compile("RT|ORB|OMNI|PYTHON|LANG|LC_|TZ$|HOSTNAME$")  # begins the names of variables that matter
+# The variables that are shown, of which none has a secret; RTC_TOKEN or ORB_KEY may.
+OURS = re.compile(
+    "RTCTREE_(NAMESERVERS|ORB_ARGS)|RTCSH_CWD|RTSHELL_(ORB|FIND|TIMEOUT|IDL|DEBUG)"
+    "|RTM_(ROOT|BASE|IDL|IDL_PATH|VC_VERSION|JAVA_ROOT|VERSION)|OpenRTM_DIR"
+    "|ORB(endPoint|endPointPublish|endPointPublishAllIFs|InitRef|DefaultInitRef|nativeCharCodeSet|traceLevel"
+    "|clientCallTimeOutPeriod|clientConnectTimeOutPeriod|giopMaxMsgSize|clientTransportRule"
+    "|serverTransportRule)"
+    "|OMNIORB_CONFIG|OMNIORB_USEHOSTNAME|OMNINAMES_(LOGDIR|DATADIR|ITERATOR_TIMEOUT)"
+    "|PYTHON(PATH|HOME|SAFEPATH|STARTUP|OPTIMIZE|DEBUG|UNBUFFERED|DONTWRITEBYTECODE|PYCACHEPREFIX|HASHSEED"
+    "|IOENCODING|UTF8|COERCECLOCALE|NOUSERSITE|WARNINGS|MALLOC|DEVMODE|FAULTHANDLER|ASYNCIODEBUG)"
+    "|LANG|LANGUAGE|LC_(ALL|CTYPE|COLLATE|MESSAGES|MONETARY|NUMERIC|TIME)|TZ|HOSTNAME"
+)
+# What may come before a secret in the words of a command line.
+SECRET = re.compile(r"pass(w|phrase|$|[_-])|secret|token|credential|auth|(^|[_-])(api)?key$", re.IGNORECASE)
+HIDDEN = "(hidden)"
 LISTENING = "0A"  # the state of a socket in /proc/net/tcp
 
 
@@ -95,8 +109,26 @@ def _ip(word):
 
 def _environment():
     for name, value in sorted(os.environ.items()):
-        if OURS.match(name):
-            yield f"{name}={quoted(value)}"
+        if OURS.fullmatch(name):
+            yield f"{name}={quoted(';'.join(without_secrets(value.split(';'))))}"
+
+
+def without_secrets(words):
+    """The words of a command line, with what looks like a secret hidden: the word after -ORBsslPassword, what
+    is after --token=, and a password in an address.
+    """
+    shown = []
+    is_next = False
+    for word in words:
+        name, sign, _ = word.partition("=")
+        is_option = word.startswith("-") and not sign
+        if is_next:
+            word = HIDDEN
+        elif sign and SECRET.search(name):
+            word = f"{name}={HIDDEN}"
+        shown.append(re.sub(r"(://[^/@:]*):[^/@]*@", rf"\1:{HIDDEN}@", word))
+        is_next = is_option and not is_next and bool(SECRET.search(name))
+    return shown
 
 
 # ---- processes ----
@@ -171,5 +203,5 @@ def _process(pid):
     for name in ("State", "Threads", "VmRSS"):
         if name in known:
             more.append(f"{name} {known[name].strip()}")
-    line = " ".join(map(quoted, filter(None, words)))
+    line = " ".join(map(quoted, without_secrets(filter(None, words))))
     return f"{pid}  {', '.join(more)}  {line}"

@@ -14,6 +14,7 @@ from rtshell_lite.doctor import (
     components,
     connections,
     finding,
+    host,
     limits,
     local,
     profile,
@@ -37,6 +38,41 @@ class Mounts(unittest.TestCase):
         with mock.patch.object(local.kernel, "mounted", lambda: ["/robot"]), \
                 mock.patch.object(local.kernel, "is_stale", lambda place: stopped.wait(worlds.LIMIT)):
             self.assertEqual(wait_for(local._mounts(), 0.2), [])
+
+
+class Secrets(unittest.TestCase):
+    """A report is given to others."""
+
+    def test_variables(self):
+        given = {
+            "RTC_TOKEN": "abc", "PYTHON_KEYRING_PASS": "abc", "ORB_KEY": "abc", "RT_PASSWORD": "abc",
+            "OMNI_SECRET": "abc", "ORBsslPassword": "abc", "RTSHELL_TOKEN": "abc", "LANG_KEY": "abc",
+            "RTCTREE_ORB_ARGS": "-ORBsslPassword;abc;-ORBendPoint;giop:tcp::2809", "LC_ALL": "C",
+            "RTCTREE_NAMESERVERS": "robot1", "PYTHONPATH": "/opt/x",
+        }
+        with mock.patch.dict(os.environ, given, clear=True):
+            shown = list(host._environment())
+        self.assertEqual(
+            shown,
+            [
+                "LC_ALL=C",
+                "PYTHONPATH=/opt/x",
+                "RTCTREE_NAMESERVERS=robot1",
+                "RTCTREE_ORB_ARGS='-ORBsslPassword;(hidden);-ORBendPoint;giop:tcp::2809'",
+            ],
+        )
+
+    def test_command_lines(self):
+        for given, wanted in (
+            ("comp -ORBsslPassword abc -f rtc.conf", "comp -ORBsslPassword (hidden) -f rtc.conf"),
+            ("comp --password=abc --token abc", "comp --password=(hidden) --token (hidden)"),
+            ("comp --api-key abc -key abc", "comp --api-key (hidden) -key (hidden)"),
+            ("comp -o corba.ssl.passphrase=abc x", "comp -o corba.ssl.passphrase=(hidden) x"),
+            ("comp http://user:abc@host/x", "comp http://user:(hidden)@host/x"),
+            ("comp --password --password abc", "comp --password (hidden) abc"),
+            ("comp --keys abc -p 2809 MA.rtc:in", "comp --keys abc -p 2809 MA.rtc:in"),
+        ):
+            self.assertEqual(" ".join(host.without_secrets(given.split())), wanted)
 
 
 class Connections(unittest.TestCase):
