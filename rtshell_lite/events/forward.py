@@ -286,8 +286,8 @@ class Door:
         if len(self._accounts) >= MOST_KNOWN:
             self._accounts = {key: each for key, each in self._accounts.items() if not each.is_idle()}
         key = address
-        if ":" in address:
-            key = ipaddress.ip_address(address.partition("%")[0]).exploded[:19]  # one host may have all of a /64
+        if ":" in address:  # one host may have all addresses of a /64
+            key = ipaddress.ip_address(address.partition("%")[0]).exploded[:19]
         return self._accounts.setdefault(key, _Account())
 
     def _turn_away(self, senders):

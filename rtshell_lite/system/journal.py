@@ -133,7 +133,8 @@ class Journal:
 
 def _report_dropped(number):
     if number:
-        notes.left_out(f"{number} events and log records dropped: they came faster than they could be written")
+        words = "events and log records dropped: they came faster than they could be written"
+        notes.left_out(f"{number} {words}")
 
 
 def _ignore(line):

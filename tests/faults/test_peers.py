@@ -21,7 +21,8 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
-NAMING = {"hostile", "many", "loop", "bottomless", "branching"}  # these answer as a name server does, if strangely
+# these answer as a name server does, if strangely
+NAMING = {"hostile", "many", "loop", "bottomless", "branching"}
 SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
 # kB at most, where these are more than running.RESIDENT: omniORB takes what the builtin ORB refuses.
 HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") == "omniorb" else {}

@@ -181,13 +181,18 @@ class Hostile(Case):
                 self.assertEqual(self.all(data + summary + end)[1], as_read(written), (summary, at))
 
     def test_indexes_of_chunks(self):
-        """One that leads past the end of the file was an internal error; so was what lies after a chunk in the
-        place of its indexes, when the log was mended.
+        """One that leads past the end of the file was an internal error; so was, when a log was mended, what
+        lies after a chunk where its indexes should be.
         """
         sound = HEADER + channel() + chunk(message())
         place = len(HEADER + channel())
         for size, between in (
-            (1 << 63, b""), ((1 << 64) - 1, b""), (35, b"\x99" * 35), (51, b"\x99" * 51), (10**6, b""), (41, b"")
+            (1 << 63, b""),
+            ((1 << 64) - 1, b""),
+            (35, b"\x99" * 35),
+            (51, b"\x99" * 51),
+            (10**6, b""),
+            (41, b""),
         ):
             count = (size - 19) // 16
             data = sound + between + mcap.record(mcap.DATA_END, bytes(4))

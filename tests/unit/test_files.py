@@ -271,7 +271,6 @@ class Appended(Case):
         with self.assertRaises(OSError):
             happening.Log(self.path("fifo"))
 
-
     def test_what_python_has_compiled(self):
         """A FIFO there stopped --unpack for ever."""
         os.makedirs(self.path("lib/__pycache__"))
