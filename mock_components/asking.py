@@ -9,6 +9,7 @@ highwater                  most calls from outside that were in flight at a time
 reset                      forget calls, high-water mark, faults, delays and hangs
 received COMPONENT:PORT [N]  how many values a component has read from an InPort and the last one; waits up to 10 s for N
 waiting COMPONENT:PORT     how many values lie in the buffer of an InPort that nobody has read
+blocked COMPONENT:PORT     how many writers wait for room in it
 buffer COMPONENT:PORT      the length of that buffer, and what it does when it is full
 times COMPONENT:PORT       how many different times the values had that were read from an InPort
 sent COMPONENT:PORT        how many values an OutPort has written

@@ -23,6 +23,7 @@ class RingBuffer:
         self.length = LENGTH
         self.policy = "overwrite"
         self.timeout = 1.0
+        self.waiting = 0  # values that wait for room
         self.changed = threading.Condition()
 
     def configure(self, properties, side):
@@ -44,7 +45,9 @@ class RingBuffer:
         """Add a value; the name of the status that put() returns."""
         with self.changed:
             if len(self.values) >= self.length and self.policy == "block":
+                self.waiting += 1
                 self.changed.wait_for(lambda: len(self.values) < self.length, self.timeout)
+                self.waiting -= 1
             if len(self.values) >= self.length:
                 if self.policy != "overwrite":
                     return "BUFFER_FULL" if self.policy == "do_nothing" else "BUFFER_TIMEOUT"

@@ -36,6 +36,9 @@ class Commands:
     def waiting(self, port):
         return [str(len(self.stage.port(port).buffer.values))]
 
+    def blocked(self, port):
+        return [str(self.stage.port(port).buffer.waiting)]
+
     def buffer(self, port):
         found = self.stage.port(port).buffer
         return ["%d %s" % (found.length, found.policy)]

@@ -3,7 +3,7 @@ from omniORB import CORBA
 
 from . import buffer, transport, values
 from .idl import RTC
-from .port import Port
+from .port import Port, is_alive
 from .properties import get, is_text, put, text
 
 FAN_LIMIT = 100
@@ -220,6 +220,13 @@ class InPort(DataPort):
     def decode(self, data, little):
         """The value in a payload."""
         return values.decode(self.type_name, data, little)
+
+    def notify_disconnect(self, connector_id):
+        profile = self.profiles.get(connector_id)
+        if profile and self.buffer.waiting and self.flavour.busy_put == "die":
+            if all(is_alive(port) for port in self._others(profile.ports)):
+                self.process.die()
+        return super().notify_disconnect(connector_id)
 
     def put(self, data, little):
         """A payload has come; returns the name of the status for the sender."""

@@ -59,6 +59,8 @@ TABLE = {
     "self_deadlock": (False, False, True, False, False, False),
     # what becomes of a process when a connector is removed under a get() that is still being served
     "busy_get": ("die", "die", "die", "survive", "survive", "survive"),
+    # and under a put() that waits for room in the buffer
+    "busy_put": ("die", "die", "die", "survive", "survive", "survive"),
     # first profile query after a peer has died: clean up silently, raise TRANSIENT once, or end the process;
     # to a composite that shows a port of a dead member, that is the end, too (all others raise)
     "dead_peer": ("clean", "clean", "die", "transient", "clean", "clean"),

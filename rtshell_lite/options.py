@@ -384,6 +384,15 @@ def dry_run(parser):
     )
 
 
+def force_disconnect(parser):
+    """--force, of commands that remove connections."""
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="remove a connection with full_policy=block at once, even if that may end a process",
+    )
+
+
 def json_output(parser):
     """--json."""
     parser.add_argument("--json", action="store_true", help="print JSON, one object a line")

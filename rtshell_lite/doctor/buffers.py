@@ -8,8 +8,8 @@ A component may read several values in a cycle: what is concluded from rates is 
 from rtshell_lite.corba import orb
 from rtshell_lite.doctor import remedies
 from rtshell_lite.doctor.finding import warn
-from rtshell_lite.robot import component, ports
-from rtshell_lite.text import shell_word
+from rtshell_lite.robot import blocking, component, ports
+from rtshell_lite.text import printable, shell_word
 
 # What a full buffer does by its policy; by others it overwrites
 POLICIES = {"do_nothing": "refuses what it has no room for", "block": "makes its writers wait"}
@@ -42,7 +42,29 @@ def findings(snapshots):
                 cure = None
             if message:
                 found.append(warn("buffer", ports.label(port), f"{message} ({policy})", cure))
+            if port.type == "DataInPort":
+                found += _removals(port, writers)
     return found
+
+
+def _removals(port, writers):
+    """Findings on connections of an in port that must not be removed while a value may wait in them."""
+    for connector in port.connectors:
+        if not blocking.may_wait(dict(connector.properties)):
+            continue
+        sources = [writers[orb.identity(ref)] for ref in connector.ports if _known(ref, writers)]
+        if not sources:
+            continue
+        message = (
+            f"connection {printable(connector.id)} makes its writers wait (full_policy=block): "
+            "to remove it while one of them is Active may end this process"
+        )
+        paths = " ".join(shell_word(snapshot.where) for snapshot, _ in sources)
+        yield warn("removal", ports.label(port), message, remedies.words("before removal", paths=paths))
+
+
+def _known(ref, writers):
+    return ref is not None and orb.identity(ref) in writers
 
 
 def refusal(port):

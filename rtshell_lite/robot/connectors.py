@@ -2,7 +2,7 @@
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import blocking, component, ports
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
 PROFILE = "RTC.ConnectorProfile"
@@ -138,10 +138,13 @@ async def _tidy(ends):
             pass  # the refusal itself is what the user has to know
 
 
-async def disconnect(port, connector):
+async def disconnect(port, connector, is_forced=False):
     """Remove a Connector of a Port. Done when the port no longer has it, whatever the far end answers.
-    Raises Refused.
+
+    `is_forced`: also where that may end the process of an in port, see blocking.py. Raises Refused.
     """
+    if not is_forced:
+        await blocking.until_safe(port, connector)
     connector_id = to_wire(connector.id)
     for operation in (
         "disconnect",
@@ -196,7 +199,7 @@ async def _forgetting_failed(port, operation, connector_id):
     )
 
 
-async def disconnect_all(pairs, dry_run=False):
+async def disconnect_all(pairs, dry_run=False, is_forced=False):
     """`disconnect` each (Port, Connector): a line or an errors.Error for each;
     a connector of two of the ports is removed once.
     """
@@ -210,7 +213,7 @@ async def disconnect_all(pairs, dry_run=False):
             results.append(f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}")
             continue
         try:
-            await disconnect(port, connector)
+            await disconnect(port, connector, is_forced)
             results.append(f"{ports.label(port)}: removed connection {printable(connector.id)}")
         except errors.Error as e:
             results.append(e)

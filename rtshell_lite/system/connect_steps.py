@@ -74,6 +74,7 @@ class Connection(steps.Step):
 
     free = True
     part = "ports"
+    is_forced = False  # see connectors.disconnect
 
     def __init__(self, connector, ends, ids):
         paths = [str(placement.path.with_port(name)) for placement, name in ends]
@@ -158,7 +159,7 @@ class Connection(steps.Step):
         failures = []
         for port, connector in having:
             try:
-                await connectors.disconnect(port, connector)
+                await connectors.disconnect(port, connector, self.is_forced)
             except errors.Error as e:
                 failures.append(e)
         return failures

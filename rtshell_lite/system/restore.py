@@ -321,12 +321,12 @@ def _strange_ends(step):
 # ---- tearing down ----
 
 
-async def tearing_down(profile, options):
+async def tearing_down(profile, options, is_forced=False):
     """(the apply.Outcomes of the steps that remove the connections of a profile, notes on components and
     ports that are gone).
 
-    Where one end is gone, the others are freed. That not even the directories of components are there is a
-    failure.
+    `is_forced`: see connectors.disconnect. Where one end is gone, the others are freed. That not even the
+    directories of components are there is a failure.
     """
     listed = places(profile)
     await placements.find(listed, _ports_only)
@@ -346,6 +346,7 @@ async def tearing_down(profile, options):
     placement_of = placements.finder(capture.locator(profile, options.strict), listed)
     removals = connect_steps.disconnecting(profile, placement_of)
     for step in removals:
+        step.is_forced = is_forced
         if step.kind == "disconnect":
             notes += map(str, step.lost_ports())
     outcomes += [await apply.assess(step) for step in removals]

@@ -125,6 +125,7 @@ finds that more is written than the component executes:
   $ rtdoctor -q --measure ../flow.host_cxt | grep buffer
   warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number probably find its buffer full (* Hz are written, it executes at 10 Hz), which refuses what it has no room for (do_nothing); try: raise the rate of its context (rtec /localhost:$PORT/flow.host_cxt/Slow0.rtc rate HZ), or, if old values may go, connect it with -p dataport.buffer.write.full_policy=overwrite (glob)
   $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.inport.buffer.write.full_policy=block; rtdoctor -q --measure ../flow.host_cxt | grep buffer
+  rtcon: /localhost:$PORT/flow.host_cxt/Source0.rtc:number to /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: writers wait while its buffer is full (full_policy=block): remove it only while its source is Inactive, as rtdis does
   warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number probably find its buffer full (100 Hz are written, it executes at 10 Hz), which makes its writers wait (block); try: raise the rate of its context (rtec /localhost:$PORT/flow.host_cxt/Slow0.rtc rate HZ), or, if old values may go, connect it with -p dataport.buffer.write.full_policy=overwrite (glob)
   $ rtdoctor --json --measure ../flow.host_cxt | grep -c '"check": "buffer"'
   1
