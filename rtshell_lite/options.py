@@ -16,7 +16,7 @@ EXIT_STATUSES = """exit status:
   3 no such path or not that kind of object, 4 the peer is dead, silent or
   garbled, 5 some succeeded and some failed, 6 the peer refused,
   70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away,
-  129 SIGHUP, 143 SIGTERM"""
+  129 SIGHUP, 143 SIGTERM (rtkeep and rtmount -f: 0)"""
 
 
 # ---- reading it ----

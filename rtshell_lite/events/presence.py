@@ -1,8 +1,9 @@
 """Which of some components are there, and what changes about them, with as few questions as that takes.
 
-Components that take observers report what changes. Of others, each process is asked one small question every
-few seconds: the state of a component, or one of its connections. A connection that a process drops shows its
-end at once. Absent components are looked for by their names.
+Components that take observers report what changes, but for their ports: a process that observes ports must
+not be killed (docs/protocol.md 5.4). Their connections, and everything of others, are asked for: each process
+gets one small question, or a few if it has many connections, every few seconds. A connection that a process
+drops shows its end at once. Absent components are looked for by their names.
 
 Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its
 neighbours.
@@ -26,8 +27,13 @@ AGAIN = 2.0  # seconds between questions to a dead object whose name is still bo
 TRIES = 5  # of a question whose connection is lost: to a process that ends, as a rule
 PAUSE = 0.15  # seconds between them
 HURRY = 0.3  # seconds that components have to answer when observers are taken back
+ROUND = 10  # turns, at most, until a process has been asked all questions of a kind
+# Seconds until a component is asked for connections again that did not answer: at first, doubled each time,
+# and at most. While a far end hangs, each such question may wait there and hold a thread.
+FIRST_PAUSE = 4.0
+LONGEST_PAUSE = 300.0
 
-KINDS = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT", "CONFIG_EVENT")
+KINDS = ("RTC_STATUS", "EC_EVENT", "CONFIG_EVENT")  # not PORT_EVENT
 
 
 class Followed:
@@ -41,7 +47,10 @@ class Followed:
     # as they are at first, here: an object with few attributes of its own takes a third of the memory
     shown = subscription = error = None
     is_hung = is_ending = False
+    is_given_up = False  # nothing is done about it until something about it changes
     heard = asked = 0.0
+    silent_until = 0.0  # it is not asked for connections
+    pause = FIRST_PAUSE
     dead = None  # the identity of its object that is gone
 
     def __init__(self, path):
@@ -96,13 +105,21 @@ class Followed:
         if kind is None:
             return
         if self.subscription is None:
-            self.subscription = observer.observer(
-                self.node, kind, KINDS, self._hear, BEAT, observer.NO_VALUES
-            )
+            self.subscription = observer.observer(self.node, kind, KINDS, self._hear, BEAT)
         try:
             await self.subscription.attach()
         except errors.Refused:
             self.forget()
+
+    def wait(self):
+        """It has not answered about its connections."""
+        self.silent_until = time.monotonic() + self.pause
+        self.pause = min(2 * self.pause, LONGEST_PAUSE)
+
+    def wait_no_more(self):
+        """It has answered about its connections, or what held it up may be over."""
+        self.silent_until = 0.0
+        self.pause = FIRST_PAUSE
 
     def forget(self):
         """It has no observer of ours any more."""
@@ -114,7 +131,7 @@ class Followed:
         self.heard = time.monotonic()
         if event.event == "FINALIZE":
             self.is_ending = True
-        if event.kind != "HEARTBEAT" and event.event not in ("PORT_SEND", "PORT_RECEIVE"):
+        if event.kind != "HEARTBEAT":
             self.reported(event)
 
 
@@ -201,7 +218,13 @@ class Presence:
         each.heard = max(each.heard, time.monotonic() - LATE + BEAT)
         if each.is_hung:
             each.is_hung = False
+            self._try_connections()
             each.answered()
+
+    def _try_connections(self):
+        """A far end that may have held up others does so no more."""
+        for other in self.followed:
+            other.wait_no_more()
 
     def failed(self, each, error):
         """A component was asked in vain: it is gone, or may be, with all of its process where that refuses,
@@ -217,6 +240,7 @@ class Presence:
                 seen = "its process is gone"
             else:
                 seen = error.why
+            self._try_connections()
             for other in self.of_process(each.endpoint):
                 self._lose(other, error, seen)
         elif not each.is_hung:
@@ -247,7 +271,7 @@ class Presence:
             for each in self.followed:
                 if each.subscription is not None and now - each.heard > LATE:
                     self.start(self._lend_again(each), each.endpoint)
-            for endpoint in {each.endpoint for each in self.followed if _is_polled(each)}:
+            for endpoint in {each.endpoint for each in self.followed if _is_asked(each)}:
                 self._poll(endpoint, now)
             if absent:
                 await loop.sleep(max(SEEK, 0.01 * len(absent)))
@@ -296,23 +320,33 @@ class Presence:
         each.notice("state")
         each.notice("ports")
 
-    # ---- where there are no observers ----
+    # ---- what nobody reports ----
 
     def _poll(self, endpoint, now):
-        """Ask a process one question, if it is time."""
+        """Ask a process a question, or a few of one kind if it has many to be asked, if it is time."""
         if now - self._looked.get(endpoint, 0) < self.look:
             return
         self._looked[endpoint] = now
-        polled = [each for each in self.of_process(endpoint) if _is_polled(each)]
+        asked = [each for each in self.of_process(endpoint) if _is_asked(each)]
         turns = self._turns[endpoint]
         for _ in _ASKED:
             kind = _ASKED[turns[None] % len(_ASKED)]
             turns[None] += 1
-            questions = [(each, *question) for each in polled for question in kind(each)]
+            if kind is _of_connections:
+                those = asked
+            else:
+                those = [each for each in asked if each.subscription is None]
+            questions = [(each, *question) for each in those for question in kind(each)]
             if questions:
-                self.start(self._put(*questions[turns[kind] % len(questions)]), endpoint)
-                turns[kind] += 1
+                count = -(-len(questions) // ROUND)
+                first = turns[kind] % len(questions)
+                turns[kind] += count
+                self.start(self._put_all((2 * questions)[first : first + count]), endpoint)
                 return
+
+    async def _put_all(self, questions):
+        for question in questions:
+            await self._put(*question)
 
     async def _put(self, each, part, has_changed):
         """Ask a component a question: whether a part of it is not what `shown` has."""
@@ -323,15 +357,20 @@ class Presence:
             is_new = await has_changed(each.where, shown)
         except errors.Refused:
             is_new = True
-        except errors.Error:
+        except errors.Error as e:
+            if part == "ports" and isinstance(e, errors.Silent):
+                each.wait()
             await self.ask(each)
             return
+        if part == "ports":
+            each.wait_no_more()
         if is_new and each.shown is shown:
             each.notice(part)
 
 
-def _is_polled(each):
-    return each.is_there and each.shown.states and each.subscription is None and not each.is_hung
+def _is_asked(each):
+    """Whether a component has been looked at, and answers."""
+    return each.is_there and each.shown.states and not each.is_hung
 
 
 def _is_doubtful(each, now):
@@ -354,9 +393,13 @@ def _of_settings(each):
 
 
 def _of_connections(each):
-    """Ports at one end of its connections: the other end has them, too."""
+    """Ports at one end of its connections: the other end has them, too. Of one that is given up, all."""
+    if time.monotonic() < each.silent_until:
+        return
     for port in each.shown.ports:
-        if port.connectors and port.type != "DataInPort":
+        if each.is_given_up:
+            yield "ports", functools.partial(_has_others, port)
+        elif port.connectors and port.type != "DataInPort":
             yield "ports", functools.partial(_has_lost, port)
 
 
@@ -386,8 +429,19 @@ async def _has_other_set(where, shown):
 
 
 async def _has_lost(port, where, shown):
-    now = {profile.connector_id for profile in await orb.call(where, port.ref, "get_connector_profiles")}
-    return not {to_wire(connector.id) for connector in port.connectors} <= now
+    return not _known_ids(port) <= await _present_ids(port, where)
+
+
+async def _has_others(port, where, shown):
+    return _known_ids(port) != await _present_ids(port, where)
+
+
+def _known_ids(port):
+    return {to_wire(connector.id) for connector in port.connectors}
+
+
+async def _present_ids(port, where):
+    return {profile.connector_id for profile in await orb.call(where, port.ref, "get_connector_profiles")}
 
 
 async def _alive(each):

@@ -8,6 +8,7 @@ import signal
 from rtshell_lite.net import loop
 
 PR_SET_PDEATHSIG = 1  # of prctl(2)
+LISTENING = "0A"  # the state of a socket in /proc/net/tcp
 
 
 class Guardian:
@@ -80,6 +81,46 @@ def kill(pid, number):
         os.killpg(pid, number)
     except (ProcessLookupError, PermissionError):
         pass
+
+
+def listening_ports(groups):
+    """The TCP ports, a set, at which processes of these groups listen, as far as /proc of Linux shows that."""
+    inodes = set()
+    for pid in filter(str.isdigit, _names("/proc")):
+        try:
+            if os.getpgid(int(pid)) in groups:
+                inodes.update(_sockets(f"/proc/{pid}/fd"))
+        except OSError:  # it has ended
+            continue
+    ports = set()
+    for table in ("/proc/net/tcp", "/proc/net/tcp6"):
+        try:
+            with open(table) as file:
+                rows = [row.split() for row in list(file)[1:]]
+        except OSError:
+            continue
+        for row in rows:
+            if row[3] == LISTENING and row[9] in inodes:
+                ports.add(int(row[1].rpartition(":")[2], 16))
+    return ports
+
+
+def _sockets(folder):
+    """The inodes, as text, of the sockets among the open files of a process."""
+    for name in _names(folder):
+        try:
+            link = os.readlink(f"{folder}/{name}")
+        except OSError:
+            continue
+        if link.startswith("socket:["):
+            yield link[len("socket:[") : -1]
+
+
+def _names(folder):
+    try:
+        return os.listdir(folder)
+    except OSError:
+        return []
 
 
 def _prctl():

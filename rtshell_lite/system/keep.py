@@ -80,16 +80,17 @@ class Keeper(presence.Presence):
             await loop.sleep(MINUTE)
             session.current().sweep()
 
-    async def stop(self, planned):
-        """Deactivate the components by a plan."""
+    async def stop(self, planned, is_meant):
+        """Deactivate the components for which is_meant(kept) by a plan."""
         self._is_ending = True
         while any(kept.is_busy for kept in self.followed):
             await loop.sleep(TICK)
-        unseen = [kept for kept in self.followed if kept.is_there and kept.placement.found is None]
+        meant = [kept for kept in self.followed if kept.is_there and is_meant(kept)]
+        unseen = [kept for kept in meant if kept.placement.found is None]
         for kept in unseen:
             kept.looking = {WHOLE}
         await session.each(unseen, self._look, lambda kept: kept.place)
-        here = [kept for kept in self.followed if kept.is_usable and kept.is_started]
+        here = [kept for kept in meant if kept.is_usable and kept.is_started]
         for result in await self._carry_out(
             planned.actions, transitions.DEACTIVATE, here, lambda kept: plan.GONE
         ):
@@ -100,7 +101,7 @@ class Keeper(presence.Presence):
                 self.complain(kept, STATE, result.error)
 
     def named(self, name):
-        """The Kepts of a path, the end of one, or an instance name."""
+        """The KeptComponents of a path, the end of one, or an instance name."""
         return [
             kept
             for kept in self.followed
@@ -129,7 +130,7 @@ class Keeper(presence.Presence):
                 yield kept.error or errors.NotFound(kept.where)
             elif kept.is_there:
                 yield from kept.said.values()
-                if STATE not in kept.settled and not kept.said:
+                if not {STATE} & (kept.settled.keys() | kept.hands) and not kept.said:
                     yield errors.Late(kept.where, f"it is {kept.state}")
 
     def happened(self, kept, seen, done="", begun=None, error=None):
@@ -244,7 +245,7 @@ class Keeper(presence.Presence):
             self.complain(kept, WHOLE, error)
 
     async def _restore(self, batch):
-        """Do the steps of rtresurrect that concern what has changed of some Kepts."""
+        """Do the steps of rtresurrect that concern what has changed of some KeptComponents."""
         outcomes = await self._parts(batch)
         begun = time.monotonic()
         changed = [kept for kept in batch if kept.looking & {WHOLE, "ports"}]
@@ -274,8 +275,8 @@ class Keeper(presence.Presence):
             kept.hands.pop(_key(step), None)
             self.happened(kept, "", "restored " + _title(step), begun)
             for other in [self._kept_of[id(placement)] for placement in step.placements]:
-                if other.is_there and other.subscription is None:  # it does not report that
-                    other.change(step.part)
+                if other.is_there and (other.subscription is None or step.part == "ports"):
+                    other.change(step.part)  # it does not report that
         elif outcome.failed:
             self.complain(kept, _key(step), outcome.error)
             kept.repairs.fail(outcome.error.why)
@@ -318,6 +319,8 @@ class Keeper(presence.Presence):
     # ---- components that managers create ----
 
     async def still_absent(self, absent):
+        for kept in absent:
+            kept.become("absent")
         if not self.options.create:
             return
         now = time.monotonic()
@@ -366,6 +369,8 @@ class Keeper(presence.Presence):
         broken = [kept for kept in todo if kept.state == "Error"]
         await session.each(broken, self._reset, lambda kept: kept.place)
         todo = [kept for kept in todo if kept.state != "Error" and kept.is_usable]
+        if not self.options.strict:
+            todo = [kept for kept in todo if STATE not in kept.hands]
         if todo:
             await self._activate(todo)
 
@@ -383,9 +388,10 @@ class Keeper(presence.Presence):
                 other.change(STATE)
 
     def _may_start(self, kept):
-        """Whether a component that is not Active is to be made so now."""
+        """Whether a component that is not Active is to be reset, or made Active, now."""
         trial = kept.trial
-        if STATE in kept.settled and not self.options.strict:
+        is_by_hand = STATE in kept.settled or STATE in kept.hands and kept.state != "Error"
+        if is_by_hand and not self.options.strict:
             self._leave_alone(kept, STATE, f"was made {kept.state} by hand")
         elif kept.has_failed and trial.policy.restart == "no":
             why = f"is in {kept.state}; its policy is {trial.policy.restart}"
@@ -405,6 +411,7 @@ class Keeper(presence.Presence):
         begun = time.monotonic()
         try:
             await self._change(kept, transitions.RESET)
+            kept.has_failed = False
             self.happened(kept, "in Error", "reset", begun)
         except errors.Error as e:
             kept.trial.fail(e.why)
@@ -441,8 +448,8 @@ class Keeper(presence.Presence):
             self._started(kept, list(filter(None, own)), begun)
 
     async def _carry_out(self, actions, transition, some, outcome_of):
-        """The Results of the actions of a plan for some Kepts; those of the others have ended, each with the
-        outcome that `outcome_of` gives.
+        """The Results of the actions of a plan for some KeptComponents; those of the others have ended, each
+        with the outcome that `outcome_of` gives.
         """
         progress = run_plan.Progress()
         run = run_plan.Run(actions, transition, progress)
@@ -462,6 +469,7 @@ class Keeper(presence.Presence):
         if not failed:
             kept.become("Active")
             kept.shown.states = ["Active"]
+            kept.hands.pop(STATE, None)
             self._is_active(kept)
             self.happened(kept, "", "Active", begun)
         elif isinstance(failed[0], errors.NotTried):

@@ -43,7 +43,7 @@ class KeptComponent(presence.Followed):
     state     its state, absent, or hung; since `since`, seconds since 1970
     trial     the policy.Trial of its state, `repairs` that of everything else
     last      the last Happening of it in words, `restarts` how often it has come back
-    drives    Kepts that it executes, by the file; `drivers` those that execute it
+    drives    KeptComponents that it executes, by the file; `drivers` those that execute it
     """
 
     changed = looking = frozenset()  # type: frozenset
@@ -78,13 +78,18 @@ class KeptComponent(presence.Followed):
         return self.is_there and self.placement.error is None and self.placement.found is not None
 
     @property
+    def is_given_up(self):
+        """Whether something about it was given up."""
+        return self.trial.given_up or self.repairs.given_up
+
+    @property
     def is_waiting(self):
         """Whether it is to be looked at."""
         return self.is_there and bool(self.changed) and not self.is_busy and not self.is_paused
 
     @property
     def takers(self):
-        """The Kepts of the composites and contexts that are to take it again, if it is one that is back."""
+        """Those of the composites and contexts that are to take it again, if it is one that is back."""
         if WHOLE not in self.changed:
             return []
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
@@ -118,7 +123,7 @@ class KeptComponent(presence.Followed):
             "restarts": self.restarts,
             "last": self.last,
             "by_hand": sorted(self.hands.values()),
-            "given_up": self.trial.given_up or self.repairs.given_up,
+            "given_up": self.is_given_up,
         }
 
     def fail(self, why):
@@ -151,8 +156,10 @@ class KeptComponent(presence.Followed):
         self.last = old.last
         self.has_exited = old.has_exited
         self.has_been_there = old.has_been_there
-        if old.is_there:
-            self.known = orb.identity(old.shown.node.ref)
+        self.state = old.state  # until it is looked for
+        self.since = old.since
+        self.known = orb.identity(old.shown.node.ref) if old.is_there else old.known
+        if self.known is not None:
             self.hands = old.hands
             self.settled = old.settled
         if not old.is_started:

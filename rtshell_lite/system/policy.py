@@ -12,7 +12,7 @@ DAY = 86400.0
 RESTARTS = ("always", "on-error", "no")
 PREFIX = "keep."  # of the extended properties of a component that say how it is kept
 
-# `restart` is one of RESTARTS; given up after `burst` failures in `within` seconds; from `first` to `most`
+# `restart` is one of RESTARTS; given up after more than `burst` failures in `within` seconds; from `first` to `most`
 # seconds between attempts.
 Policy = collections.namedtuple("Policy", "restart burst within first most")
 USUAL = Policy("always", 5, 60.0, 0.5, 30.0)
@@ -97,7 +97,7 @@ class Trial:
     def why_given_up(self):
         """In words."""
         failures = "1 failure" if self.policy.burst == 1 else f"{self.policy.burst} failures"
-        return f"given up after {failures} in {self.policy.within:g}s"
+        return f"given up after more than {failures} in {self.policy.within:g}s"
 
     def begin_again(self):
         """Something about it has changed."""

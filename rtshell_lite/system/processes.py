@@ -112,6 +112,10 @@ class Processes:
         self._by_pid = {}
         self._guardian.close()
 
+    def listening_ports(self):
+        """The TCP ports at which processes of it listen, a set."""
+        return guardian.listening_ports(self._by_pid)
+
     def named(self, name):
         """The Processes of a name: one at most."""
         return [process for process in self.all if process.name == name]

@@ -21,15 +21,15 @@ class Connections:
         self._halves = set()  # ids of connectors of which one end was seen alone
 
     def of(self, batch):
-        """(connector, the Kepts of its ends) of those with an end on one of some Kepts."""
+        """(connector, the KeptComponents of its ends) of those with an end on one of some of these."""
         for connector in self._profile.connectors:
             ends = [self._kept_at(end) for end in connector.ends]
             if None not in ends and any(kept in batch for kept in ends):
                 yield connector, ends
 
     async def take(self, batch):
-        """The connectors of some Kepts whose ports have changed that these do not show as the file has them.
-        No other task works on them until they are released; all of their ends have been asked since.
+        """The connectors of some KeptComponents whose ports have changed that these do not show as the file
+        has them. No other task works on them until they are released; all of their ends have been asked since.
         """
         taken = []
         for connector, ends in self.of(batch):

@@ -5,6 +5,7 @@ import signal
 import time
 
 from rtshell_lite import errors, notes
+from rtshell_lite.corba import liveness
 from rtshell_lite.net import loop
 from rtshell_lite.system import guardian, happening, keep, plan, restore, steering
 from rtshell_lite.system.kept import KeptComponent
@@ -26,6 +27,10 @@ class Nothing:
 
     async def __aexit__(self, *_):
         return None
+
+    def listening_ports(self):
+        """None."""
+        return set()
 
     def named(self, name):
         """None."""
@@ -59,7 +64,10 @@ class Service:
         self._bell = loop.Bell()
         self._second = loop.Bell()
         self._is_hurried = False  # a second signal has come
-        self.is_leaving = False  # the components are left as they are
+        # whether all components are deactivated at the end, and not only those of the processes that we have
+        # started; `is_leaving`: not even these
+        self.is_stopping_all = False
+        self.is_leaving = False
         self.has_teardown = False
 
     def report(self, event):
@@ -79,7 +87,10 @@ class Service:
         here = loop.current()
         for number in (signal.SIGTERM, signal.SIGINT):
             here.hear(number, lambda number=number: self._signalled(number))
-        here.hear(signal.SIGHUP, self._hang_up)
+        if not _has_terminal():
+            here.hear(signal.SIGHUP, self._hang_up)
+        elif signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # nohup
+            here.hear(signal.SIGHUP, self._closed)
         self._load()
         async with steering.Door(self.name, self.answer), self.processes:
             while self._wanted in (None, "reload"):
@@ -95,14 +106,29 @@ class Service:
         async with keep.Keeper(profile, starting, self._options, self.report, before) as self.keeper:
             async with loop.background(self._report()):
                 await self._bell.wait()
-            if self._wanted != "reload" and not self.is_leaving:
+            if self._wanted != "reload":
                 steering.notify(STOPPING=1)
-                await loop.race(self._stop_all(profile, stopping), self._second.wait())
+            if self._wanted != "reload" and not self.is_leaving:
+                await loop.race(self._stop_components(profile, stopping), self._second.wait())
 
-    async def _stop_all(self, profile, stopping):
-        await self.keeper.stop(stopping)
+    async def _stop_components(self, profile, stopping):
+        """Deactivate the components that end with us by the plan of stopping."""
+        if not self.is_stopping_all and self._wanted != "stop":
+            own = await self._own_endpoints()
+            await self.keeper.stop(stopping, lambda kept: kept.endpoint in own)
+            return
+        await self.keeper.stop(stopping, lambda kept: True)
         if self.has_teardown:
             await restore.tear_down(profile, restore.Options(False, None, self._options.strict_path))
+
+    async def _own_endpoints(self):
+        """The endpoints of components in the processes that we have started."""
+        ports = self.processes.listening_ports()
+        own = set()
+        for endpoint in {kept.endpoint for kept in self.keeper.followed if kept.is_there}:
+            if endpoint[1] in ports and await liveness.is_this_host(endpoint[0]):
+                own.add(endpoint)
+        return own
 
     async def _report(self):
         """Tell the service manager when all is so, and that we live."""
@@ -140,6 +166,11 @@ class Service:
             self._reload()
         except (errors.Error, OSError) as e:
             notes.fail(e)
+
+    def _closed(self):
+        """The terminal has been closed; the shell and the kernel may both say so."""
+        if not self._is_ending:
+            self._want(signal.SIGHUP)
 
     @property
     def _is_ending(self):
@@ -187,7 +218,7 @@ class Service:
         }
 
     def _named(self, names):
-        """Kepts and Processes; all where there are no names."""
+        """KeptComponents and Processes; all where there are no names."""
         if not names:
             return [*self.keeper.followed, *self.processes.all]
         found = []
@@ -219,6 +250,15 @@ class Service:
             self.keeper.start(self.keeper.deactivate(one, "", "deactivated on request"))
         else:
             self.keeper.start(self.processes.stop([one]))
+
+
+def _has_terminal():
+    """Whether this process has a terminal that may be closed."""
+    try:
+        os.close(os.open(os.ctermid(), os.O_RDWR | os.O_NOCTTY))
+    except OSError:
+        return False
+    return True
 
 
 def empty():

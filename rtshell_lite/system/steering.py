@@ -54,6 +54,13 @@ class Lock:
 
     def __init__(self, name):
         self.path = place(name) + ".lock"
+        while not self._take(name):
+            pass
+        os.ftruncate(self.fd, 0)
+        os.write(self.fd, b"%d\n" % os.getpid())
+
+    def _take(self, name):
+        """Whether we hold the lock, and not that of a file that its holder has just removed."""
         flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
         self.fd = os.open(self.path, flags, 0o600)
         try:
@@ -62,11 +69,20 @@ class Lock:
             other = os.read(self.fd, 20).decode("ascii", "replace").strip()
             os.close(self.fd)
             raise errors.Failed(printable(name), f"is kept already, by process {printable(other)}")
-        os.ftruncate(self.fd, 0)
-        os.write(self.fd, b"%d\n" % os.getpid())
+        try:
+            is_there = os.path.samestat(os.stat(self.path), os.fstat(self.fd))
+        except FileNotFoundError:
+            is_there = False
+        if not is_there:
+            os.close(self.fd)
+        return is_there
 
     def release(self):
-        """Let another one have it."""
+        """Let another one have it, and leave no file."""
+        try:
+            os.unlink(self.path)
+        except OSError:  # /tmp may have been cleaned
+            pass
         os.close(self.fd)
 
 

@@ -39,7 +39,7 @@ Each is started when those before it are ready; what they print is kept, and sho
   brief: ended with status 0: not started again
   brief: started, pid N
   missing: cannot be started: No such file or directory
-  missing: cannot be started: No such file or directory: given up after 1 failure in 60s
+  missing: cannot be started: No such file or directory: given up after more than 1 failure in 60s
   $ cat err; sed 's/^[-0-9T:]* //' logs/talk.log | sed "s,$PWD,HERE,"
   hello from HERE
   more
@@ -81,14 +81,14 @@ What is stopped by name stays stopped until it is resumed.
     talk: more
   $ rtkeep resume talk; soon 'rtkeep status | grep talk.*ready'
 
-At the end components are deactivated, then the processes end, the last first. Nothing survives kill -9, either.
+At the end the components of these processes are deactivated, then the processes end, the last first; others stay as they are. Nothing survives kill -9, either.
 
   $ kill $keep; wait $keep; said out | grep -v Inactive | tail -4; ls | grep control; ctl @these state ConsoleIn0
   talk: started, pid N
   talk: ended by SIGINT: as it was told
   out: ended with status 0: as it was told
   motor: ended with status 0: as it was told
-  INACTIVE
+  ACTIVE
   $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep talk.*ready'
   $ pids=$(rtkeep status --json | grep process | sed -n 's/.*"pid": \([0-9]*\),.*/\1/p'); echo $pids | wc -w; kill -9 $keep; wait $keep 2> nul

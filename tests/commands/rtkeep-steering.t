@@ -98,19 +98,19 @@ What a person has done can be made the file's.
   - xsi:type="rtsExt:dataport_connector_ext" rts:connectorId="new" rts:name="renamed" rts:dataType="IDL:RTC/TimedLong:1.0" rts:interfaceType="corba_cdr" rts:dataflowType="push" rts:subscriptionType="new">
   $ rtkeep adopt a.xml; rtcheck a.xml; rtkeep adopt --dry-run a.xml; rtkeep reload; soon 'rtcheck a.xml'; sleep 0.5; rtcheck a.xml
 
-Every action is in the log; at SIGTERM all is deactivated, and with --teardown disconnected.
+Every action is in the log; with --teardown all is deactivated, and disconnected.
 
   $ sed -n '1p' log.json | sed 's/[0-9]*\.[0-9]*/N/g'; kill $keep; wait $keep; grep -o STOPPING=1 told; kill $manager
   {"done": "Active", "error": null, "object": "/localhost:$PORT/testNhost_cxt/ConfigSampleNrtc", "seconds": N, "seen": "", "time": N}
   STOPPING=1
   $ rtkeep --teardown a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'; rtkeep stop; wait $keep; rtls -l | awk '{print $1, $2, $6}'
+  $ soon 'rtkeep status | grep ";.all.is"'; rtkeep stop; wait $keep; rtls -l | awk '{print $1, $2, $6}'
   Inactive 0/0 ConfigSample0.rtc
   Inactive 1/0 ConsoleIn0.rtc
   Inactive 1/0 ConsoleOut0.rtc
   Inactive 2/0 Motor0.rtc
   $ rtkeep --leave a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'; rtkeep stop; wait $keep; rtcheck a.xml; ls rtkeep | grep socket
+  $ soon 'rtkeep status | grep ";.all.is"'; rtkeep stop; wait $keep; rtcheck a.xml; ls rtkeep | grep socket
   [1]
 
 It goes on when nobody reads what it prints, when its log cannot be written, and when a request is nonsense.

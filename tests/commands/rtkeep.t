@@ -69,11 +69,12 @@ What a person does is reported, and left alone.
   Motor0.rtc: rate of execution context 0 was changed by hand: left alone
   Motor0.rtc: was made Inactive by hand: left alone
 
-At rest nobody is called who reports by himself: a question each --look seconds goes to the others. At the end no observer stays.
+At rest, who reports by himself is asked for connections only, which no observer of ours reports (protocol.md 5.4), and others all
+else: a question each --look seconds (the mock asks its far ends whether they exist then). At the end no observer stays.
 
-  $ sleep 1; begun=$(date +%s); ctl reset; ctl @these3 reset; sleep 2.5; ctl calls | grep -v put
-  [1]
-  $ ctl @these3 calls | awk -v end=$(date +%s) -v begun=$begun '!/put/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
+  $ sleep 1; begun=$(date +%s); ctl reset; ctl @these3 reset; sleep 2.5; ctl calls | grep -v put | awk '{print $2, ($1 <= 2)}'
+  get_connector_profiles 1
+  $ ctl @these3 calls | awk -v end=$(date +%s) -v begun=$begun '!/put|_non_existent/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
   1
   $ kill $keep; wait $keep
   $ ctl observers Motor0; ctl observers ConsoleIn0
