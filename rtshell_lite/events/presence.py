@@ -47,7 +47,6 @@ class Followed:
     # as they are at first, here: an object with few attributes of its own takes a third of the memory
     shown = subscription = error = None
     is_hung = is_ending = False
-    is_given_up = False  # nothing is done about it until something about it changes
     heard = asked = 0.0
     silent_until = 0.0  # it is not asked for connections
     pause = FIRST_PAUSE
@@ -61,6 +60,11 @@ class Followed:
     def is_there(self):
         """Whether it has answered, and is not known to be gone."""
         return self.shown is not None
+
+    @property
+    def is_given_up(self):
+        """Whether nothing is done about it until something about it changes."""
+        return False
 
     @property
     def node(self):

@@ -57,9 +57,9 @@ async def until_safe(port, connector):
             continue
         raise errors.Refused(
             ports.label(port),
-            f"connection {printable(connector.id)} makes its writers wait (full_policy=block), {reason}: to "
-            f"remove it now may end the process of {', '.join(readers)}; first: {cure} (rtdis --force removes "
-            "it all the same)",
+            f"connection {printable(connector.id)} makes its writers wait (full_policy=block), {reason}: "
+            f"to remove it now may end the process of {', '.join(readers)}; first: {cure} (rtdis --force "
+            "removes it all the same)",
         )
     await loop.sleep(_longest_wait(properties) + MORE)
 

@@ -84,7 +84,7 @@ def kill(pid, number):
 
 
 def listening_ports(groups):
-    """The TCP ports, a set, at which processes of these groups listen, as far as /proc of Linux shows that."""
+    """The TCP ports, a set, at which processes of these groups listen, as far as Linux's /proc shows that."""
     inodes = set()
     for pid in filter(str.isdigit, _names("/proc")):
         try:

@@ -12,8 +12,8 @@ DAY = 86400.0
 RESTARTS = ("always", "on-error", "no")
 PREFIX = "keep."  # of the extended properties of a component that say how it is kept
 
-# `restart` is one of RESTARTS; given up after more than `burst` failures in `within` seconds; from `first` to `most`
-# seconds between attempts.
+# `restart` is one of RESTARTS; given up after more than `burst` failures in `within` seconds; from `first` to
+# `most` seconds between attempts.
 Policy = collections.namedtuple("Policy", "restart burst within first most")
 USUAL = Policy("always", 5, 60.0, 0.5, 30.0)
 

@@ -29,7 +29,7 @@ class Connections:
 
     async def take(self, batch):
         """The connectors of some KeptComponents whose ports have changed that these do not show as the file
-        has them. No other task works on them until they are released; all of their ends have been asked since.
+        has them. No other task works on them until they are released; all their ends have been asked since.
         """
         taken = []
         for connector, ends in self.of(batch):
