@@ -220,6 +220,8 @@ def _names(snapshot):
     else:
         message = "somebody else's name: this component calls itself " + printable(own)
         cure = "name taken"
+        if len(nodes) == 1:
+            cure = "renamed"
     found = [_on_name(node, message, cure) for node in strange[:MOST]]
     if strange[MOST:]:
         more = f"and {counted(len(strange) - MOST, 'name')} like it"

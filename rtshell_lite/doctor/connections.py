@@ -216,6 +216,10 @@ async def _troubles(link, ends, culprits):
             found.append(fail("connection", where, message, _redo(link, others)))
         else:
             found += _differences(link, end, _redo(link, others))
+            if end.port.node is None:
+                message = f"the far end of connection {_called(connector)}, {_name(end)} answers"
+                cure = remedies.words("unbound", path=shell_word(where))
+                found.append(warn("connection", where, message, cure))
     if all(end.port is not None for end in others):
         found += _mismatches(link, where, [link.port] + [end.port for end in others], undo)
     return found

@@ -22,7 +22,7 @@ STEPS = (
 Seen = collections.namedtuple("Seen", "visits snapshots ends managers")
 
 
-async def examine(tops=(), compare=None, seconds=0, keep=None):
+async def examine(tops=(), compare=None, seconds=0, keep=None, pause=None):
     """Yield lists of Findings, step by step. Without Paths `tops`, or with the root, all name servers are
     examined.
 
@@ -30,11 +30,12 @@ async def examine(tops=(), compare=None, seconds=0, keep=None):
              should be like
     seconds  how long to measure rates, by connecting to an out port of each active component; 0: do not
     keep     a function that is given the Seen; the components are then asked for everything that rtcat shows
+    pause    seconds after which the names are looked at again, or None
     """
     session.current().end = time.monotonic() + STEPS * session.current().timeout
     starved = limits.starved()
     try:
-        async for findings in _steps(tops, compare, seconds, keep):
+        async for findings in _steps(tops, compare, seconds, keep, pause):
             before = starved
             starved = limits.starved()
             if session.current().end is not None:  # what was late here is no silence of others
@@ -52,7 +53,7 @@ async def examine(tops=(), compare=None, seconds=0, keep=None):
         session.current().end = None  # other commands may follow in this process
 
 
-async def _steps(tops, compare, seconds, keep):
+async def _steps(tops, compare, seconds, keep, pause):
     found = await local.findings()
     yield found
     failed = [finding.check for finding in found if finding.level == "fail"]
@@ -61,7 +62,7 @@ async def _steps(tops, compare, seconds, keep):
     everything = not tops or path.ROOT in tops
     if everything:
         tops = await _name_servers()
-    async for findings in _robot(tops, seconds, bool(compare), keep):
+    async for findings in _robot(tops, seconds, bool(compare), keep, pause):
         yield findings
     if compare:
         from rtshell_lite.doctor import profile
@@ -76,9 +77,9 @@ async def _name_servers():
     return [path.parse("/" + address) for address in tree.servers() if not await local.fault(address)]
 
 
-async def _robot(tops, seconds, stated, keep):
+async def _robot(tops, seconds, stated, keep, pause):
     from rtshell_lite.doctor import buffers, components, composites, connections, managers
-    from rtshell_lite.doctor import references, servers, waiting
+    from rtshell_lite.doctor import references, restarts, servers, waiting
 
     visits = await servers.visits(tops)
     yield [finding for visit in visits for finding in visit.findings] + await _same_server(visits)
@@ -103,6 +104,8 @@ async def _robot(tops, seconds, stated, keep):
     yield members
     yield links + buffers.findings(examined)
     yield managed
+    if pause is not None:
+        yield await restarts.findings(nodes, pause)
     if keep:
         await components.complete(examined)
         keep(Seen(visits, examined, ends, answers))

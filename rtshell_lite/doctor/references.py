@@ -116,7 +116,7 @@ async def _silent(visit, node, offered, shown):
         return fail("reference", where, message, rule.remedy)
     port = offered[0][1]
     is_other = reason(e).startswith("garbled")
-    if not is_other and isinstance(e, errors.Silent):
+    if not is_other and isinstance(e, (errors.Silent, errors.ConnectionLost)):
         is_other = await addresses.speaks_otherwise(offered[0])
     if is_other:
         message = f"what listens at {shown} does not speak CORBA ({reason(e)})"

@@ -81,6 +81,10 @@ WORDS = {
     ),
     # name servers
     "start name server": "start the name server: rtm-naming {port}",
+    "start name server or correct host": (
+        "start the name server: rtm-naming {port}; if {host} is another host, correct /etc/hosts"
+    ),
+    "scope": "write the interface, too: [{host}%eth0]",
     "start name server there": (
         "netstat -ltnp | grep :{port} there shows whether it runs: if so, let this host through its "
         "firewall; if not: rtm-naming {port}"
@@ -106,6 +110,9 @@ WORDS = {
     "bad reference": "find out what has bound it; its component binds a good one when it is restarted",
     "name of another": "see who uses this name; if nobody does: rtdel {path}",
     "name taken": "restart the component that should have this name; if none should: rtdel {path}",
+    "renamed": "restart it, so that it binds its own name; do not delete this one, by which alone it is found",
+    "unbound": "restart its process, so that it binds its name again; rtcat {path} shows the connection",
+    "crash loop": "see its log, and what starts it again",
     # components
     "more time": "ask it with more time: rtdoctor --timeout 30 {path}",
     "in parts": "examine the system in parts (rtdoctor PATH), or with more time: rtdoctor --timeout 30",

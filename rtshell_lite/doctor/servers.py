@@ -181,6 +181,9 @@ async def _transport(visit, endpoint, times, used):
     host, port = endpoint
     where = str(visit.path)
     shown = printable(host)
+    if addresses.is_incomplete(host):
+        message = f"{shown} is an address of one link only, which means nothing without an interface"
+        raise _Stop(where, message, remedies.words("scope", host=shown))
     try:
         visit.addresses.extend(await _timed(times, "name", addresses.resolve(host)))
     except errors.Error as e:
@@ -197,7 +200,14 @@ async def _transport(visit, endpoint, times, used):
                 "of that host",
                 remedies.words("other port", server=shell_word("/%s:%d" % (host, other)), port=port),
             )
-        if any(addresses.is_own(address) for address in visit.addresses):
+        own = [address for address in visit.addresses if addresses.is_own(address)]
+        if own and host != "localhost" and not addresses.is_numeric(host):
+            raise _Stop(
+                where,
+                f"connection refused: nothing listens on port {port} here; {shown} means {own[0]}, this host",
+                remedies.words("start name server or correct host", port=port, host=shown),
+            )
+        if own:
             raise _Stop(
                 where,
                 f"connection refused: nothing listens on port {port} here",
@@ -255,7 +265,7 @@ async def _is_there(where, ref):
     except errors.Unreachable as e:
         if rule and reason(e) == errors.NO_USABLE_ADDRESS:
             raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
-        if reason(e).startswith("garbled"):
+        if reason(e).startswith("garbled") or await addresses.speaks_otherwise(endpoint):
             raise _Stop(
                 where,
                 f"what listens there does not speak CORBA ({reason(e)})",

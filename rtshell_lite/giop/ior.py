@@ -78,7 +78,7 @@ def parsed(type_id, profiles):
                 size = ulong(profile, at)[0]
                 if at + 4 + size > len(profile):
                     raise IndexError
-                host = profile[8 : end - 1].decode("latin-1")
+                host = profile[8 : end - 1].decode("utf-8", "surrogateescape")
                 port = ushort(profile, end + 1 & ~1)[0]
                 found = Address((type_id, sys.intern(host), port, profile[at + 4 : at + 4 + size]))
                 if port:
@@ -182,7 +182,7 @@ class _Cdr:
         return self.data[self.at - size : self.at]
 
     def host_and_port(self):
-        return self.octets()[:-1].decode("latin-1"), self.ushort()
+        return self.octets()[:-1].decode("utf-8", "surrogateescape"), self.ushort()
 
 
 # ---- from octets to a reference ----

@@ -43,5 +43,5 @@ async def _answers(address):
         return (await tree.resolve(parse(address))).kind == "manager"
     try:
         return not await tree.name_server(address).call("_non_existent")
-    except errors.Silent:
+    except errors.Unanswered:
         return True  # there is one, which hangs

@@ -150,9 +150,9 @@ does not advise it; its ports can be hidden, and then the composite's profile ca
   $ rtls -lv ../dead.host_cxt
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   -         -    -    -    -    *Peer0.rtc
-  ?         -    -    -    -    ?composite0.rtc
+  Inactive  ?    ?    ?    ?    composite0.rtc
   rtls: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
-  rtls: 1 of 3 did not answer (composite0.rtc)
+  rtls: 1 of 3 did not report the ports (composite0.rtc)
   [5]
   $ rtcat -l ../dead.host_cxt/composite0.rtc | grep Member
   rtcat: /localhost:$PORT/dead.host_cxt/composite0.rtc: the process of one of its ports is gone; if that is a member's, restart this composite's process (until then, rtcomp -r MEMBER:PORT hides the port)
@@ -214,8 +214,8 @@ It is the same in Python:
   $ rtls -l ../pydead.host_cxt
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   -         -    -    -    -    *Peer0.rtc
-  ?         -    -    -    -    ?composite0.rtc
-  rtls: 1 of 3 did not answer (composite0.rtc)
+  Error     ?    ?    ?    ?    composite0.rtc
+  rtls: 1 of 3 did not report the ports (composite0.rtc)
   [5]
 
 A composite that refuses or fails:

@@ -55,7 +55,7 @@ Properties that a port does not offer, with what it does:
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out has no subscription_type sometimes (it has: block, flush, new, nonblock, periodic)
   [2]
   $ rtcon -p dataport.marshaling_types=json ConsoleIn0.rtc:out ConsoleOut0.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: no port has marshaling_types json (all have: cdr)
+  rtcon: dataport.marshaling_types: no such property; did you mean dataport.marshaling_type?
   [2]
   $ rtcon -p dataport.subscription_type=periodic ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
@@ -83,7 +83,8 @@ What only the component knows, it refuses itself:
   $ rtcon -p dataport.serializer.cdr.endian=middle ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
   [6]
-  $ rtcon -p dataport.marshaling_type=json ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon -p dataport.marshaling_types=json ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: dataport.marshaling_types: no such property; did you mean dataport.marshaling_type?
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
   [6]
   $ rtcon -p dataport.fan_out=0 ConsoleIn0.rtc:out ConsoleOut0.rtc:in

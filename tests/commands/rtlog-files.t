@@ -151,6 +151,7 @@ MCAP that somebody else wrote, with a type in the words of ROS, and with message
   Name: torn.mcap
   State: INCOMPLETE, whole up to octet 952
   rtlog: torn.mcap: the last 48 octets are not a whole record and are left out
+  rtlog: torn.mcap: other readers may refuse it; rtlog --mend makes a copy that they open
 
 For others it is made whole in a copy, or in place:
 

@@ -44,7 +44,8 @@ without one:
 
 What the buffer of a port could not hold meanwhile is missing, which is in the log, and told at the end:
 
-  $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!; soon '[ $(entries d.mcap :number) -gt 8000 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!; soon '[ $(entries d.mcap :number) -gt 8000 ]'; kill -STOP $pid
+  $ before=$(ctl @senders3 sent Source0:number); soon '[ $(ctl @senders3 sent Source0:number) -gt $((before + 8000)) ]'; kill -CONT $pid
   $ soon 'rtlog --json -f d.mcap | grep MISSING.*number'; kill $pid; wait $pid
   [143]
   $ cat told; rtlog -d --json -f d.mcap > info; rtlog --json -f d.mcap 2> nul | python3 -c 'import json, sys

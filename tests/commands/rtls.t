@@ -314,7 +314,7 @@ Help holds what the command is for, its examples, and the exit statuses.
     3 no such path or not that kind of object, 4 the peer is dead, silent or
     garbled, 5 some succeeded and some failed, 6 the peer refused,
     70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away,
-    129 SIGHUP, 143 SIGTERM
+    129 SIGHUP, 143 SIGTERM (rtkeep and rtmount -f: 0)
   $ rtls -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
     -l  -R  -0  --json  -v  -q  --timeout  --version  -h
 
