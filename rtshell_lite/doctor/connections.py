@@ -217,7 +217,11 @@ async def _troubles(link, ends, culprits):
         else:
             found += _differences(link, end, _redo(link, others))
             if end.port.node is None:
-                message = f"the far end of connection {_called(connector)}, {_name(end)} answers"
+                place = f"{printable(end.port.name)} at {orb.at_address(end.ref)}"
+                message = (
+                    f"the far end of connection {_called(connector)}, {place}, lives, but is bound in no name "
+                    "server that is known here"
+                )
                 cure = remedies.words("unbound", path=shell_word(where))
                 found.append(warn("connection", where, message, cure))
     if all(end.port is not None for end in others):
