@@ -83,7 +83,7 @@ Context = collections.namedtuple("Context", "number kind rate running state owne
 Event = collections.namedtuple("Event", "path time kind subject event")
 # What rtdoctor says: `level` is fail, warn or ok; `check` the kind of the check; `path` the object, or "here"
 # for this host; a message; what mends it, a command or words, or "".
-Finding = collections.namedtuple("Finding", "level check path message remedy")
+Finding = collections.namedtuple("Finding", "level check path message remedy cause")
 PROFILE = ("instance_name", "type_name", "description", "version", "vendor", "category")
 # A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its
 # connections.

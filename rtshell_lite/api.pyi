@@ -35,6 +35,7 @@ class Finding(NamedTuple):
     path: str
     message: str
     remedy: str
+    cause: str
 
 class Port(NamedTuple):
     path: str

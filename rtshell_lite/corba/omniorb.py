@@ -515,13 +515,13 @@ def _error(where, e, seconds, ref):
     from omniORB import CORBA
 
     label = _label(e)
-    if not address(ref).port and isinstance(e, CORBA.TRANSIENT):
-        return errors.Unspoken(where, " or ".join(ior.transports(to_text(ref)) or [ior.OTHER]))
     if isinstance(e, CORBA.TIMEOUT):
         return errors.Silent(where, session.no_answer(seconds))
-    if isinstance(e, CORBA.TRANSIENT) and label.endswith("ConnectFailed"):
-        return _not_connected(where, address(ref)[1:3])
-    if isinstance(e, CORBA.TRANSIENT) and label.endswith("NoUsableProfile"):
+    if isinstance(e, CORBA.TRANSIENT) and label.endswith(("ConnectFailed", "NoUsableProfile")):
+        if not address(ref).port:
+            return errors.Unspoken(where, " or ".join(ior.transports(to_text(ref)) or [ior.OTHER]))
+        if label.endswith("ConnectFailed"):
+            return _not_connected(where, address(ref)[1:3])
         return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
     if isinstance(e, CORBA.SystemException):
         return failures.system(where, type(e).__name__, label)

@@ -219,8 +219,8 @@ async def _troubles(link, ends, culprits):
             if end.port.node is None:
                 place = f"{printable(end.port.name)} at {orb.at_address(end.ref)}"
                 message = (
-                    f"the far end of connection {_called(connector)}, {place}, lives, but is bound in no name "
-                    "server that is known here"
+                    f"the far end of connection {_called(connector)}, {place}, lives, but is bound in no "
+                    "name server that is known here"
                 )
                 cure = remedies.words("unbound", path=shell_word(where))
                 found.append(warn("connection", where, message, cure))

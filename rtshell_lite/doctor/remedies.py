@@ -110,8 +110,8 @@ WORDS = {
     "bad reference": "find out what has bound it; its component binds a good one when it is restarted",
     "name of another": "see who uses this name; if nobody does: rtdel {path}",
     "name taken": "restart the component that should have this name; if none should: rtdel {path}",
-    "renamed": "restart it, so that it binds its own name; do not delete this one, by which alone it is found",
-    "unbound": "restart its process, so that it binds its name again; rtcat {path} shows the connection",
+    "renamed": "restart it, so that it binds its own name; do not delete this one: no other leads to it",
+    "unbound": "restart its process, so that it binds its name; rtcat {path} shows the connection",
     "crash loop": "see its log, and what starts it again",
     # components
     "more time": "ask it with more time: rtdoctor --timeout 30 {path}",

@@ -268,7 +268,8 @@ async def _seen(process):
         node = await tree.resolve(process.spec.ready)
         await orb.is_alive(node.path, node.ref)
         return ANSWERS
-    except errors.Unanswered:  # where it once was another host, or this one with another address, nothing hangs
+    except errors.Unanswered:
+        # where it once was another host, or this one with another address, nothing hangs
         if node is None or await liveness.is_this_host(node.endpoint[0]):
             return HANGS
     except errors.Error:

@@ -85,8 +85,7 @@ What only the component knows, it refuses itself:
   [6]
   $ rtcon -p dataport.marshaling_types=json ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: dataport.marshaling_types: no such property; did you mean dataport.marshaling_type?
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
-  [6]
+  [2]
   $ rtcon -p dataport.fan_out=0 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: refused by the component (PRECONDITION_NOT_MET)
   [6]

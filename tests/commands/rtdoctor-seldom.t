@@ -20,7 +20,7 @@ The far end of a connection that lives, while another object has its name:
   $ rtcon -i one Near0.rtc:out ../far.host_cxt/Far0.rtc:in; rtdoctor -q . | grep connection
   [1]
   $ rtdel -f ../far.host_cxt/Far0.rtc; rtdoctor -q . | grep connection
-  warn  /localhost:$PORT/test.host_cxt/Near0.rtc:out: the far end of connection outin, Far0.in at 127.0.0.1:*, lives, but is bound in no name server that is known here; try: restart its process, so that it binds its name again; rtcat /localhost:$PORT/test.host_cxt/Near0.rtc:out shows the connection (glob)
+  warn  /localhost:$PORT/test.host_cxt/Near0.rtc:out: the far end of connection outin, Far0.in at 127.0.0.1:*, lives, but is bound in no name server that is known here; try: restart its process, so that it binds its name; rtcat /localhost:$PORT/test.host_cxt/Near0.rtc:out shows the connection (glob)
 
 Nobody sees what the last component takes, nor what comes to the first in port:
 
