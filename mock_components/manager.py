@@ -6,7 +6,7 @@ import omniORB
 from omniORB import CORBA
 from rtshell_lite.corba import stubs
 
-from . import children, modules
+from . import children, composite, modules
 from .creation import Wanted, extract
 from .idl import RTC, RTM
 from .process import later
@@ -130,16 +130,22 @@ class Manager(stubs.skeleton("RTM.Manager")):
             if component is not None:
                 return component
         # a new process is to have it, which stays
-        if slaves and self._is_unknown_without_language(line.partition("?")[0]):
+        if slaves and self._is_tried_elsewhere(line.partition("?")[0]):
             for slave in self._started(name, address):
                 return slave.create_component(line)
         return None
 
-    def _is_unknown_without_language(self, ident):
-        """Whether an id lacks a language: then C++ 2.x has no factory for it, and tries in a new process."""
+    def _is_tried_elsewhere(self, ident):
+        """Whether C++ 2.x has no factory, and tries in a new process: for an unknown name, and for an id that
+        lacks a language.
+        """
         fields = ident.split(":")
-        if len(fields) != 5 or self.flavour.language != "C++" or not self.flavour.modern:
+        if len(fields) not in (1, 5) or self.flavour.language != "C++" or not self.flavour.modern:
             return False
+        if len(fields) == 1:
+            profiles = self._of_slaves("get_factory_profiles") + self._of_slaves("get_loadable_modules")
+            names = [get(each.properties, "implementation_id") for each in profiles]
+            return bool(ident) and ident not in names
         spec = self.modules.factory(fields[3])
         return spec is None or dict(modules.factory(spec, self.flavour))["version"] == fields[-1]
 
@@ -279,8 +285,14 @@ class Manager(stubs.skeleton("RTM.Manager")):
 
     def shutdown(self):
         self.stage.children = []        # they live on
+        if self.flavour.dead_member == "process" and self.flavour.modern and self._has_composite():
+            return self.stage.process.die()  # its members are gone first: CORBA::BAD_PARAM
         later(SHUTDOWN_TIME, self.stage.finish.set)
         return RTC.RTC_OK
+
+    def _has_composite(self):
+        listed = list(self.stage.listed.values())
+        return any(isinstance(each, composite.Composite) and not self.stage.gone(each) for each in listed)
 
     def get_service(self, name):
         return None

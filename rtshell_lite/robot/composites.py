@@ -334,6 +334,9 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
         composite = holder
     else:
         composite = await _of_manager(holder, name)
+    is_asked_for = target.port or adding or removing or options
+    if composite is None and not is_asked_for:
+        raise errors.Usage(f"{target!s}: nothing to do: name a composite (MANAGER:NAME), or its members (-a)")
     if composite is None and leaving:
         raise errors.Failed(str(holder.path), "cannot remove components or ports from a new composite")
     if composite is not None:

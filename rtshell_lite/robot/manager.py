@@ -9,12 +9,14 @@ import posixpath
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
 from rtshell_lite.path import CORBALOC, MANAGER_PORT, parse, split_address
 from rtshell_lite.robot import component, exiting, lookup, ports, tree
 from rtshell_lite.text import from_wire, printable, to_wire
 
 CREATE_TIME = 15.0  # seconds: a master may have to start a slave process first
 MODULES_TIME = 60.0  # seconds: looking for modules runs a helper process a file, 0.5 s each
+PAUSE = 1.0  # seconds
 SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later
 END_TIME = (
     5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
@@ -215,11 +217,13 @@ async def create(node, argument, wait=None):
     if wanted in [name for name, _ in before]:
         # managers do not refuse it: two components of one name crash their process later (C++ 1.x)
         raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
+    slaves = [slave.ref for slave in await tree.slaves(node)]
     ref = None
     for spelling in await _spellings(node, argument):
         ref = ref or await node.call("create_component", to_wire(spelling), seconds=CREATE_TIME)
     if ref is None:
         why = await _why_not(node, argument)
+        await _end_empty_slaves(node, slaves)
         raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({why})")
     created = tree.Node(node.path, "component", ref)
     name = from_wire(await component.uncertain_if_refused(created.call("get_sdo_id")))
@@ -234,6 +238,22 @@ async def create(node, argument, wait=None):
             wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready"
         )
     return name
+
+
+async def _end_empty_slaves(node, before):
+    """End the slaves that a master has started for what could not be created, and that would stay (C++ 2.1):
+    those that it had not `before`, references, and that have nothing, after a while in which others may have
+    something made there.
+    """
+    new = []
+    for slave in await _slaves(node):
+        if not any(orb.same(slave.ref, ref) for ref in before):
+            new.append(slave)
+    if new:
+        await loop.sleep(PAUSE)
+    for slave in new:
+        if not await slave.call("get_components"):
+            await _ended(slave, END_TIME)
 
 
 async def _same_name(node, created, name):
@@ -537,9 +557,26 @@ def _done(result):
     return not isinstance(result, errors.Error)
 
 
+async def _delete_composites(node):
+    """Delete the composites in a manager's own process: C++ 2.1 aborts if it ends with one, as its members are
+    gone first. Those that are not deleted end with it.
+    """
+    for answer in await profiles(node, lambda child: child.endpoint == node.endpoint):
+        if isinstance(answer, errors.Error):
+            continue
+        child, known = answer
+        if known.category.startswith("composite."):
+            try:
+                await exiting.leave(child)
+                await node.call("delete_component", to_wire(known.instance_name), seconds=CREATE_TIME)
+            except errors.Error:
+                pass
+
+
 async def _ended(node, seconds):
     """End the process of one manager: a line, or an errors.Error."""
     try:
+        await _delete_composites(node)
         code = str(await node.call("shutdown"))
         if code != "RTC_OK":
             return errors.Refused(str(node.path), f"does not shut down ({code})")

@@ -27,6 +27,9 @@ Wrong usage:
   $ rtcomp -a a.rtc:b:c composite0.rtc
   rtcomp: a.rtc:b:c: a single colon separates a component from its port; write \: in a name
   [2]
+  $ rtcomp ../m.host_cxt/manager.mgr
+  rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr: nothing to do: name a composite (MANAGER:NAME), or its members (-a) (see --help)
+  [2]
   $ rtcomp ../m.host_cxt/manager.mgr:'a&b=c'
   rtcomp: a composite cannot be called a&b=c (see --help)
   [2]

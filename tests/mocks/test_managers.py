@@ -57,6 +57,7 @@ class Flavoured:
     starts = True
     sticky = False
     twins = 2
+    tries_elsewhere = 0             # slaves that are started for what no slave can make, and stay
     unknown = "BAD_PARAMETER"
     pid = str
     copies = 2                      # of a module that master and slave have, in the master's list
@@ -158,6 +159,12 @@ class Flavoured:
             "Nope",
         ):
             self.assertIsNone(made(self.master, line), line)
+        slaves = self.master.get_slave_managers()
+        new = [slave for slave in slaves if not slave.get_components()]
+        self.assertEqual(len(new), self.tries_elsewhere)
+        for slave in new:
+            slave.shutdown()
+            worlds.eventually(lambda: len(self.master.get_slave_managers()) < len(slaves), "one less")
 
     def test_arguments(self):
         """Blanks are trimmed, what is no pair is dropped, keys are properties of the component."""
@@ -272,7 +279,7 @@ class Slaves(Flavoured):
                 (value(slave.get_profile().properties, "instance_name"), ids(slave.get_components())),
                 ("fresh", ["m2"]),
             )
-            port = "127.0.0.1:" + self.world.ctl("slave", "2", "port").strip()
+            port = "127.0.0.1:" + self.world.ctl("slave", str(2 + self.tries_elsewhere), "port").strip()
             self.assertIsNone(made(self.master, "Motor?manager_address=" + port))
             self.assertEqual(str(slave.shutdown()), "RTC_OK")
             eventually(lambda: len(self.master.get_slave_managers()) == 1, "deregistered")
@@ -280,6 +287,7 @@ class Slaves(Flavoured):
 
 class Cpp2(Slaves, unittest.TestCase):
     words = ("--flavour", "cpp2")
+    tries_elsewhere = 1  # for the unknown name
     missing = ["refstring_path"]
     copies = 1
 
