@@ -558,8 +558,8 @@ def _done(result):
 
 
 async def _delete_composites(node):
-    """Delete the composites in a manager's own process: C++ 2.1 aborts if it ends with one, as its members are
-    gone first. Those that are not deleted end with it.
+    """Delete the composites in a manager's own process: C++ 2.1 aborts if it ends with one, as its members
+    are gone first. Those that are not deleted end with it.
     """
     for answer in await profiles(node, lambda child: child.endpoint == node.endpoint):
         if isinstance(answer, errors.Error):
