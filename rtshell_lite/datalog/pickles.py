@@ -43,9 +43,10 @@ class Record:
 
     def __init__(self, type):
         self.type = type
-        self.fields = {}
+        self.fields = _NO_FIELDS
 
 
+_NO_FIELDS = {}  # type: dict  # never changed; one for each of millions of objects would take much memory
 _MARK = object()
 # What protocols 0 and 1 write for an object, by its names in Python 2; see Machine.reduce.
 _RECONSTRUCTOR = Class("copy_reg", "_reconstructor")
