@@ -141,7 +141,7 @@ WORDS = {
     "connect provider": "if they belong together, connect them again: rtcon {one} {other}",
     "full buffer": "raise the rate of its context (rtec {path} rate HZ), or, if old values may go, connect "
     "it with -p dataport.buffer.write.full_policy=overwrite",
-    "before removal": "rtdeact {paths} before you remove it; rtdis then waits until no value waits",
+    "before removal": "before you remove it: rtdeact {paths} (rtdis then waits until no value waits)",
     "restart its process": "restart the process of the far end; netstat -ltnp | grep :{port} there names it",
     "restart far end": "restart the far end and connect it again: rtcon",
     # managers

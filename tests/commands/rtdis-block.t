@@ -27,7 +27,7 @@ A component of C++ ends when such a connection is removed while a value waits fo
 rtdoctor says how to remove it.
 
   $ rtdoctor -q | grep full_policy | said
-  warn  ConsoleOut0.rtc:in: connection one makes its writers wait (full_policy=block): to remove it while one of them is Active may end this process; try: rtdeact Source0.rtc before you remove it; rtdis then waits until no value waits
+  warn  ConsoleOut0.rtc:in: connection one makes its writers wait (full_policy=block): to remove it while one of them is Active may end this process; try: before you remove it: rtdeact Source0.rtc (rtdis then waits until no value waits)
 
 While nothing is written to it, and nothing waits any more, it is removed; also where its source is gone.
 
