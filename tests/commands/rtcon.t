@@ -189,5 +189,5 @@ invocation: A:out B:in
 invocation: B:in A:out
 invocation: --dry-run A:out B:in
 looking: --dry-run A:out B:in
-example: rtcon -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in <- rtdis ConsoleIn0.rtc
+example: rtcon -p subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in <- rtdis ConsoleIn0.rtc
 example: rtcon -p dataport.interface_type=fast-rtps ConsoleIn0.rtc:out -> 2
