@@ -123,7 +123,7 @@ Files that are no report, wrong usage:
   rtdoctor: d.html: its data are damaged
   [1]
   $ rtdoctor --from a.html --report b.html; rtdoctor --no-values; rtdoctor --report a.html --no-values --log run.mcap
-  rtdoctor: --from examines nothing: no PATH, --profile, --measure or --report goes with it (see --help)
+  rtdoctor: --from examines nothing: no PATH, --profile, --measure, --twice or --report goes with it (see --help)
   rtdoctor: --log, --no-values and --no-environment are for --report (see --help)
   rtdoctor: --log does not go with --no-values: a log has nothing but values (see --help)
   [2]

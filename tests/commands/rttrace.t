@@ -13,14 +13,14 @@ Values and times differ from run to run; what stays is who is named:
   Active Link0.rtc:out
   Active Link1.rtc:out
   Active Link2.rtc:out
-  no stage stops, holds, thins, delays or disorders the values
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link3.rtc takes what comes to it cannot be seen
   $ head -1 out
   STATE     CONTEXT  VALUES        HZ       AGE    NEWEST    JITTER     DELAY  CHANGE  BUFFER    PORT
   $ trace -u Link3.rtc:in
   Active Link0.rtc:out
   Active Link1.rtc:out
   Active Link2.rtc:out
-  no stage stops, holds, thins, delays or disorders the values
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link3.rtc takes what comes to it cannot be seen
   $ trace Link1.rtc:out --to Link2.rtc:in
   Active Link1.rtc:out
   Active Link2.rtc:out
@@ -58,7 +58,7 @@ Plotted, each port on the way, on equal axes:
   plot
   Link2.rtc:out, values per second
   plot
-  no stage stops, holds, thins, delays or disorders the values
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link3.rtc takes what comes to it cannot be seen
   $ rttrace --plot --json Link0.rtc:out
   rttrace: --plot and --json exclude each other (see --help)
   [2]
@@ -71,11 +71,11 @@ On a recording, with the connections that it had:
   /Link0.rtc:out
   /Link1.rtc:out
   /Link2.rtc:out
-  no stage stops, holds, thins, delays or disorders the values
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link3.rtc takes what comes to it cannot be seen
   $ trace_log -u Link2.rtc:in
   /Link0.rtc:out
   /Link1.rtc:out
-  no stage stops, holds, thins, delays or disorders the values
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link2.rtc takes what comes to it cannot be seen
   $ trace_log Link0.rtc:out --to Link1.rtc:in -t 1.5
   /Link0.rtc:out
   /Link1.rtc:out

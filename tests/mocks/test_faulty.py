@@ -56,6 +56,7 @@ EXPECTED = {
     "many": ("", ""),
     "loop": ("", ""),
     "bottomless": ("", ""),
+    "branching": ("", ""),
 }
 
 
