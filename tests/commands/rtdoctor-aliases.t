@@ -6,7 +6,7 @@ world: zombie 1 --nameserver localhost:$PORT2
 
   $ doctor() { rtdoctor "$@" | grep -v -e ' here: ' -e 'ok    .*answers' -e 'Inactive'; }
   $ doctor
-  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart the component that should have this name; if none should: rtdel /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc
+  warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart it, so that it binds its own name; do not delete this one: no other leads to it
   ok    /localhost:$PORT/test.host_cxt/again.cxt/loop.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt
   ok    /localhost:$PORT/test.host_cxt/far0.cxt: an alias: a directory of the name server at localhost:$PORT2, which is examined by: rtdoctor localhost:$PORT2
   ok    /localhost:$PORT/test.host_cxt/real.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt

@@ -31,6 +31,5 @@ Nobody sees what the last component takes, nor what comes to the first in port:
 
 Addresses without a meaning; what is no name server:
 
-  $ rtdoctor -q '[fe80::1]' | grep fe80; rtdoctor -q '/robot１' | grep robot
+  $ rtdoctor -q '[fe80::1]' | grep fe80
   fail  /[fe80::1]: fe80::1 is an address of one link only, which means nothing without an interface; try: write the interface, too: [fe80::1%eth0]
-  fail  /robot１: host name robot１ not known here (Name or service not known); try: correct the name, or write its address into /etc/hosts

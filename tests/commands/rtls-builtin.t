@@ -138,6 +138,8 @@ Our own ORB is the default. Where omniORBpy is asked for or needed, but cannot b
   $ RTCTREE_ORB_ARGS='-ORBtraceLevel;5' rtls
   rtls: RTCTREE_ORB_ARGS: -ORBtraceLevel: only omniORB knows that, and omniORBpy is not installed (package jeteve-omniorb; salome-omniorb for Python 3.7)
   [1]
+  $ rtdoctor -q '/robot１' | grep robot
+  fail  /robot１: host name robot１ not known here (*); try: correct the name, or write its address into /etc/hosts (glob)
   $ rtls /ssliop:127.0.0.1:1; rtls /http://127.0.0.1:1
   rtls: /ssliop:127.0.0.1:1: these commands speak IIOP with TCP only
   rtls: /http://127.0.0.1:1#: these commands speak IIOP with TCP only
