@@ -183,6 +183,8 @@ async def invoke(call):
     if queues is None:
         here.make_bell()
         queues = here.peers = {}
+    if not call.endpoint[1]:
+        _check_spoken(call)
     queue = queues.get(call.endpoint)
     if queue is None:
         queue = queues[call.endpoint] = _Queue(here, call.endpoint)
@@ -193,6 +195,13 @@ async def invoke(call):
     finally:
         if not item.wait.is_over:
             queue.withdraw(item)
+
+
+def _check_spoken(call):
+    """Raise Unspoken for a call of an object without TCP, unless omniORB speaks its transport."""
+    others = ior.transports(to_text(call.ref)) or [ior.OTHER]
+    if "UNIX sockets" not in others:
+        raise errors.Unspoken(str(call.where), " or ".join(others))
 
 
 class _Item:

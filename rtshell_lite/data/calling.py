@@ -160,7 +160,7 @@ class Provider:
         """The errors.Error that says what a failure of a call means."""
         where = self._named(operation)
         name, completed = e.exception or ("", None)
-        if isinstance(e, errors.Unanswered) and not name:
+        if isinstance(e, errors.Silent) and not name:
             return errors.MayBeDone(where, e.why)
         if isinstance(e, errors.ConnectionLost) and not name:
             return await self._cut(where)

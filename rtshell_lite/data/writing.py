@@ -319,7 +319,7 @@ class Writer(Connection):
         try:
             status = str(await orb.call(self.where, self.sink, self.operation, data))
         except errors.Error as e:
-            self.unanswered = isinstance(e, errors.Unanswered)
+            self.unanswered = isinstance(e, errors.Silent)
             if isinstance(e, errors.Gone):
                 raise errors.Unreachable(self.where, self.lost())
             raise

@@ -57,7 +57,7 @@ async def _lost(snapshot, error, ref):
         message = f"its member at {shown} was {reason(error)}"
         cure = remedies.not_asked(error, snapshot.where)
         return warn("composite", snapshot.where, message, cure, orb.endpoint(ref))
-    if await liveness.shows_death(error, orb.endpoint(ref)):
+    if await liveness.shows_death(error, orb.endpoint(ref), snapshot.node.endpoint[0]):
         return fail(
             "composite",
             snapshot.where,

@@ -146,10 +146,11 @@ async def all_ends(snapshots):
     which are asked, one call each.
     """
     own = [port for snapshot in snapshots for port in snapshot.ports]
+    answering = {snapshot.node.endpoint for snapshot in snapshots if snapshot.answered}
     silent = {
         snapshot.node.endpoint: snapshot.error
         for snapshot in snapshots
-        if isinstance(snapshot.error, errors.Unanswered) and not snapshot.answered
+        if isinstance(snapshot.error, errors.Unanswered) and snapshot.node.endpoint not in answering
     }
     ends = await places.far_ends(own, silent)
     for port in own:

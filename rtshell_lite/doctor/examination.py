@@ -32,7 +32,10 @@ async def examine(tops=(), compare=None, seconds=0, keep=None, pause=None):
     keep     a function that is given the Seen; the components are then asked for everything that rtcat shows
     pause    seconds after which the names are looked at again, or None
     """
-    session.current().end = time.monotonic() + STEPS * session.current().timeout
+    now = session.current()
+    now.silent.clear()  # what this command has asked before must not keep anybody from being asked
+    now.stalled.clear()
+    now.end = time.monotonic() + STEPS * now.timeout
     starved = limits.starved()
     try:
         async for findings in _steps(tops, compare, seconds, keep, pause):

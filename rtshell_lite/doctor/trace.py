@@ -325,7 +325,7 @@ class Trace:
             if node.endpoint != stage.node.endpoint:
                 others.append(node)
         *others, itself = await tree.check_alive(others + [stage.node])
-        silent = [node for node in others if node.kind == "silent"]
+        silent = [node for node in others if isinstance(node.error, errors.Silent)]
         if len({node.endpoint for node in silent}) == 1 and itself.kind != "silent":
             stage.error = errors.Silent(stage.where, f"it waits for {silent[0].path}, which does not answer")
             error = errors.Silent(str(silent[0].path), "it does not answer")
@@ -341,7 +341,7 @@ class Trace:
             if orb.endpoint(node.ref) == at:
                 bound.append(node)
         if len(bound) > 1:
-            bound = [node for node in await tree.check_alive(bound) if node.kind == "silent"]
+            bound = [node for node in await tree.check_alive(bound) if isinstance(node.error, errors.Silent)]
         if len(bound) == 1:
             return str(bound[0].path)
         return None

@@ -80,10 +80,12 @@ def parsed(type_id, profiles):
                     raise IndexError
                 host = profile[8 : end - 1].decode("utf-8", "surrogateescape")
                 port = ushort(profile, end + 1 & ~1)[0]
-                found = Address((type_id, sys.intern(host), port, profile[at + 4 : at + 4 + size]))
+                key = profile[at + 4 : at + 4 + size]
+                if not port:  # it has no TCP, or names that as an alternative
+                    without_tcp = without_tcp or Address((type_id, host, 0, key))
+                    host, port = next(filter(_has_port, _of_profile(profile)[0]), ("", 0))
                 if port:
-                    return found
-                without_tcp = without_tcp or found
+                    return Address((type_id, sys.intern(host), port, key))
     except (IndexError, struct.error):
         return Address(("", "", 0, b""))
     return without_tcp or Address((type_id, "", 0, b""))
@@ -131,21 +133,38 @@ def _offered(text):
             if tag != IIOP:
                 others.append(OTHER)
                 continue
-            body = _Cdr(profile)
-            minor = profile[2]
-            body.at = body.at + 2
-            found.append(body.host_and_port())
-            body.octets()  # the object key
-            for _ in range(body.ulong() if minor else 0):
-                component = body.ulong()
-                data = body.octets()
-                if component == ALTERNATE:
-                    found.append(_Cdr(data).host_and_port())
-                elif component in TRANSPORTS:
-                    others.append(TRANSPORTS[component])
+            addresses_there, others_there = _of_profile(profile)
+            found += addresses_there
+            others += others_there
     except (IndexError, struct.error):
         pass  # keep what came before the garbage
     return list(dict.fromkeys(found)), list(dict.fromkeys(others))
+
+
+def _of_profile(profile):
+    """([(host, port)], [transport in words]) that an IIOP profile offers."""
+    found = []
+    others = []
+    try:
+        body = _Cdr(profile)
+        minor = profile[2]
+        body.at = body.at + 2
+        found.append(body.host_and_port())
+        body.octets()  # the object key
+        for _ in range(body.ulong() if minor else 0):
+            component = body.ulong()
+            data = body.octets()
+            if component == ALTERNATE:
+                found.append(_Cdr(data).host_and_port())
+            elif component in TRANSPORTS:
+                others.append(TRANSPORTS[component])
+    except (IndexError, struct.error):
+        pass  # keep what came before the garbage
+    return found, others
+
+
+def _has_port(address):
+    return address[1]
 
 
 _LITTLE, _BIG = [

@@ -1,7 +1,7 @@
 """Names of our components in a name server: bound as components bind theirs, and gone at the end."""
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.path import Name, Path  # noqa: F401: in a type comment
 
 
@@ -36,9 +36,10 @@ class Bindings:
         found = await self._call(where, "resolve", where.names)
         try:
             await orb.is_alive(where, found)
-        except errors.Error as e:
-            if await liveness.shows_death(e, orb.endpoint(found)):
-                return
+        except (errors.Gone, errors.ProcessGone):
+            return
+        except errors.Error:
+            pass
         raise errors.Refused(
             str(where), "is bound already, to what may live; --as-components PREFIX binds below another name"
         )

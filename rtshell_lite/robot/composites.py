@@ -104,7 +104,9 @@ async def member_paths(node, organisation):
 
 
 async def _path_text(places, name, ref, node):
-    if isinstance(name, errors.Error) and await liveness.shows_death(name, orb.endpoint(ref)):
+    if isinstance(name, errors.Error) and await liveness.shows_death(
+        name, orb.endpoint(ref), node.endpoint[0]
+    ):
         return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"

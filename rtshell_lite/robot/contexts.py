@@ -102,7 +102,7 @@ async def attach(node, index, participant):
     """
     ref = await component.context_ref(node, index)
     where = str(node.path)
-    await orb.is_alive(str(participant.path), participant.ref)
+    await orb.is_alive(participant.path, participant.ref)
     profile = await orb.call(where, ref, "get_profile")
     if orb.same(profile.owner, participant.ref):
         raise errors.Failed(where, f"{participant.path!s} owns this execution context")

@@ -145,14 +145,14 @@ def saved_reference(component):
 
 async def living_reference(component):
     """The reference in a model.Component, if what it refers to answers, by the name of the component; else
-    None: a file may have been changed by hand. Raises Silent where it hangs.
+    None: a file may have been changed by hand. Raises Silent where it hangs, ConnectionRefused.
     """
     ref = saved_reference(component)
     if ref is None:
         return None
     try:
         name = await orb.call(component.path_uri, orb.narrow(ref, "OpenRTM.DataFlowComponent"), "get_sdo_id")
-    except errors.Silent:
+    except (errors.Silent, errors.ConnectionRefused):
         raise
     except errors.Error:
         return None

@@ -5,7 +5,7 @@ or that take its connections away (rtteardown).
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.robot import manager, ports, tree
 from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, placements, steps
 from rtshell_lite.text import printable, shell_word
@@ -92,9 +92,10 @@ async def creations(profile, outcomes, options, locate):
     for outcome in outcomes:
         placement = outcome.step.placement
         if placements.is_gone(placement.error) or isinstance(placement.error, errors.MaybeGone):
-            manager_path = named.get(id(placement.component)) or _above(placement.path) or options.manager
+            own_manager = named.get(id(placement.component)) or _above(placement.path)
+            manager_path = own_manager or options.manager
             try:
-                if not manager_path and isinstance(placement.error, errors.MaybeGone):
+                if not own_manager and isinstance(placement.error, errors.MaybeGone):
                     raise placement.error
                 if not manager_path:
                     raise errors.Failed(
@@ -104,7 +105,7 @@ async def creations(profile, outcomes, options, locate):
                 if manager_path not in creators:
                     creators[manager_path] = await _creator(manager_path)
                 creator = creators[manager_path]
-                await creator.check_gone(placement)
+                await creator.check_gone(placement, bool(own_manager))
                 outcome = apply.Outcome(
                     steps.Create(placement, creator, await creator.identity(placement.component.id))
                 )
@@ -143,10 +144,11 @@ class Creator:
             self._identities[component_id] = await manager.whole_id(self.node, component_id)
         return self._identities[component_id]
 
-    async def check_gone(self, placement):
+    async def check_gone(self, placement, is_own):
         """Raise what shows that a component that is missing may live: it must not run twice. Where its name
         is gone, or another host refuses, the manager has to know nothing of it, and its object, at the
-        address in the profile, must not answer, nor hang.
+        address in the profile, must not answer, nor hang. A refusal there proves nothing, unless this is its
+        own manager (`is_own`: the profile names it), which knows whether it has the component.
         """
         if isinstance(placement.error, (errors.Gone, errors.ProcessGone)):
             return
@@ -158,22 +160,31 @@ class Creator:
                 raise placement.error
             why = f"{self.where} has it, though its name is not bound"
             raise errors.Failed(placement.where, f"not created: {why}: restart it, or delete it there")
-        ref = capture.saved_reference(placement.component)
-        if ref is None or not await self._is_beside(orb.endpoint(ref)[0]):
-            return
-        try:
-            if await capture.living_reference(placement.component) is None:
-                return
-        except errors.Silent as e:
-            why = f"what had this name hangs at {orb.at_address(ref)} ({e.why}): end its process first"
+        why = await _life_at_saved_address(placement, is_own)
+        if why:
             raise errors.Failed(placement.where, f"not created: {why}")
-        why = f"it lives at {orb.at_address(ref)}, though its name is not bound"
-        raise errors.Failed(placement.where, f"not created: {why}: restart it, or end its process")
 
-    async def _is_beside(self, host):
-        """Whether a host is that of the manager; a profile may have been copied from another robot."""
-        own = self.node.endpoint[0]
-        return host == own or await liveness.is_this_host(host) and await liveness.is_this_host(own)
+
+async def _life_at_saved_address(placement, is_own):
+    """Why what a profile has the address of may live, '' where it is gone; for `is_own` see
+    Creator.check_gone.
+    """
+    ref = capture.saved_reference(placement.component)
+    if ref is None:
+        return ""
+    place = orb.at_address(ref)
+    try:
+        if await capture.living_reference(placement.component) is None:
+            return ""
+    except errors.Silent as e:
+        return f"what had this name hangs at {place} ({e.why}): end its process first"
+    except errors.ConnectionRefused:
+        refusal = await orb.refusal(placement.path, orb.endpoint(ref))
+        if is_own or isinstance(refusal, errors.ProcessGone):
+            return ""
+        return f"{place}, where it was, refuses: dead, or a firewall closes this port (REFERENCE in the file)"
+    words = "restart it, or end its process; if that is another robot, take REFERENCE out of the file"
+    return f"it lives at {place}, though its name is not bound: {words}"
 
 
 def _named_managers(profile, locate):

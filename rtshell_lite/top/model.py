@@ -419,6 +419,8 @@ class Top:
             try:
                 await entry.ask()
                 heard = True
+            except errors.Unspoken as e:
+                entry.fail("unasked", e)
             except errors.Unanswered as e:
                 entry.silenced = time.monotonic()
                 entry.fail("unasked" if isinstance(e, errors.NotAsked) else "silent", e)

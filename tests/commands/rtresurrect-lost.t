@@ -43,7 +43,7 @@ The name server is started again, empty (here: the names are deleted): what live
   rtresurrect: 3 failed, 9 not tried
   [1]
   $ rtresurrect --create --manager manager.mgr a.xml
-  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: it lives at 127.0.0.1:*, though its name is not bound: restart it, or end its process (glob)
+  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: it lives at 127.0.0.1:*, though its name is not bound: restart it, or end its process; if that is another robot, take REFERENCE out of the file (glob)
   rtresurrect: /localhost:$PORT/test.host_cxt/Motor0.rtc: not created: /localhost:$PORT/test.host_cxt/manager.mgr has it, though its name is not bound: restart it, or delete it there
   rtresurrect: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not created: /localhost:$PORT/test.host_cxt/manager.mgr has it, though its name is not bound: restart it, or delete it there
   rtresurrect: 3 failed, 9 not tried
