@@ -111,13 +111,17 @@ def idle(stage):
 
 def secured(stage):
     """Tls0 and Unix0, which listen with TLS and with a UNIX socket only, and Other0 with a transport that
-    nobody knows; they live, but their references name no TCP port
+    nobody knows; they live, but their references name no TCP port. That of Alternate0 names one as an
+    alternative only
     """
+    host, port = stage.process.endpoint.split(":")
+    port = int(port)
     # as omniORB 4.2 writes them: TAG_SSL_SEC_TRANS (no options, TLS port 47537), TAG_OMNIORB_UNIX_TRANS
     for name, components in (
         ("Tls0", [(20, b"\1\0\x66\0\x66\0\xb1\xb9")]),
         ("Unix0", [(0x41545402, b"\1\0\0\0" + giop.cdr(b"robot1", b"/tmp/unix0.sock"))]),
         ("Other0", []),
+        ("Alternate0", [(3, b"\1\0\0\0" + giop.cdr(host.encode()) + port.to_bytes(2, "little"))]),
     ):
         mock = stage.add("Mock", name, names=[])
         key = ior.address(stage.process.orb.object_to_string(mock.reference)).key

@@ -403,6 +403,7 @@ class Network(unittest.TestCase):
         """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         walled = world("walled", "robot2", ["these", "Mock:Walled0"], "--port", "2995")
+        world("other", "robot1", ["manager", "Mock?instance_name=Spare0"], "--context", "other.host_cxt/%n.rtc")
         home = "/%s/test.host_cxt" % HOSTS["robot2"]
         path = home + "/Walled0.rtc"
         profile = os.path.join(around.top, "walled.xml")
@@ -415,8 +416,10 @@ class Network(unittest.TestCase):
                 self.assertNotRegex(said, "zombie|missing|--create|try: rtdel|try: rtres")
                 for words in (["rtdel", "-z"], ["rtdel", "-z", path], ["rtdel", "-z", home]):
                     self.assertRegex(laptop(*words).err, b"Walled0.rtc: left: refuses: dead, or a firewall")
-                ran = laptop("rtresurrect", "--create", profile)
-                self.assertIn(b"Walled0.rtc: refuses: dead, or a firewall closes this port", ran.err)
+                for manager in ([], ["--manager", "/%s/other.host_cxt/manager.mgr" % HOSTS["robot1"]]):
+                    ran = laptop("rtresurrect", "--create", *manager, profile)
+                    self.assertIn(b"Walled0.rtc: refuses: dead, or a firewall closes this port", ran.err)
+                    self.assertEqual(ran.out, b"")
         self.assertIn(b"\nWalled0.rtc", laptop("rtls", home).out)
         kill(walled)
         self.assertEqual(on("robot2", "rtdel", "-z", home).status, 0)
