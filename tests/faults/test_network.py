@@ -403,7 +403,8 @@ class Network(unittest.TestCase):
         """
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         walled = world("walled", "robot2", ["these", "Mock:Walled0"], "--port", "2995")
-        world("other", "robot1", ["manager", "Mock?instance_name=Spare0"], "--context", "other.host_cxt/%n.rtc")
+        spare = ["manager", "Mock?instance_name=Spare0"]
+        world("other", "robot1", spare, "--context", "other.host_cxt/%n.rtc")
         home = "/%s/test.host_cxt" % HOSTS["robot2"]
         path = home + "/Walled0.rtc"
         profile = os.path.join(around.top, "walled.xml")
