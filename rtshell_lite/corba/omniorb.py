@@ -593,6 +593,7 @@ def serve(servant):
     if hasattr(servant, "take"):
         handover = _Handover(here, servant.take)
         servant.take = handover.take
+        servant.pass_on = handover.pass_on
         servant.hurry = handover.hurry
     for operation in made._omni_op_d:
         method = getattr(servant, operation)

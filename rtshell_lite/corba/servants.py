@@ -18,7 +18,7 @@ class InPortCdr:
     value, unless is_full().
 
     With omniORB, `put` runs on a thread: is_full must only look, and omniorb.py replaces `take` by a function
-    that appends to a queue, from which the loop takes the values until `hurry` is called.
+    that appends to a queue, from which the loop takes the values (`pass_on`: now) until `hurry` is called.
     """
 
     interface = "OpenRTM.InPortCdr"
@@ -34,6 +34,9 @@ class InPortCdr:
             return self.full
         self.take(int(time.time() * 1e9), data)
         return self.done
+
+    def pass_on(self):
+        """Have what waits in the queue taken now."""
 
     def hurry(self):
         """Have what waits in the queue taken now, and from now on each value before its sender is answered;

@@ -348,7 +348,7 @@ class Reader(Connection):
         other = Reader(self.port, None, self.dataflow, self.user, self.name)
         other.room = self.room
         other.tasks = self.tasks
-        other.seam = seam.Seam(deliver, clocks.seconds)
+        other.seam = seam.Seam(deliver, clocks.seconds, self._pass_on)
         other.deliver = other.seam.take_new
         self.deliver = other.seam.take_old
         try:
@@ -360,6 +360,10 @@ class Reader(Connection):
         self.deliver = deliver
         self._follow(other)
         return True
+
+    def _pass_on(self):
+        if self.served is not None:
+            self.served.servant.pass_on()
 
     def _follow(self, other):
         """Go on with the connector of another Reader."""

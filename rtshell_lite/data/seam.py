@@ -14,9 +14,12 @@ class Seam:
     without one, only those that came after the new connector was made can come twice.
     """
 
-    def __init__(self, deliver, is_stamped):
-        """deliver(reading.Message); is_stamped(Message): whether it has a time of its own."""
+    def __init__(self, deliver, is_stamped, pass_on=lambda: None):
+        """deliver(reading.Message); is_stamped(Message): whether it has a time of its own; pass_on(): gives
+        take_old() at once what the old connector has brought already.
+        """
         self._deliver = deliver
+        self._pass_on = pass_on
         self._is_stamped = is_stamped
         self._old = collections.deque()  # (number of a Message, Message) that may come again
         self._old_bytes = 0
@@ -39,6 +42,7 @@ class Seam:
 
     def connected(self):
         """The new connector is made: from now on the component sends each value through both."""
+        self._pass_on()
         self._sure = self._number
 
     def take_new(self, message):
