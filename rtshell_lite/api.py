@@ -24,7 +24,6 @@ import functools
 import math
 import os
 import signal
-import time
 from _thread import allocate_lock
 
 from rtshell_lite import errors, notes, path as paths, text
@@ -338,7 +337,7 @@ async def component(path, wait=0.0):
     from rtshell_lite.robot import tree
 
     found = Component(await _path(path))
-    end = time.monotonic() + wait
+    end = loop.now() + wait
     while True:
         (node,) = await tree.at_each([paths.parse(found.path)], tree.component)
         if not isinstance(node, Error):
@@ -346,7 +345,7 @@ async def component(path, wait=0.0):
             node = node.error or node
         if not isinstance(node, Error):
             return found
-        if time.monotonic() >= end or not isinstance(node, (errors.NotFound, errors.Unreachable)):
+        if loop.now() >= end or not isinstance(node, (errors.NotFound, errors.Unreachable)):
             raise node
         await loop.sleep(POLL)
 
@@ -563,7 +562,7 @@ class _Feed:
 
     def begin(self, *words):
         """Connect. Raises what that raises."""
-        loop.start_thread(self._run, *words)
+        loop.world().start_thread(self._run, *words)
         self._wait(None)
 
     def next(self, timeout):
@@ -702,7 +701,7 @@ class _Recording(_Feed):
         try:
             async with connection.Connections(self.readers):
                 _check(self.readers)
-                await work.begin(records.File(name, "mcap", False), int(time.time() * 1e9))
+                await work.begin(records.File(name, "mcap", False), int(loop.wall() * 1e9))
                 self._tell()
                 await work.run()
         finally:
@@ -726,7 +725,7 @@ async def send(port, value, idl=(), anyway=False):
 
     (found,) = await _found(port)
     type = await _type(found, idl)
-    now = divmod(int(time.time() * 1e9), 10**9)
+    now = divmod(int(loop.wall() * 1e9), 10**9)
     built = data_values.build(type.descriptor, value, type.name, now=now)
     async with writing.Writer(found, {}, "rtshell_lite", anyway) as writer:
         await writer.put(type.encode(built, writer.little), writer.little)
@@ -900,7 +899,7 @@ class _Happenings(_Feed):
 
     def __init__(self):
         super().__init__()
-        self.session = Session(_session.timeout)
+        self.session = Session(_session.timeout, _session.memory)
         self._batch = collections.deque()
 
     def next(self, timeout):

@@ -55,9 +55,9 @@ class Ended(BaseException):
     """SIGTERM or SIGHUP, raised so that `finally` clauses run; its argument is the exit status."""
 
 
-def command(arguments, run, doc, argv):
-    """Run one command in this process, named by sys.argv[0], and return its exit status.
-    Raises KeyboardInterrupt, Ended.
+def command(arguments, run, doc, argv, memory=None):
+    """Run one command in this process, named by sys.argv[0], and return its exit status. `memory`: the Memory
+    that it shares with others. Raises KeyboardInterrupt, Ended.
     """
     before = _quiet, _verbose
     try:
@@ -68,7 +68,7 @@ def command(arguments, run, doc, argv):
             note(f"{name} is not read; the variable is {MISNAMED[name]}")
         status = run(args)
         if hasattr(status, "send"):
-            status = loop.run(status, SIGNALS, Session(args.timeout))
+            status = loop.run(status, SIGNALS, Session(args.timeout, memory))
         if status or notes.is_complete():
             return status or 0
         return errors.Partial.status
@@ -183,7 +183,7 @@ def _leave_soon(status):
         found.append(_flushed(status))
         done.release()
 
-    loop.start_thread(flush)
+    loop.world().start_thread(flush)
     done.acquire(timeout=FLUSH_LIMIT)
     os._exit(found[0] if found else status)
 

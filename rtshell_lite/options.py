@@ -541,13 +541,12 @@ def is_place(word):
 
 
 def _address(value):
-    import socket
+    import ipaddress
 
-    for family in socket.AF_INET, socket.AF_INET6:
-        try:
-            return socket.inet_ntop(family, socket.inet_pton(family, value.strip("[]")))
-        except (OSError, ValueError):
-            pass
+    try:
+        return str(ipaddress.ip_address(value.strip("[]")))
+    except ValueError:
+        pass
     raise argparse.ArgumentTypeError(f"not an IP address: {text.printable(value)}")
 
 

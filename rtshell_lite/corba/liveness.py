@@ -7,7 +7,8 @@ the name server.
 """
 
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, session
+from rtshell_lite.corba import session
+from rtshell_lite.net import hosts, loop
 
 
 async def is_gone(endpoint, home=None):
@@ -82,16 +83,5 @@ def _is_address(host):
 
 
 def is_own(address):
-    """Whether an IP address is one of this host: a UDP socket can be bound there."""
-    import socket  # takes long, and few need it
-
-    if ":" in address:
-        family = socket.AF_INET6
-    else:
-        family = socket.AF_INET
-    try:
-        with socket.socket(family, socket.SOCK_DGRAM) as own:
-            own.bind((address.partition("%")[0], 0))
-    except OSError:
-        return False
-    return True
+    """Whether an IP address is one of this host."""
+    return loop.world().is_own(address)

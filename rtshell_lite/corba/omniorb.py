@@ -7,13 +7,12 @@ import collections
 import os
 import sys
 import threading
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import answers, failures, session, stubs
 from rtshell_lite.giop import idl, ior
 from rtshell_lite.giop.operations import Schema
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 from rtshell_lite.text import from_wire, printable, to_wire
 
 PROBING = 4  # a host has a quarter of the timeout to refuse a connection
@@ -29,8 +28,6 @@ LARGEST_WAITING = 1 << 14
 HEEDED = None  # all settings of omniORB
 ANSWERS_AT_ONCE = False
 
-# (host, port) of processes that have closed connections of ours after a reply
-_of_one_reply = set()  # type: set
 _started = None  # the ORB, once there is one
 _deadline = 0.0  # s, the deadline that it was given
 _session = None  # the Session of the command that runs
@@ -205,7 +202,7 @@ def _check_spoken(call):
 
 
 class _Item:
-    """An orb.Call on its way: `queue` of its process, `begun` (time.monotonic()) when a thread has taken it,
+    """An orb.Call on its way: `queue` of its process, `begun` (loop.now()) when a thread has taken it,
     and `wait` for its outcome.
     """
 
@@ -245,7 +242,7 @@ class _Queue:
 
     def add(self, item):
         """Have a call made. Raises Shortage where there is no thread for it."""
-        self.has_answered = self.has_answered or self.endpoint in self.session.answered
+        self.has_answered = self.has_answered or self.endpoint in self.session.memory.answered
         if item.asks_others:
             self.waiting_for_others.append(item)
         else:
@@ -307,7 +304,7 @@ class _Queue:
         """The result of a call, made on this thread; None where nobody waits for it."""
         if item.is_withdrawn:
             return None
-        item.begun = time.monotonic()
+        item.begun = loop.now()
         value = _made(item)
         self.has_answered = True
         return value
@@ -324,7 +321,7 @@ class _Queue:
             self.session.fall_silent(self.endpoint, error.why, item.begun, item.asks_others)
             self._check_rest()
         elif error is None or isinstance(error, errors.Refused):
-            self.session.has_answered(self.endpoint, time.monotonic())
+            self.session.has_answered(self.endpoint, loop.now())
         item.wait.end(value, error)
 
     # ---- what does not come ----
@@ -332,7 +329,7 @@ class _Queue:
     def _check(self):
         """Give up what omniORB does not, such as the look-up of a name."""
         self._checking = None
-        now = time.monotonic()
+        now = loop.now()
         is_over = self.session.is_over()
         for item in list(self.open):
             if item.begun is None:
@@ -374,7 +371,7 @@ class _Worker:
         self._queue = None  # type: _Queue
         self._begin = threading.Lock()
         self._begin.acquire()
-        loop.start_thread(self._run)
+        loop.world().start_thread(self._run)
 
     @classmethod
     def give(cls, queue):
@@ -410,7 +407,7 @@ def _made(item):
 
         omniORB.setClientCallTimeout(ref, int(_milliseconds(item.seconds)))
     try:
-        if not failures.may_repeat(operation) and call.endpoint in _of_one_reply:
+        if not failures.may_repeat(operation) and call.endpoint in item.queue.session.memory.of_one_reply:
             _use_up_connections(ref)
         if isinstance(operation, Schema):
             return _by_schema(item)
@@ -470,7 +467,7 @@ def _asked_again(failure, item):
         except CORBA.COMM_FAILURE as e:
             failure = e
         else:
-            _of_one_reply.add(call.endpoint)
+            item.queue.session.memory.of_one_reply.add(call.endpoint)
             return answer
     raise failure
 
@@ -495,13 +492,11 @@ def _check_version(where, endpoint):
     """Raise Unreachable if a process that has closed the connection to omniORB answers in GIOP 1.0 or 1.1
     only.
     """
-    import socket
-
     from rtshell_lite.giop import messages
 
     for minor in (2, 1, 0):
         try:
-            with socket.create_connection(endpoint, _deadline / PROBING) as probe:
+            with real.connected(endpoint, _deadline / PROBING) as probe:
                 probe.sendall(
                     messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ())
                 )
@@ -543,10 +538,8 @@ def _not_connected(where, endpoint):
 
     Only a refusal shows that the process is gone. Where its host cannot be reached, it may well live.
     """
-    import socket
-
     try:
-        socket.create_connection(endpoint, _deadline / PROBING).close()
+        real.connected(endpoint, _deadline / PROBING).close()
     except ConnectionRefusedError:
         pass
     except (OSError, ValueError) as e:  # ValueError: not a host name

@@ -4,12 +4,11 @@ A servant is any object with a method for each operation of its `interface`, nam
 """
 
 import os
-import socket
 import struct
-import time
 
 from rtshell_lite.corba import orb, session
 from rtshell_lite.giop import ior
+from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 
@@ -32,7 +31,7 @@ class InPortCdr:
     def put(self, data):
         if self.is_full():
             return self.full
-        self.take(int(time.time() * 1e9), data)
+        self.take(int(loop.wall() * 1e9), data)
         return self.done
 
     def pass_on(self):
@@ -70,10 +69,11 @@ class Served:
         type_id, host, port, key = ior.address(self.reference)
         if host and _address_given():
             return self.reference
-        own = await session.on_thread(printable(peer[0]), lambda: own_address(*peer))
+        world = loop.world()
+        own = await session.on_thread(printable(peer[0]), lambda: world.own_address(*peer))
         if own is None and host:
             return self.reference
-        return make_ior(type_id, own or socket.gethostname(), port, key)
+        return make_ior(type_id, own or world.host_name(), port, key)
 
 
 def _address_given():
@@ -81,22 +81,6 @@ def _address_given():
     return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(
         name.startswith("ORBendPoint") for name in os.environ
     )
-
-
-def own_address(host, port):
-    """The address of this machine that faces `host`, None if there is no route. Sends nothing."""
-    try:
-        found = socket.getaddrinfo(host, port, 0, socket.SOCK_DGRAM)
-    except (OSError, UnicodeError):
-        return None
-    for family, kind, protocol, _, place in found:
-        try:
-            with socket.socket(family, kind, protocol) as probe:
-                probe.connect(place)
-                return probe.getsockname()[0]
-        except OSError:
-            continue
-    return None
 
 
 def make_ior(type_id, host, port, key):

@@ -2,7 +2,6 @@
 
 import errno
 import os
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
@@ -21,11 +20,29 @@ _SCARCE = {
 }
 
 
+class Memory:
+    """What the commands of one process know of the processes that they have asked.
+
+    answered      {endpoint: when it last answered}, by loop.now()
+    idle          {endpoint: connections for the next calls}, see iiop/connections.py
+    swept         when the idle ones were looked through, by loop.now()
+    spoken        {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
+    of_one_reply  endpoints of peers that close the connection after each reply, as far as is known
+    """
+
+    def __init__(self):
+        self.answered = {}
+        self.idle = {}
+        self.swept = loop.now()
+        self.spoken = {}
+        self.of_one_reply = set()
+
+
 class Session:
     """What the tasks of one command share.
 
     timeout      seconds that a peer may stay silent, from --timeout
-    end          time.monotonic() after which no call is begun, or None: set by a command that promises to end
+    end          loop.now() after which no call is begun, or None: set by a command that promises to end
                  in time
     slots        each call is made within it, `async with slots:`; None where their number is not limited
     shortage     the errors.Shortage that made a connection fail on this host, or None: the peer is not to
@@ -37,15 +54,14 @@ class Session:
                  that kind (failures.asks_others) are not made
     turned_away  how many connections to this command were turned away
     endless      paths, as text, below which a walk did not end
+    checks       {(what, endpoint): answer} of what rtdoctor has tried of endpoints, for one examination
     on_end       function(endpoint), called when a connection with a process has ended, or None
-    answered     {endpoint: when it last answered}, by time.monotonic(); of all commands of this process,
-                 which keeps connections
+    memory       the Memory, for several commands where they run in one process
     """
 
-    answered = {}  # type: dict
-
-    def __init__(self, timeout=3.0):
+    def __init__(self, timeout=3.0, memory=None):
         self.timeout = timeout
+        self.memory = memory or Memory()
         self.end = None
         self.slots = None
         self.shortage = None
@@ -53,11 +69,12 @@ class Session:
         self.silent = {}
         self.stalled = {}
         self.endless = set()  # type: set
+        self.checks = {}
         self.on_end = None
 
     def is_over(self):
         """True when its `end` has passed."""
-        return self.end is not None and time.monotonic() > self.end
+        return self.end is not None and loop.now() > self.end
 
     def silence(self, endpoint):
         """Why the process at `endpoint` is not to be asked anything now, or None."""
@@ -73,7 +90,7 @@ class Session:
         if found is None:
             return None
         since, why = found
-        if time.monotonic() - since < self.timeout:
+        if loop.now() - since < self.timeout:
             return words % why
         return None
 
@@ -94,9 +111,9 @@ class Session:
         (`asks_others`) shows nothing but that.
         """
         if asks_others:
-            self.stalled[endpoint] = time.monotonic(), why
-        elif self.answered.get(endpoint, 0) <= since:
-            self.silent[endpoint] = time.monotonic(), why
+            self.stalled[endpoint] = loop.now(), why
+        elif self.memory.answered.get(endpoint, 0) <= since:
+            self.silent[endpoint] = loop.now(), why
 
     def ask_again(self, endpoint):
         """Have a process asked, though it was silent a moment ago."""
@@ -104,15 +121,15 @@ class Session:
         self.stalled.pop(endpoint, None)
 
     def has_answered(self, endpoint, when):
-        """Note that a process has answered a call, so that it is not silent; `when` by time.monotonic()."""
-        self.answered[endpoint] = when
+        """Note that a process has answered a call, so that it is not silent; `when` by loop.now()."""
+        self.memory.answered[endpoint] = when
         if self.silent:
             self.silent.pop(endpoint, None)
 
     def sweep(self):
         """Forget what is too old to matter, in a session that lasts."""
-        now = time.monotonic()
-        answered = self.answered
+        now = loop.now()
+        answered = self.memory.answered
         for known in (self.silent, self.stalled):
             for endpoint in [each for each, found in known.items() if now - found[0] >= self.timeout]:
                 del known[endpoint]
@@ -185,10 +202,5 @@ async def on_thread(where, function):
     """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name;
     Silent where that takes too long.
     """
-    return await loop.race(loop.on_thread(function), _no_answer(where))
-
-
-async def _no_answer(where):
     seconds = current().timeout
-    await loop.sleep(seconds)
-    raise errors.Silent(where, no_answer(seconds))
+    return await loop.within(seconds, loop.on_thread(function), errors.Silent(where, no_answer(seconds)))

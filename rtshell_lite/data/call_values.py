@@ -4,11 +4,11 @@ An argument is written as rtinject reads values, a constant or JSON; a text, an 
 reference need no quotes. Everything is checked against the IDL before anything is sent.
 """
 
-import time
 
 from rtshell_lite import errors, text
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import CHAR, ENUM, OBJECT, STRING, WCHAR, WSTRING
+from rtshell_lite.net import loop
 
 TEXTS = (STRING, WSTRING, CHAR, WCHAR)
 RESULT = "result"  # the key of what an operation returns, beside its out parameters
@@ -146,7 +146,7 @@ def _built(operation, written, find):
         return []
     from rtshell_lite.data import build_value
 
-    now = divmod(int(time.time() * 1e9), 10**9)
+    now = divmod(int(loop.wall() * 1e9), 10**9)
     values = []
     for parameter in operation.inputs():
         value, is_json = written[parameter.name]

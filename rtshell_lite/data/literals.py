@@ -11,11 +11,11 @@ Python's parser (ast) reads single literals only, for deeply nested text may cra
 """
 
 import re
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.data import build_value
 from rtshell_lite.data.build_value import Call, Word
+from rtshell_lite.net import loop
 from rtshell_lite.text import literal, printable
 
 DEEPEST = build_value.DEEPEST
@@ -62,7 +62,7 @@ class Expression:
         the present).
         """
         if now is None:
-            now = time.time()
+            now = loop.wall()
         stamp = (int(now), int(now % 1 * 1e9))
         return build_value.build(self.type.descriptor, self.written, self.type.name, self.json, stamp)
 

@@ -7,7 +7,6 @@ writing.py sends to in ports.
 
 import collections
 import sys
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, servants, session
@@ -165,7 +164,7 @@ class Reader(Connection):
             self.deliver = compare
 
     def _count(self, data):
-        self.last = time.monotonic()
+        self.last = loop.now()
         self.first = self.first or self.last
         self.count += 1
         self.heaviest = max(self.heaviest, len(data))
@@ -194,15 +193,15 @@ class Reader(Connection):
             self.failure = e
             return
         self.failure = None
-        self.answered = time.monotonic()
+        self.answered = loop.now()
         if data is None:
             await self.ended.wait(POLL)
         else:
-            self._take(int(time.time() * 1e9), data)
+            self._take(int(loop.wall() * 1e9), data)
 
     def stop(self):
         if self.stopped is None:
-            self.stopped = time.monotonic()
+            self.stopped = loop.now()
             self.count_then = self.count
             self.ended.ring()
         if self._finds_out():
@@ -219,14 +218,14 @@ class Reader(Connection):
 
     async def close(self):
         if self.connector:
-            self._away = int(time.time() * 1e9)
+            self._away = int(loop.wall() * 1e9)
         await super().close()
 
     async def come_back(self):
         was_connected = self.connector is not None
         await super().come_back()
         if self.connector and not was_connected:
-            self._report_missing(self._away, int(time.time() * 1e9), AWAY)
+            self._report_missing(self._away, int(loop.wall() * 1e9), AWAY)
 
     def _report_missing(self, first, last, why, count=None):
         if self.miss is not None:
@@ -249,7 +248,7 @@ class Reader(Connection):
         pause = LOOKS[0]
         try:
             while await self.is_there(connector):
-                if time.monotonic() > end:
+                if loop.now() > end:
                     return False
                 await loop.sleep(pause)
                 pause = min(2 * pause, LOOKS[1])
@@ -281,7 +280,7 @@ class Reader(Connection):
             else:
                 quiet = 2 * QUIET
             self.came = loop.Bell()
-            has_come = await self.came.wait(self.stopped + quiet - time.monotonic())
+            has_come = await self.came.wait(self.stopped + quiet - loop.now())
             if has_come and not orb.answers_at_once():
                 await loop.sleep(ANSWERING)
             return True
@@ -289,7 +288,7 @@ class Reader(Connection):
             session.current().timeout + GRACE
         ):
             return False
-        await loop.sleep(self.answered + ANSWERED - time.monotonic())
+        await loop.sleep(self.answered + ANSWERED - loop.now())
         return not isinstance(self.failure, errors.Unanswered)
 
     def why_left(self):
@@ -481,8 +480,8 @@ async def count_writes(port, seconds):
     ) as reader:
         await loop.sleep(2 * POLL)  # fetch older values first
         before = reader.count
-        start = time.monotonic()
+        start = loop.now()
         await loop.sleep(seconds)
         if reader.failure:
             raise reader.failure
-        return reader.count - before, time.monotonic() - start
+        return reader.count - before, loop.now() - start

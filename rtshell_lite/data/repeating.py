@@ -2,7 +2,6 @@
 
 import collections
 import math
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
@@ -21,7 +20,7 @@ class Latencies:
         self.least = math.inf
         self.most = 0.0
         self.statuses = set()
-        self._begun = time.monotonic()
+        self._begun = loop.now()
         self._steps = collections.Counter()
 
     def add(self, seconds, error):
@@ -48,7 +47,7 @@ class Latencies:
         """A dict of figures: calls, failed, seconds in all, and of the answered calls min, median, p99, max,
         in seconds, None where none was answered.
         """
-        found = {"calls": self.count, "failed": self.failed, "seconds": time.monotonic() - self._begun}
+        found = {"calls": self.count, "failed": self.failed, "seconds": loop.now() - self._begun}
         found.update(min=None, median=self._share(0.5), p99=self._share(0.99), max=None)
         if self._steps:
             found.update(min=self.least, max=self.most)
@@ -83,19 +82,19 @@ async def calls(call, rate=0.0, number=None):
     Ends with the first failure that shows that no more will succeed: it may have been done, or cannot be
     reached.
     """
-    due = time.monotonic()
+    due = loop.now()
     while number is None or number > 0:
-        begun = time.monotonic()
+        begun = loop.now()
         result = error = None
         try:
             result = await call()
         except errors.Error as e:
             error = e
-        yield time.monotonic() - begun, result, error
+        yield loop.now() - begun, result, error
         if isinstance(error, errors.Unreachable):
             return
         if number is not None:
             number -= 1
         if rate:
-            due = max(due + 1 / rate, time.monotonic() - 1 / rate)
-            await loop.sleep(max(0.0, due - time.monotonic()))
+            due = max(due + 1 / rate, loop.now() - 1 / rate)
+            await loop.sleep(max(0.0, due - loop.now()))

@@ -1,9 +1,7 @@
 """Sending values to in ports at a rate."""
 
 import math
-import select
 import sys
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.data import values, writing
@@ -40,7 +38,7 @@ class Lines:
         """(text of the next value, its line); None when none has come within `seconds`.
         Raises EOFError, OSError.
         """
-        end = time.monotonic() + seconds
+        end = loop.now() + seconds
         while True:
             line = await self._next_line(end)
             if line is None:
@@ -52,7 +50,7 @@ class Lines:
 
     async def _next_line(self, end):
         while not self._begun.endswith(b"\n"):
-            if not self._at_hand and not await self._is_ready(end - time.monotonic()):
+            if not self._at_hand and not await self._is_ready(end - loop.now()):
                 return None
             ahead = self._file.peek()  # type: ignore  # it is a BufferedReader
             if not ahead:
@@ -70,7 +68,7 @@ class Lines:
         """Wait until there is something to read, or the end."""
         here = loop.current()
         bell = loop.Bell()
-        here.watch(self._file.fileno(), select.POLLIN, bell.ring)
+        here.watch(self._file.fileno(), loop.READ, bell.ring)
         try:
             return await bell.wait(seconds)
         finally:
@@ -109,11 +107,11 @@ class Injection:
 
         Ends early when no port is left.
         """
-        due = time.monotonic()
+        due = loop.now()
         end = due + seconds
         while self.sent != number and self.live():
             try:
-                found = await source.next(end - time.monotonic())
+                found = await source.next(end - loop.now())
             except EOFError:
                 return
             if found is None:
@@ -121,7 +119,7 @@ class Injection:
             expressions = self.checked(*found)
             if due >= end:
                 return
-            left = max(due, self.ended + 1 / rate / HURRY) - time.monotonic()
+            left = max(due, self.ended + 1 / rate / HURRY) - loop.now()
             if left > 0:
                 await loop.sleep(left)
             if rate == math.inf:
@@ -130,7 +128,7 @@ class Injection:
                 until = due + writing.LATE
             for failure in await self._send(expressions, min(until, end)):
                 yield failure
-            now = time.monotonic()
+            now = loop.now()
             if rate == math.inf:
                 due = now
             else:
@@ -153,9 +151,9 @@ class Injection:
 
     async def _send(self, expressions, until):
         """Send a value to all ports, with the same time, as writing.offer does; returns the errors."""
-        now = time.time()
+        now = loop.wall()
         live = self.live()
-        self.ended = time.monotonic()
+        self.ended = loop.now()
         self.begun = self.begun or self.ended
         self.sent += 1
         octets = [

@@ -2,7 +2,8 @@
 
 import collections
 import math
-import time
+
+from rtshell_lite.net import loop
 
 # times the usual gap between timestamps: in a longer one cycles are absent, a shorter one makes up for one
 LONG = 1.5
@@ -220,7 +221,7 @@ class Meter:
 
     def rate(self):
         """The Rate over the looks of the last WINDOW seconds."""
-        now = time.monotonic()
+        now = loop.now()
         while len(self._looks) > 1 and now - self._looks[1][0] >= WINDOW:
             self._looks.popleft()
         self._looks.append((now, self._values, self._bytes))

@@ -13,7 +13,6 @@ RingBuffer::length.)
 
 import collections
 import math
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
@@ -295,7 +294,7 @@ class Writer(Connection):
             self.backlog = self._new_backlog(self.audience.rate)
         await super().open()
         self.was_connected = True
-        self.last = time.monotonic()
+        self.last = loop.now()
         self.sink = self.remote({"corba_cdr": "OpenRTM.InPortCdr", "data_service": "RTC.DataPushService"})
         if self.interface == "corba_cdr":
             self.operation = "put"
@@ -314,7 +313,7 @@ class Writer(Connection):
             await loop.finish(self._put(data))
 
     async def _put(self, data):
-        begun = time.monotonic()
+        begun = loop.now()
         self.unanswered = True
         try:
             status = str(await orb.call(self.where, self.sink, self.operation, data))
@@ -324,7 +323,7 @@ class Writer(Connection):
                 raise errors.Unreachable(self.where, self.lost())
             raise
         self.unanswered = False
-        now = time.monotonic()
+        now = loop.now()
         if status == "PORT_OK":
             self.taken = self.taken + 1
             self.last = now
@@ -352,7 +351,7 @@ class Writer(Connection):
             return False
         if self.failure:
             return False
-        now = time.monotonic()
+        now = loop.now()
         patience = max(STUCK, STUCK / (self.backlog.rate or USUAL))
         if now - self.last > patience:
             self.failure = errors.Unread(
@@ -392,7 +391,7 @@ class Writer(Connection):
         without its lock).
         """
         if self.taken and not self.unanswered:
-            now = time.monotonic()
+            now = loop.now()
             rate = self.backlog.rate or USUAL
             self.backlog.drain(now)
             if self.backlog.rate:
@@ -415,14 +414,14 @@ class Writer(Connection):
         if why:
             raise errors.Unread(self.where, f"{why[0]} now; {self.unread_words()}")
         if self.audience and not self.backlog.measured():
-            self.backlog.drain(time.monotonic())  # at the old rate
+            self.backlog.drain(loop.now())  # at the old rate
             self.backlog.rate = self.audience.rate
 
     def unread(self):
         """errors.Unread where the component, at its rate, cannot have read all values; else None."""
         if self.audience is None or self.backlog.rate is None:
             return None
-        self.backlog.drain(time.monotonic())
+        self.backlog.drain(loop.now())
         if not self.backlog.waiting and self.backlog.lost < 1:
             return None
         if self.backlog.measured():
@@ -434,7 +433,7 @@ class Writer(Connection):
 
     def unread_words(self):
         """The message that says how many values were read, and where the rest is."""
-        self.backlog.drain(time.monotonic())
+        self.backlog.drain(loop.now())
         arrived = round(self.taken - self.backlog.lost)
         read = max(0, arrived - math.ceil(self.backlog.waiting))
         if self.alone:
@@ -511,7 +510,7 @@ async def offer(values, until):
     """Send each of `values`, (Writer, CDR bytes), all at the same time: the failures to report, [(Writer,
     errors.Error)].
 
-    What a short buffer has no room for is offered again until `until` (by time.monotonic(), math.inf: as long
+    What a short buffer has no room for is offered again until `until` (by loop.now(), math.inf: as long
     as the component reads), at half the component's period.
     """
     failures = []
@@ -559,10 +558,10 @@ async def linger(writers, seconds):
     limit = max(needed, default=0) + BUSIEST
     if seconds is not None:
         limit = min(limit, seconds)
-    end = time.monotonic() + limit
+    end = loop.now() + limit
     slept = 0.0
     while True:
-        left = min(_longest_needed(writers, needed) - slept, end - time.monotonic())
+        left = min(_longest_needed(writers, needed) - slept, end - loop.now())
         if left < MOMENT:
             break
         pause = min(TICK, left)
@@ -604,7 +603,7 @@ def _needed(writer, seconds):
         if writer.audience:
             return UNKNOWN
         return 0
-    writer.backlog.drain(time.monotonic())
+    writer.backlog.drain(loop.now())
     longest = LONGEST
     if seconds is not None:
         longest = seconds

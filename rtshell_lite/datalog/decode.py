@@ -1,12 +1,12 @@
 """The entries of a log, decoded: the data types of its channels, their values, and their bytes for a port."""
 
 import struct
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.data import build_value, datatypes, values
 from rtshell_lite.datalog import gaps, schemas
+from rtshell_lite.net import calendar
 from rtshell_lite.text import printable, safe
 
 # where a type's timestamp is
@@ -263,7 +263,7 @@ def date(moment):
         return "none"
     seconds, rest = divmod(moment, 10**9)
     try:
-        local = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds))
+        local = calendar.local("%Y-%m-%d %H:%M:%S", seconds)
     except (OverflowError, ValueError, OSError):
         local = "?"
     return "%s (%d.%09d)" % (local, seconds, rest)

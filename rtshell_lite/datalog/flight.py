@@ -4,7 +4,6 @@ Name servers are asked again and again which components there are; a component i
 when it appears, or another object has its name. No port gets more than one connector.
 """
 
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
@@ -154,7 +153,7 @@ class Flight:
 
     def _not_asked_yet(self, nodes):
         """Those of the Nodes that are to be asked for their ports now."""
-        now = time.monotonic()
+        now = loop.now()
         new = []
         for node in nodes:
             identity = orb.identity(node.ref)

@@ -3,11 +3,11 @@
 import os
 import re
 import stat
-import time
 
 from rtshell_lite import errors, files, notes, text
 from rtshell_lite.datalog import writer
 from rtshell_lite.datalog.ring import EACH
+from rtshell_lite.net import calendar, loop
 
 HEAD = b"rtlog --trigger\n"  # how the file begins by which another command triggers
 WORD = b"now\n"  # what that command appends
@@ -42,7 +42,7 @@ class Incidents:
         self._before = int(before * 1e9)
         self._after = int(after * 1e9)
         self._done = done
-        self._begun = int(time.time() * 1e9)
+        self._begun = int(loop.wall() * 1e9)
         self._pending = []
 
     def trigger(self, words, moment=None, delay=0.0):
@@ -50,7 +50,7 @@ class Incidents:
         another incident it is one more cause of that.
         """
         if moment is None:
-            moment = int(time.time() * 1e9)
+            moment = int(loop.wall() * 1e9)
         for incident in self._pending:
             if incident.messages is None and moment <= incident.last:
                 incident.causes.append((moment, words))
@@ -72,7 +72,7 @@ class Incidents:
 
     def is_busy(self):
         """Whether something is due."""
-        return bool(self._pending) and self._pending[0].last < time.time() * 1e9
+        return bool(self._pending) and self._pending[0].last < loop.wall() * 1e9
 
     def finish(self, ring):
         """Write all that is pending, as far as it has come."""
@@ -112,7 +112,7 @@ class Incidents:
         """A name with the time and the cause, which no file has."""
         moment, words = incident.causes[0]
         stem, dot = os.path.splitext(self._name)
-        when = time.strftime("%Y%m%d-%H%M%S", time.localtime(moment / 1e9))
+        when = calendar.local("%Y%m%d-%H%M%S", moment / 1e9)
         cause = re.sub(r"[^A-Za-z0-9.]+", "-", words)[:60].strip("-.") or "trigger"
         for number in range(1, 10000):
             name = "%s-%s-%s%s%s" % (stem, when, cause, "-%d" % number if number > 1 else "", dot or ".mcap")

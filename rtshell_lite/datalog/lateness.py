@@ -5,7 +5,6 @@ It answers at once while the loop runs. Where the loop does not, because the mac
 has stopped this process, components are let go; values that are missing then are reported.
 """
 
-import time
 
 from rtshell_lite import notes
 from rtshell_lite.data import reading
@@ -47,21 +46,21 @@ async def _measure(opened):
     """(for which part of a span this process has answered nobody, the pauses in which it stood still:
     [(first, last)] ns since the epoch); (0, []) where it was disconnected meanwhile.
     """
-    begun = time.monotonic()
+    begun = loop.now()
     absences = opened.absences
     late = 0.0
     pauses = []
-    while time.monotonic() < begun + SPAN:
-        due = time.monotonic() + LOOK
+    while loop.now() < begun + SPAN:
+        due = loop.now() + LOOK
         await loop.sleep(LOOK)
-        behind = time.monotonic() - due
+        behind = loop.now() - due
         late += behind
         if behind > STILL:
-            now = int(time.time() * 1e9)
+            now = int(loop.wall() * 1e9)
             pauses.append((now - int(behind * 1e9), now))
     if opened.absences != absences:
         return 0.0, []
-    return late / (time.monotonic() - begun), pauses
+    return late / (loop.now() - begun), pauses
 
 
 class _Buffered:
@@ -70,7 +69,7 @@ class _Buffered:
     def __init__(self, reader):
         self.reader = reader
         self.connector = reader.connector
-        self._begun = time.monotonic()
+        self._begun = loop.now()
         self._count = reader.count
         self._rate = reader.rate()
 
@@ -85,7 +84,7 @@ class _Buffered:
         """
         rate = min(rate, self._rate or rate)
         excess = rate * pause - self.reader.room
-        lacking = rate * (time.monotonic() - self._begun) - (self.reader.count - self._count)
+        lacking = rate * (loop.now() - self._begun) - (self.reader.count - self._count)
         if excess > 0 and lacking > max(reading.FEWEST, SURE * excess):
             return round(lacking)
         return 0
@@ -99,9 +98,9 @@ async def _report_missing(buffered, pauses):
         return
     await loop.sleep(SETTLE)
     counts = [each.reader.count for each in doubtful]
-    begun = time.monotonic()
+    begun = loop.now()
     await loop.sleep(SETTLE)
-    passed = time.monotonic() - begun
+    passed = loop.now() - begun
     for each, before in zip(doubtful, counts):
         reader = each.reader
         count = each.missing((reader.count - before) / passed, longest)

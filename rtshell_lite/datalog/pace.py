@@ -1,7 +1,6 @@
 """When the entries of a log are due, while somebody pauses, steps, jumps, or has it begin again."""
 
 import math
-import time
 
 from rtshell_lite.net import loop
 
@@ -41,8 +40,8 @@ class Pace:
         self._steps = 0
         self._target = None  # ns since the epoch, to jump to
         self._bell = loop.Bell()
-        self._origin = None  # (time.monotonic(), ns since the epoch) that belong together
-        self._due = 0.0  # when the last entry was due, by time.monotonic()
+        self._origin = None  # (loop.now(), ns since the epoch) that belong together
+        self._due = 0.0  # when the last entry was due, by loop.now()
         self._begun = 0.0  # when the first entry was due
         self._late = 0
         self._is_over = False
@@ -75,7 +74,7 @@ class Pace:
 
     async def entries(self):
         """Each entry when it is due."""
-        end = time.monotonic() + self._seconds
+        end = loop.now() + self._seconds
         first = None
         while not self._is_over:
             self.is_elsewhere = True
@@ -120,7 +119,7 @@ class Pace:
     async def _wait_until_due(self, entry, end):
         """Wait until an entry is due; False where somebody wants another one, or the end comes before."""
         while self._target is None:
-            now = time.monotonic()
+            now = loop.now()
             if self._steps:
                 self._steps -= 1
                 self._origin = None

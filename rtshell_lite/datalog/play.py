@@ -2,7 +2,6 @@
 
 import itertools
 import math
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, port_arguments, writing
@@ -113,7 +112,7 @@ def _check_types(log, number, port):
 
 async def portions(entries, count, cycle, seconds=math.inf):
     """The entries, `count` of them every `cycle` seconds, for `seconds`."""
-    begun = time.monotonic()
+    begun = loop.now()
     for number, entry in enumerate(entries):
         if number % count == 0 and not await _wait_until(begun, number // count * cycle, seconds):
             return
@@ -122,10 +121,10 @@ async def portions(entries, count, cycle, seconds=math.inf):
 
 async def _wait_until(begun, moment, seconds):
     """Wait until `moment` seconds after `begun`; False when the limit of `seconds` comes first."""
-    left = begun + min(moment, seconds) - time.monotonic()
+    left = begun + min(moment, seconds) - loop.now()
     if left > 0:
         await loop.sleep(left)
-    return moment <= seconds and time.monotonic() <= begun + seconds + pace.GRACE
+    return moment <= seconds and loop.now() <= begun + seconds + pace.GRACE
 
 
 class Playing:
@@ -190,7 +189,7 @@ class Playing:
     async def _send(self, entries, absolute, opened):
         """Send each entry to the ports of its channel that have not failed."""
         spare = writing.LATE  # seconds by which it may still fall behind
-        ended = time.monotonic()  # when it began to wait
+        ended = loop.now()  # when it began to wait
         async for entry in entries:
             live = opened.live()
             if not live:
@@ -198,13 +197,13 @@ class Playing:
             able = [writer for writer in live if writer.failure is None]
             if not able:
                 able = live  # beside others, silent ones would delay them
-            begun = time.monotonic()
+            begun = loop.now()
             spare = min(writing.LATE, spare + begun - ended)
             writers = [
                 writer for channel, writer in self.sinks if channel == entry.channel and writer in able
             ]
             await self._offer(entry, writers, absolute, begun + spare)
-            ended = time.monotonic()
+            ended = loop.now()
             spare -= ended - begun
         return True
 
@@ -213,7 +212,7 @@ class Playing:
         if absolute:
             moment = None
         else:
-            moment = int(time.time() * 1e9)
+            moment = int(loop.wall() * 1e9)
         values = []
         for writer in writers:
             try:

@@ -5,7 +5,6 @@ What arrives in an inbox.Inbox is written on a thread, so that no sender waits f
 
 import json
 import os
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import datatypes, inbox, reading
@@ -133,7 +132,7 @@ class Recorder:
         self._last = {}  # by channel: the data of the last value
         self.writer = self.failure = None
         self.done = loop.Bell()
-        self._sync_at = time.monotonic() + SYNC
+        self._sync_at = loop.now() + SYNC
 
     async def begin(self, file, begun):
         """Make the writer of a File, recorded since `begun` (ns since the epoch). Raises as File.writer
@@ -146,9 +145,9 @@ class Recorder:
         """Write what comes."""
         while self.count != self._most and self.failure is None:
             batch = await self.box.get(self._patience())
-            taken = time.time() * 1e9  # the box has nothing that came before
+            taken = loop.wall() * 1e9  # the box has nothing that came before
             self._take_losses(taken, self._incidents is not None and self._incidents.is_busy())
-            if batch or self._incidents or time.monotonic() >= self._sync_at:
+            if batch or self._incidents or loop.now() >= self._sync_at:
                 await loop.finish(self._write(batch, taken))
         self.done.ring()
 
@@ -164,8 +163,8 @@ class Recorder:
             return
         if self.failure is None:
             batch = await self.box.get(0)
-            self._take_losses(time.time() * 1e9, True)
-            await self._write(batch, time.time() * 1e9)
+            self._take_losses(loop.wall() * 1e9, True)
+            await self._write(batch, loop.wall() * 1e9)
             if self._incidents is not None:
                 await self._try(self._incidents.finish, self.writer)
         await self._try(self.writer.close)
@@ -215,7 +214,7 @@ class Recorder:
     def put_json(self, channel, fields):
         """Put a message of JSON, which comes now, into a channel."""
         data = json.dumps(fields, sort_keys=True).encode("ascii")
-        self.box.put(channel, reading.Message(int(time.time() * 1e9), data, True))
+        self.box.put(channel, reading.Message(int(loop.wall() * 1e9), data, True))
 
     def _append(self, batch, taken):
         for channel in self.channels.found[self._added :]:
@@ -233,9 +232,9 @@ class Recorder:
         self._count(batch)
         if self._incidents is not None:
             self._incidents.step(self.writer, taken)
-        if time.monotonic() >= self._sync_at:
+        if loop.now() >= self._sync_at:
             self.writer.sync()
-            self._sync_at = time.monotonic() + SYNC
+            self._sync_at = loop.now() + SYNC
 
     def _count(self, batch):
         """Count what was written, and what is the last value of its channel again. Those without a timestamp

@@ -2,7 +2,6 @@
 
 import functools
 import math
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import connection, port_arguments, reading
@@ -43,7 +42,7 @@ class Limits:
         """Seconds that are left; infinite without a limit in time."""
         if self.until is None:
             return self.seconds
-        return min(self.seconds, self.until - time.time())
+        return min(self.seconds, self.until - loop.wall())
 
 
 class File:
@@ -81,7 +80,7 @@ class File:
 
 def default_name():
     """The name of a log whose user has given none."""
-    return "rtlog_%d.mcap" % time.time()
+    return "rtlog_%d.mcap" % loop.wall()
 
 
 class Plan:
@@ -147,7 +146,7 @@ class _Recording:
         return self._tally.status()
 
     async def _record(self, followed, watch):
-        begun = int(time.time() * 1e9)
+        begun = int(loop.wall() * 1e9)
         async with connection.Connections(followed.readers) as opened:
             opened.step_aside_when_stopped()
             if not self._goes_on(opened):
@@ -194,17 +193,17 @@ class _Recording:
 
     async def _wait(self, opened):
         """Wait for the end of recording, and report what is dropped."""
-        end = time.monotonic() + self._limits.left()
+        end = loop.now() + self._limits.left()
         reported = 0
         due = 0.0
         box = self._work.box
-        while self._goes_on(opened) and time.monotonic() < end:
-            if await self._work.done.wait(min(TICK, end - time.monotonic())):
+        while self._goes_on(opened) and loop.now() < end:
+            if await self._work.done.wait(min(TICK, end - loop.now())):
                 return
             dropped = sum(box.dropped.values())
-            if dropped > reported and time.monotonic() >= due:
+            if dropped > reported and loop.now() >= due:
                 reported = dropped
-                due = time.monotonic() + 1
+                due = loop.now() + 1
                 words = f"{dropped} messages dropped so far: they come faster than they can be written"
                 await loop.on_thread(notes.fail, words)
 

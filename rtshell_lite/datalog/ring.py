@@ -6,10 +6,10 @@ import collections
 import errno
 import os
 import re
-import time
 
 from rtshell_lite import errors, notes, text
 from rtshell_lite.datalog import gaps, logfile, writer
+from rtshell_lite.net import loop
 
 PARTS = 4  # files of a ring, besides the one that is being written
 SPACE = 1.0  # seconds between two looks at the free space
@@ -79,7 +79,7 @@ class Parts:
         name = self.name
         if not self._is_single:
             name = self._part_name(self._number)
-        self._due = time.monotonic() + (self.limits.seconds or 0)
+        self._due = loop.now() + (self.limits.seconds or 0)
         self._writer = writer.Writer(name, self.channels, begun, append)
 
     def add(self, channel):
@@ -106,7 +106,7 @@ class Parts:
         """
         self._leave_space()
         self._writer.write(messages)
-        is_old = self.limits.seconds is not None and time.monotonic() >= self._due
+        is_old = self.limits.seconds is not None and loop.now() >= self._due
         is_large = self.limits.octets is not None and self._writer.end >= self.limits.octets
         if is_old or is_large:
             self._next()
@@ -114,7 +114,7 @@ class Parts:
             self._remove_old()
 
     def _next(self):
-        now = int(time.time() * 1e9)
+        now = int(loop.wall() * 1e9)
         name = self._writer.name
         try:
             self._writer.close()
@@ -131,7 +131,7 @@ class Parts:
         total = sum(part.octets for part in self._parts) + self._writer.end
         while self._parts:
             oldest = self._parts[0]
-            is_old = limits.span is not None and oldest.ended < time.time() * 1e9 - limits.span * 1e9
+            is_old = limits.span is not None and oldest.ended < loop.wall() * 1e9 - limits.span * 1e9
             is_large = limits.size is not None and total > limits.size
             is_more = limits.keep is not None and len(self._parts) >= limits.keep
             if self._is_protected(oldest) or not (is_old or is_large or is_more):
@@ -151,9 +151,9 @@ class Parts:
 
     def _leave_space(self):
         """Remove parts where the disk is nearly full. Raises OSError where that does not help."""
-        if not self.limits.leave or time.monotonic() < self._looked + SPACE:
+        if not self.limits.leave or loop.now() < self._looked + SPACE:
             return
-        self._looked = time.monotonic()
+        self._looked = loop.now()
         while self._free() < self.limits.leave:
             may_remove = self.limits.span or self.limits.size or self.limits.keep
             if not may_remove or not self._parts or self._is_protected(self._parts[0]):
@@ -228,7 +228,7 @@ class Memory:
         for message in messages:
             self._messages.append(message)
             self._octets += len(message[3]) + EACH
-        oldest = time.time() * 1e9 - self._span * 1e9
+        oldest = loop.wall() * 1e9 - self._span * 1e9
         if self.protected is not None:
             oldest = min(oldest, self.protected)
         while self._messages and (self._messages[0][1] < oldest or self._octets > self._size):

@@ -8,7 +8,6 @@ PATH:PORT.FIELD OP VALUE      a value is <, <=, >, >=, ==, != a number or a word
 import _signal  # see start.py
 import operator
 import re
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import values
@@ -50,14 +49,14 @@ class Silence:
         self.remark = None
 
         def take(message):
-            self._last[names] = time.monotonic()
+            self._last[names] = loop.now()
             deliver(message)
 
         return take
 
     def causes(self):
         """What has happened, in words, since it was asked last."""
-        now = time.monotonic()
+        now = loop.now()
         for name, last in self._last.items():
             if last is not None and now - last > self._seconds:
                 self._last[name] = None

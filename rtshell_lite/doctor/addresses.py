@@ -1,18 +1,14 @@
 """Host names, addresses and TCP, checked without CORBA: which step towards a peer fails."""
 
-import contextlib
 import errno
 import ipaddress
 import os
-import select
-import socket
 import struct
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.corba.liveness import is_own, is_this_host  # noqa: F401: checks of addresses
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, tcp
 from rtshell_lite.robot.aliases import resolve
 
 # octets: LARGE is more than an Ethernet packet holds
@@ -21,6 +17,7 @@ LARGE = 2000
 # seconds
 LEAST = 0.2
 PAUSE = 0.005
+SHORTEST = 0.001
 
 
 async def connect(addresses, port):
@@ -30,26 +27,34 @@ async def connect(addresses, port):
     """
     where = f"{addresses[0]}:{port}"
     now = session.current()
+    end = loop.now() + now.timeout
+    failure = None
+    for address in addresses:
+        try:
+            left = max(SHORTEST, end - loop.now())
+            (await loop.within(left, _connected((address, port)), TimeoutError())).close()
+            return address
+        except OSError as e:
+            now.note_shortage(e, address)
+            failure = failure or e
+    raise _error(where, failure, now.timeout)
 
-    def attempt():
-        end = time.monotonic() + now.timeout
-        failure = None
-        for address in addresses:
-            try:
-                socket.create_connection((address, port), max(0.001, end - time.monotonic())).close()
-                return address
-            except OSError as e:
-                now.note_shortage(e, address)
-                failure = failure or e
-        raise _error(where, failure, now.timeout)
 
-    return await session.on_thread(where, attempt)
+async def _connected(endpoint):
+    """A socket that is connected with the first place of (host, port). Raises OSError."""
+    host, port = endpoint
+    world = loop.world()
+    if is_numeric(host):
+        places = world.resolve(host, port)
+    else:
+        places = await loop.on_thread(world.resolve, host, port)
+    return await tcp.connect(places[0])
 
 
 def _error(where, e, timeout):
     if e.errno == errno.ECONNREFUSED:
         return errors.ConnectionRefused(where)
-    if isinstance(e, socket.timeout):
+    if isinstance(e, TimeoutError) and not e.errno:
         return errors.Silent(where, session.no_answer(timeout))
     if e.errno:
         return errors.Unreachable(where, os.strerror(e.errno))
@@ -71,18 +76,13 @@ async def arrives(endpoint):
 
     A question larger than a packet is sent, and the kernel says whether all of it was acknowledged.
     """
-    return await _once(_arrives, endpoint)
+    return await _once(_arrives, endpoint, LARGE)
 
 
-def _arrives(endpoint, patience):
-    try:
-        with _asked(endpoint, LARGE, patience) as (connection, end):
-            while _unacknowledged(connection):
-                if time.monotonic() > end:
-                    return False
-                select.select([], [], [], PAUSE)
-    except (OSError, ValueError):
-        return False
+async def _arrives(connection):
+    world = loop.world()
+    while world.unacknowledged(connection):
+        await loop.sleep(PAUSE)
     return True
 
 
@@ -98,12 +98,8 @@ async def loses_large(endpoint):
         return False
 
 
-def _answers_small(endpoint, patience):
-    try:
-        with _asked(endpoint, SMALL, patience) as (connection, _):
-            return bool(connection.recv(1))
-    except (OSError, ValueError):
-        return False
+async def _answers_small(connection):
+    return bool(await tcp.receive(connection, 1))
 
 
 async def speaks_otherwise(endpoint):
@@ -113,61 +109,40 @@ async def speaks_otherwise(endpoint):
     return await _once(_speaks_otherwise, endpoint)
 
 
-def _speaks_otherwise(endpoint, patience):
-    try:
-        with _asked(endpoint, SMALL, patience) as (connection, _):
-            connection.settimeout(min(LEAST, patience))  # of a process that hangs: the others need the time
-            connection.sendall(b"\r\n\r\n")
-            said = connection.recv(4)
-    except (OSError, ValueError):
-        return False
+async def _speaks_otherwise(connection):
+    connection.send(b"\r\n\r\n")
+    said = await loop.within(LEAST, tcp.receive(connection, 4), TimeoutError())
     return bool(said) and not b"GIOP".startswith(said)
 
 
-_known = {}  # type: dict  # {(function, endpoint): its answer}
-
-
-async def _once(function, endpoint):
-    """What function(endpoint, seconds that it may wait) returns, on a thread;
-    asked once for each endpoint, until `forget`.
+async def _once(look, endpoint, size=SMALL):
+    """What look(socket) returns after a question of a size to an endpoint; False where that fails, or takes
+    too long. Asked once for each endpoint in an examination.
     """
-    if (function, endpoint) not in _known:
-        now = session.current()
+    now = session.current()
+    if (look, endpoint) not in now.checks:
         if now.is_over():
             patience = LEAST
         else:
             patience = max(LEAST, now.timeout / 2)
-        _known[function, endpoint] = await loop.on_thread(function, endpoint, patience)
-    return _known[function, endpoint]
+        try:
+            answer = await loop.within(patience, _answer(look, endpoint, size), TimeoutError())
+        except (OSError, ValueError):
+            answer = False
+        now.checks[look, endpoint] = answer
+    return now.checks[look, endpoint]
 
 
-def forget():
-    """Forget what was found of endpoints, for the next examination."""
-    _known.clear()
-
-
-@contextlib.contextmanager
-def _asked(endpoint, size, patience):
-    """(connection, when to give up): a GIOP question about an object with a key of that size,
-    which nobody has, has been sent.
-    """
+async def _answer(look, endpoint, size):
+    """See `_once`; the question is about an object with a key of that size, which nobody has."""
     key = b"\0" * size
     question = b"GIOP\1\0\1\3" + struct.pack("<III", len(key) + 8, 1, len(key)) + key
-    end = time.monotonic() + patience
-    with socket.create_connection(endpoint, patience) as connection:
-        connection.sendall(question)
-        yield connection, end
-
-
-def _unacknowledged(connection):
-    """How many octets sent have not been acknowledged; 0 if the kernel does not report it."""
+    connection = await _connected(endpoint)
     try:
-        import fcntl
-        import termios  # which Debian's python3-minimal lacks
-
-        return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
-    except (OSError, ImportError):
-        return 0
+        connection.send(question)
+        return await look(connection)
+    finally:
+        connection.close()
 
 
 def is_numeric(host):
@@ -199,12 +174,7 @@ def is_loopback(address):
 def why_not_bound(host, port):
     """Why nobody can listen at a host and port of this host now, '' where one can."""
     try:
-        family, kind, protocol, _, address = socket.getaddrinfo(
-            host or None, port, socket.AF_UNSPEC, socket.SOCK_STREAM, 0, socket.AI_PASSIVE
-        )[0]
-        with socket.socket(family, kind, protocol) as own:
-            own.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            own.bind(address)
+        loop.world().bind(host, port)
     except (OSError, UnicodeError) as e:
         return getattr(e, "strerror", None) or "not a host name"
     return ""

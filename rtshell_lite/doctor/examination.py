@@ -5,12 +5,12 @@ step reports Findings and passes on to the next what still works. Everything of 
 """
 
 import collections
-import time
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import addresses, limits, local, remedies
+from rtshell_lite.doctor import limits, local, remedies
 from rtshell_lite.doctor.finding import warn
+from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
 
 STEPS = (
@@ -35,7 +35,7 @@ async def examine(tops=(), compare=None, seconds=0, keep=None, pause=None):
     now = session.current()
     now.silent.clear()  # what this command has asked before must not keep anybody from being asked
     now.stalled.clear()
-    now.end = time.monotonic() + STEPS * now.timeout
+    now.end = loop.now() + STEPS * now.timeout
     starved = limits.starved()
     try:
         async for findings in _steps(tops, compare, seconds, keep, pause):
@@ -52,7 +52,7 @@ async def examine(tops=(), compare=None, seconds=0, keep=None, pause=None):
         yield [limits.lack(errors.Shortage("memory", "no more can be had"))]
     finally:
         session.current().shortage = None
-        addresses.forget()
+        session.current().checks.clear()
         session.current().end = None  # other commands may follow in this process
 
 
@@ -71,7 +71,7 @@ async def _steps(tops, compare, seconds, keep, pause):
         from rtshell_lite.doctor import profile
 
         now = session.current()
-        now.end = max(now.end, time.monotonic() + now.timeout)
+        now.end = max(now.end, loop.now() + now.timeout)
         yield await profile.findings(*compare)
 
 

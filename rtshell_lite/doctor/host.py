@@ -5,14 +5,14 @@ processes.
 import os
 import platform
 import re
-import socket
+import ipaddress
 import struct
 import sys
-import time
 
 import rtshell_lite
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, orb
+from rtshell_lite.corba import orb
+from rtshell_lite.net import calendar, hosts, loop
 from rtshell_lite.text import quoted
 
 MOST = 1 << 16  # characters of a file that are taken
@@ -40,12 +40,12 @@ def versions():
         ours = orb.version()
     except errors.MissingOmniORB:
         ours = "no ORB"
-    now = time.time()
+    now = loop.wall()
     return "\n".join(
         [
             f"rtshell_lite {rtshell_lite.__version__}, {ours}, Python %d.%d.%d" % sys.version_info[:3],
             f"{platform.system()} {platform.release()} {platform.machine()}",
-            f"clock: {time.strftime('%Y-%m-%d %H:%M:%S', time.gmtime(now))} UTC, {now:.6f} s since the "
+            f"clock: {calendar.utc('%Y-%m-%d %H:%M:%S', now)} UTC, {now:.6f} s since the "
             "epoch; with --measure, the clocks of components are compared with it",
             _first_line("/proc/uptime", "seconds up, seconds idle: "),
         ]
@@ -57,7 +57,7 @@ def surroundings(ports):
     on these ports.
     """
     return [
-        ("Interfaces of this host", f"{socket.gethostname()}\n" + "\n".join(_interfaces())),
+        ("Interfaces of this host", f"{loop.world().host_name()}\n" + "\n".join(_interfaces())),
         ("Routes", "\n".join(_routes())),
         ("/etc/hosts", _content("/etc/hosts")),
         ("Environment", "\n".join(_environment())),
@@ -88,7 +88,7 @@ def _interfaces():
     for line in _content("/proc/net/if_inet6").splitlines():
         words = line.split()
         if len(words) == 6:
-            address = socket.inet_ntop(socket.AF_INET6, bytes.fromhex(words[0]))
+            address = ipaddress.ip_address(bytes.fromhex(words[0]))
             yield f"{words[5]}  {address}/{int(words[2], 16)}"
 
 
@@ -104,7 +104,7 @@ def _routes():
 
 def _ip(word):
     """An IPv4 address from 8 hexadecimal digits, in this host's order of bytes."""
-    return socket.inet_ntoa(struct.pack("=I", int(word, 16)))
+    return str(ipaddress.ip_address(struct.pack("=I", int(word, 16))))
 
 
 def _environment():

@@ -120,7 +120,7 @@ def _threads():
     gate.acquire()
     try:
         for _ in range(THREADS):
-            loop.start_thread(_pass, gate)
+            loop.world().start_thread(_pass, gate)
     except errors.Shortage as e:
         return e.args[1]
     finally:

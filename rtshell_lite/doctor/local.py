@@ -3,7 +3,6 @@
 import collections
 import os
 import re
-import socket
 import sys
 
 from rtshell_lite import errors, path
@@ -11,6 +10,7 @@ from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, limits, remedies
 from rtshell_lite.doctor.finding import HERE, fail, ok, reason, warn
 from rtshell_lite.mount import kernel
+from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
 from rtshell_lite.text import printable
 
@@ -231,7 +231,7 @@ async def _host_name():
     """The name of this host must mean an address that others can use:
     components may publish what it means.
     """
-    name = socket.gethostname()
+    name = loop.world().host_name()
     shown = f"this host's name, {printable(name)}, "
     cure = remedies.words("name of host")
     try:

@@ -5,7 +5,8 @@ to this host, and to the one where the references are bound.
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, liveness, orb
+from rtshell_lite.corba import liveness, orb
+from rtshell_lite.net import hosts
 from rtshell_lite.doctor import addresses, remedies
 from rtshell_lite.doctor.finding import fail, published, warn
 from rtshell_lite.text import printable

@@ -1,7 +1,6 @@
 """The rates that execution contexts keep, against those that they claim: measured at an out port."""
 
 import collections
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -56,10 +55,10 @@ async def measured(snapshots, seconds):
             waiting.append(watched)
         elif why_not:
             found[snapshot.where] = [ok("rate", snapshot.where, "rate not measured: " + why_not)]
-    begun = time.monotonic()
+    begun = loop.now()
     while waiting:
         batch, waiting = _batch(waiting)
-        if found and time.monotonic() - begun > session.current().timeout:
+        if found and loop.now() - begun > session.current().timeout:
             found.update(
                 (watched.where, [_unmeasured(watched.where, errors.NoTime(watched.where, session.NO_TIME))])
                 for watched in batch
@@ -159,14 +158,14 @@ async def _slept(seconds):
     """Sleep so long: the time that it took, and how much of that this process was not let run:
     its host has more to do than it can.
     """
-    begun = time.monotonic()
+    begun = loop.now()
     missed = 0.0
     now = begun
     while now < begun + seconds:
         piece = min(PIECE, begun + seconds - now)
         await loop.sleep(piece)
         before = now
-        now = time.monotonic()
+        now = loop.now()
         missed += now - before - piece
     return now - begun, missed
 

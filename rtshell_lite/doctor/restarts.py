@@ -1,6 +1,5 @@
 """Components that something starts again and again: each look finds them alive."""
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -18,7 +17,7 @@ async def findings(nodes, seconds):
     bound.sort(key=lambda node: str(node.path))
     await loop.sleep(seconds)
     now = session.current()
-    now.end = max(now.end, time.monotonic() + now.timeout)
+    now.end = max(now.end, loop.now() + now.timeout)
     found = []
     for node, again in zip(bound, await tree.at_each([node.path for node in bound], tree.resolve)):
         where = str(node.path)

@@ -3,12 +3,12 @@ then the names in it and whether their objects live.
 """
 
 import collections
-import time
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
 from rtshell_lite.doctor import addresses, local, networks, references, remedies
 from rtshell_lite.doctor.finding import fail, listed, ok, reason, warn
+from rtshell_lite.net import loop
 from rtshell_lite.robot import aliases, manager, tree, usual
 from rtshell_lite.text import counted, printable, shell_word
 
@@ -170,9 +170,9 @@ class _Stop(Exception):
 
 
 async def _timed(times, name, step):
-    begun = time.monotonic()
+    begun = loop.now()
     value = await step
-    times.append((name, time.monotonic() - begun))
+    times.append((name, loop.now() - begun))
     return value
 
 

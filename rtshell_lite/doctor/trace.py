@@ -6,7 +6,6 @@ Harmless as rtprint is: one connector a port, made and left by its rules.
 
 import collections
 import struct
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -209,14 +208,14 @@ class Trace:
         return self.stages.get(identity)
 
     async def _look(self, stage, only):
-        begun = time.monotonic()
+        begun = loop.now()
         try:
             listed = await _ports_of(stage.node)
         except errors.Error as e:
             self._fail(stage, e)
             return
         stage.error = None
-        stage.answer = (time.monotonic() - begun) / (1 + len(listed))
+        stage.answer = (loop.now() - begun) / (1 + len(listed))
         outs = [port for port in listed if port.type == "DataOutPort"]
         ins = [port for port in listed if port.type == "DataInPort"]
         if only is not None and only.type == "DataOutPort":
@@ -264,14 +263,14 @@ class Trace:
         watch.failure = errors.Silent(watch.name, UNANSWERED)
         try:
             async with reading.Reader(watch.port, watch.take, name="rtshell_lite") as reader:
-                begun = time.monotonic()
-                watch.begun = int(time.time() * 1e9)
+                begun = loop.now()
+                watch.begun = int(loop.wall() * 1e9)
                 watch.failure = None
                 try:
                     await loop.Wait()
                 finally:
-                    watch.seconds = time.monotonic() - begun
-                    watch.until = int(time.time() * 1e9)
+                    watch.seconds = loop.now() - begun
+                    watch.until = int(loop.wall() * 1e9)
                     watch.failure = reader.failure
         except errors.Error as e:
             watch.failure = e
@@ -646,14 +645,14 @@ class _Clock:
     """
 
     def __init__(self, seconds):
-        self._begun = time.monotonic()
+        self._begun = loop.now()
         self._starved = limits.starved()
         self._longest = LONGEST * seconds
 
     def passed(self):
         """The seconds that have passed."""
         waited = min(limits.starved() - self._starved, self._longest)
-        return time.monotonic() - self._begun - waited
+        return loop.now() - self._begun - waited
 
     async def reach(self, seconds):
         """Wait until these seconds have passed."""

@@ -6,7 +6,6 @@ has let it go: C++ 2.1 hangs for good if it drops connections then, and those th
 dropped as soon as it is killed. Protocol rule 5.4.
 """
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -61,7 +60,7 @@ class _Followed:
         await self._list_ports(put)
         for port in self.ports:
             is_of_member = port.owner != self.identity and port.owner in owners
-            if is_of_member or time.monotonic() < port.due:
+            if is_of_member or loop.now() < port.due:
                 continue
             if session.current().silence(self.node.endpoint):
                 return
@@ -122,7 +121,7 @@ class _Port:
 
     def wait(self):
         """It has not answered: ask it later."""
-        self.due = time.monotonic() + self._pause
+        self.due = loop.now() + self._pause
         self._pause = min(2 * self._pause, LONGEST)
 
 

@@ -18,15 +18,12 @@ records than are read, is not read for a while: it waits, others do not.
 
 import collections
 import ipaddress
-import select
-import socket
 import struct
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.events import msgpack
 from rtshell_lite.events.observer import Record
-from rtshell_lite.net import listening, loop
+from rtshell_lite.net import loop, real, tcp
 from rtshell_lite.text import printable
 
 MOST_SENDERS = 64  # connections; one more takes the place of one of the address that has most
@@ -148,7 +145,7 @@ def record_of(tag, when, fields, address):
     if isinstance(when, list) and when:  # [time, metadata]
         when = when[0]
     if not isinstance(when, (int, float)) or not abs(when) < 1e12:  # not a number is neither
-        when = time.time()
+        when = loop.wall()
     if not isinstance(fields, dict):
         fields = {"message": fields}
     known = {}
@@ -195,7 +192,7 @@ class _Sender:
         self.account = account
         self.data = bytearray()
         self.scan = msgpack.Scan()
-        self.heard = time.monotonic()
+        self.heard = loop.now()
         self.begun = None  # when the message that has not all come began
         self.is_closed = False
 
@@ -203,7 +200,7 @@ class _Sender:
         """End the connection; the task that reads it ends, too."""
         self.is_closed = True
         try:
-            self.connection.shutdown(socket.SHUT_RDWR)
+            self.connection.shutdown(real.ALL)
         except OSError:
             pass
 
@@ -212,18 +209,18 @@ class _Account:
     """What an address has sent: from when on it may send more."""
 
     def __init__(self):
-        self._due = 0.0  # by time.monotonic(), if it had nothing ahead
+        self._due = 0.0  # by loop.now(), if it had nothing ahead
 
     def spend(self, octets, values):
-        self._due = max(self._due, time.monotonic() - AHEAD) + octets / OCTETS + values / VALUES
+        self._due = max(self._due, loop.now() - AHEAD) + octets / OCTETS + values / VALUES
 
     def is_spent(self):
         """Whether it has to wait."""
-        return self._due > time.monotonic()
+        return self._due > loop.now()
 
     def is_idle(self):
         """Whether nothing is to be remembered of it."""
-        return self._due < time.monotonic() - AHEAD
+        return self._due < loop.now() - AHEAD
 
 
 class Door:
@@ -239,7 +236,7 @@ class Door:
         self._allowed = set(allowed)
         if host == "0.0.0.0":
             host = ""  # IPv6, too
-        self._socket = listening.socket_at(host, port)
+        self._socket = tcp.listen(host, port)
         if self._socket is None:
             where = printable(place[0])
             raise errors.Failed("--listen", f"TCP port {port} of {where} is in use, or needs a privilege")
@@ -260,7 +257,7 @@ class Door:
         try:
             async with group:
                 while True:
-                    await loop.ready(self._socket.fileno(), select.POLLIN)
+                    await loop.ready(self._socket.fileno(), loop.READ)
                     self._accept(group, take, has_room)
         finally:
             self.close()
@@ -314,7 +311,7 @@ class Door:
             if sender.is_closed:
                 raise EOFError
             if begun is not None:
-                sender.begun = time.monotonic()
+                sender.begun = loop.now()
 
         with sender.connection:
             try:
@@ -328,7 +325,7 @@ class Door:
     async def _read(self, sender, take, pause):
         while True:
             await pause()
-            await loop.ready(sender.connection.fileno(), select.POLLIN)
+            await loop.ready(sender.connection.fileno(), loop.READ)
             try:
                 piece = sender.connection.recv(PIECE)
             except BlockingIOError:
@@ -336,7 +333,7 @@ class Door:
             if not piece:
                 return
             sender.account.spend(len(piece), 0)
-            sender.heard = time.monotonic()
+            sender.heard = loop.now()
             if sender.begun is None:
                 sender.begun = sender.heard
             sender.data += piece
@@ -370,7 +367,7 @@ class Door:
         """Close the connections whose message does not come to its end."""
         while True:
             await loop.sleep(UNFINISHED / 10)
-            now = time.monotonic()
+            now = loop.now()
             for sender in list(self._senders):
                 if sender.begun is not None and now - sender.begun > UNFINISHED:
                     self._report(sender.address, "turned away: its message does not come to an end")

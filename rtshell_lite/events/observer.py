@@ -6,10 +6,10 @@ and Python send.
 
 import collections
 import os
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, servants
+from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire, printable
 
@@ -209,7 +209,7 @@ class _Listener:
         self.heard = heard
 
     def update_status(self, kind, hint):
-        self.heard(event(time.time(), kind._n, from_wire(hint)))
+        self.heard(event(loop.wall(), kind._n, from_wire(hint)))
 
     def publish(self, record):
         self.heard(

@@ -5,11 +5,11 @@ Only questions are asked that change nothing and that a component answers at onc
 it check all its connections; so connections are not watched.
 """
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.events.observer import Event
+from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
@@ -52,7 +52,7 @@ class Poll:
         One call a context, and a few more once a second.
         """
         first = self._thorough is None
-        now = time.monotonic()
+        now = loop.now()
         news = []
         if first or now - self._thorough >= THOROUGH:
             self._thorough = now
@@ -65,7 +65,7 @@ class Poll:
             news += await self._states()
         if first:
             return []
-        return [Event(time.time(), *item) for item in news if item[0] in self.kinds]
+        return [Event(loop.wall(), *item) for item in news if item[0] in self.kinds]
 
     async def _contexts(self):
         if "EC_EVENT" in self.kinds:

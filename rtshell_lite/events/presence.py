@@ -11,7 +11,6 @@ neighbours.
 
 import collections
 import functools
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -117,7 +116,7 @@ class Followed:
 
     def wait(self):
         """It has not answered about its connections."""
-        self.silent_until = time.monotonic() + self.pause
+        self.silent_until = loop.now() + self.pause
         self.pause = min(2 * self.pause, LONGEST_PAUSE)
 
     def wait_no_more(self):
@@ -132,7 +131,7 @@ class Followed:
             self.subscription = None
 
     def _hear(self, event):
-        self.heard = time.monotonic()
+        self.heard = loop.now()
         if event.event == "FINALIZE":
             self.is_ending = True
         if event.kind != "HEARTBEAT":
@@ -219,7 +218,7 @@ class Presence:
                 self.failed(each, e)
             return
         session.current().ask_again(each.endpoint)
-        each.heard = max(each.heard, time.monotonic() - LATE + BEAT)
+        each.heard = max(each.heard, loop.now() - LATE + BEAT)
         if each.is_hung:
             each.is_hung = False
             self._try_connections()
@@ -269,7 +268,7 @@ class Presence:
             absent = [each for each in self.followed if not each.is_there]
             if absent:
                 await self._seek(absent)
-            now = time.monotonic()
+            now = loop.now()
             for endpoint in {each.endpoint for each in self.followed if _is_doubtful(each, now)}:
                 self.suspect(endpoint)
             for each in self.followed:
@@ -293,7 +292,7 @@ class Presence:
                 continue
             each.error = None
             each.shown = snapshot.Snapshot(node)
-            each.heard = time.monotonic()
+            each.heard = loop.now()
             each.appeared()
         await self.still_absent([each for each in absent if not each.is_there])
 
@@ -301,7 +300,7 @@ class Presence:
     async def _found(each):
         """The Node of an absent component. Raises what says why it is absent."""
         node = await tree.component(each.path)
-        now = time.monotonic()
+        now = loop.now()
         if orb.identity(node.ref) == each.dead and now - each.asked < AGAIN:
             raise each.error
         each.asked = now
@@ -316,7 +315,7 @@ class Presence:
         """A component that lives may have lost its observer after a failed call."""
         if each.subscription is None:
             return
-        each.heard = time.monotonic()
+        each.heard = loop.now()
         try:
             await each.subscription.attach()
         except errors.Error:
@@ -398,7 +397,7 @@ def _of_settings(each):
 
 def _of_connections(each):
     """Ports at one end of its connections: the other end has them, too. Of one that is given up, all."""
-    if time.monotonic() < each.silent_until:
+    if loop.now() < each.silent_until:
         return
     for port in each.shown.ports:
         if each.is_given_up:

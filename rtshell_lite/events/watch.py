@@ -1,7 +1,6 @@
 """Watching components: what they report, whether they live, when they come back."""
 
 import collections
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
@@ -96,7 +95,7 @@ class Watched:
         if path.names:
             self.name = str(path.names[-1])
         self.node = self.subscription = self.poll = self.heard = None
-        self.since = self.looked = time.monotonic()
+        self.since = self.looked = loop.now()
         self.ending = False  # it has announced that it will exit
         self.attached_again = False
         self.reported_silence = None  # NO_ANSWER or NO_HEARTBEAT
@@ -121,12 +120,12 @@ class Watched:
             self.watch.note(
                 self, f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections"
             )
-        self.since = self.looked = time.monotonic()
+        self.since = self.looked = loop.now()
         self.node = node
 
     def hear(self, item):
         """Take what it reports."""
-        self.heard = time.monotonic()
+        self.heard = loop.now()
         if isinstance(item, Event) and item.event == "FINALIZE":
             self.ending = True
         self.watch.put(self, item)
@@ -139,7 +138,7 @@ class Watched:
 
     async def look_for_changes(self):
         """Look for what it does not report itself."""
-        now = time.monotonic()
+        now = loop.now()
         try:
             if self.node is None:
                 if now - self.looked >= LOOK:
@@ -177,7 +176,7 @@ class Watched:
         """Whether it has called us recently, or recently got an observer."""
         if self.reported_silence is not None:
             return False
-        return time.monotonic() - max(self.heard or 0, self.since) < LATE
+        return loop.now() - max(self.heard or 0, self.since) < LATE
 
     async def _answers(self, now):
         """Note that it lives, and see whether it calls us, too."""
@@ -197,7 +196,7 @@ class Watched:
         """
         if self.heard is not None and not self.attached_again:
             self.attached_again = True
-            self.since = time.monotonic()
+            self.since = loop.now()
             await self.subscription.attach()
             return
         self.poll = await polling.begin(self.node, self.watch.what.kinds)
@@ -249,7 +248,7 @@ class Watched:
             pass  # not yet
 
     def _report(self, word):
-        self.watch.put(self, Event(time.time(), LIFE, "", word))
+        self.watch.put(self, Event(loop.wall(), LIFE, "", word))
 
 
 def _size(item):
@@ -352,9 +351,9 @@ class Watch:
 
         Raises Failed when fewer came in time.
         """
-        end = time.monotonic() + seconds
+        end = loop.now() + seconds
         left = number
-        while left and (self.watched or self._doors) and time.monotonic() < end:
+        while left and (self.watched or self._doors) and loop.now() < end:
             if left > 0:
                 batch = self._take(min(left, BATCH))
             else:
@@ -363,7 +362,7 @@ class Watch:
                 left -= len(batch)
                 yield batch
             else:
-                await self._bell.wait(end - time.monotonic())
+                await self._bell.wait(end - loop.now())
         if self.dropped:
             self._note(f"{self.dropped} lines dropped: they came faster than they could be printed")
         if left > 0 and (self.watched or self._doors):

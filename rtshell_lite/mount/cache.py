@@ -1,6 +1,5 @@
 """Answers of peers: shared by the requests that wait for them, and believed for a while."""
 
-import time
 
 from rtshell_lite.corba import session
 from rtshell_lite.mount.attempt import attempt
@@ -56,7 +55,7 @@ class CachedAnswer:
 
     def is_fresh(self):
         """Whether the value can be believed."""
-        return self._until > time.monotonic() and self._asked == self._cache.changes
+        return self._until > loop.now() and self._asked == self._cache.changes
 
     def expire(self):
         """Believe nothing that was asked before now."""
@@ -114,7 +113,7 @@ class CachedAnswer:
         if self._value is None:
             self._cache.keep(self)
         self._value = value
-        self._until = time.monotonic() + self._seconds
+        self._until = loop.now() + self._seconds
 
 
 class Known:

@@ -8,7 +8,6 @@ import os
 import re
 import socket
 import sys
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -208,14 +207,14 @@ async def is_released(directory, seconds):
         fd = os.open(directory, os.O_RDONLY)
     except OSError:
         return True
-    end = time.monotonic() + seconds
+    end = loop.now() + seconds
     try:
         while True:
             try:
                 fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 return True
             except BlockingIOError:
-                if time.monotonic() > end:
+                if loop.now() > end:
                     return False
                 await loop.sleep(LOOK)
             except OSError:  # a file system without locks

@@ -1,6 +1,5 @@
 """Which of the objects in a mounted tree live: all are asked, but no listing waits for one that hangs."""
 
-import time
 
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.attempt import attempt
@@ -23,7 +22,7 @@ class Liveness:
         self._ttl = ttl
         self._fail = fail
         self._known = {}  # by identity: (kind, error, until)
-        self._asked = {}  # by identity: since when, time.monotonic()
+        self._asked = {}  # by identity: since when, loop.now()
         self._bells = set()  # of the listings that wait
 
     async def check(self, nodes):
@@ -32,18 +31,18 @@ class Liveness:
             orb.identity(node.ref): node for node in nodes if node.kind in ASKED and node.error is None
         }
         self._ask(objects)
-        end = time.monotonic() + PATIENCE
+        end = loop.now() + PATIENCE
         bell = loop.Bell()
         self._bells.add(bell)
         try:
-            while self._is_worth_waiting(objects) and await bell.wait(end - time.monotonic()):
+            while self._is_worth_waiting(objects) and await bell.wait(end - loop.now()):
                 pass
         finally:
             self._bells.discard(bell)
         return [self._classified(node) for node in nodes]
 
     def _ask(self, objects):
-        now = time.monotonic()
+        now = loop.now()
         groups = {}
         for identity, node in objects.items():
             _, _, until = self._known.get(identity, UNKNOWN)
@@ -54,12 +53,12 @@ class Liveness:
             self._tasks.start(self._ask_process(group))
 
     def _is_worth_waiting(self, objects):
-        late = time.monotonic() - PATIENCE
+        late = loop.now() - PATIENCE
         return any(self._asked.get(identity, late) > late for identity in objects)
 
     async def _ask_process(self, group):
         answers, error = await attempt(tree.check_alive([node for _, node in group]))
-        until = time.monotonic() + self._ttl
+        until = loop.now() + self._ttl
         for (identity, _), answer in zip(group, answers or ()):
             self._known[identity] = answer.kind, answer.error, until
         for identity, _ in group:
@@ -73,11 +72,11 @@ class Liveness:
         if node.kind not in ASKED or node.error is not None:
             return node
         kind, error, until = self._known.get(orb.identity(node.ref), UNKNOWN)
-        if until < time.monotonic() or kind in (node.kind, *tree.DOUBTFUL):
+        if until < loop.now() or kind in (node.kind, *tree.DOUBTFUL):
             return node
         return tree.Node(node.path, kind, node.ref, error)
 
     def sweep(self):
         """Free what is believed no longer."""
-        now = time.monotonic()
+        now = loop.now()
         self._known = {identity: known for identity, known in self._known.items() if known[2] >= now}

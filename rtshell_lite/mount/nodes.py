@@ -6,7 +6,6 @@ import collections
 import posixpath
 import stat
 import sys
-import time
 import weakref
 
 from rtshell_lite import errors, notes
@@ -54,7 +53,7 @@ class Mount:
         self._changes = {}  # {where: deque of the changes to make there}
         self.errors = collections.deque(maxlen=MOST_ERRORS)
         self.contexts = weakref.WeakValueDictionary()
-        self.began = int(time.time())
+        self.began = int(loop.wall())
 
     def hear(self, kind, what):
         """The listener of notes.py while the mount is served:

@@ -6,7 +6,6 @@ import errno
 import itertools
 import os
 import posixpath
-import select
 import stat
 
 from rtshell_lite import errors
@@ -81,8 +80,8 @@ class Server:
         here = loop.current()
         os.set_blocking(self.fd, False)
         with open(kernel.MOUNTS) as mounts:
-            here.watch(self.fd, select.POLLIN, self._take)
-            here.watch(mounts.fileno(), select.POLLPRI, self._look_at_mounts)
+            here.watch(self.fd, loop.READ, self._take)
+            here.watch(mounts.fileno(), loop.URGENT, self._look_at_mounts)
             self.mount.tasks.start(self.mount.tidy())
             try:
                 await self._over

@@ -9,10 +9,8 @@ most; a browser whose stream ends so connects again.
 
 import collections
 import re
-import select
-import socket
 
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
 MOST = 64  # connections
 LONGEST = 8192  # octets of the head of a request; those of browsers have 500 to 2,000
@@ -71,22 +69,6 @@ def refusal(status):
     return Answer(status, "text/plain; charset=utf-8", WORDS[status].encode() + b"\n", ())
 
 
-def listening(family, address):
-    """A socket that listens at an address as of getaddrinfo. Raises OSError."""
-    made = socket.socket(family, socket.SOCK_STREAM)
-    try:
-        made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        if family == socket.AF_INET6:
-            made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
-        made.bind(address)
-        made.listen(MOST)
-        made.setblocking(False)
-    except OSError:
-        made.close()
-        raise
-    return made
-
-
 async def serve(listener, answer):
     """Accept connections at a listening socket for ever, and answer each as the function answer(Request)
     says, which returns an Answer. No failure of a connection ends it.
@@ -94,7 +76,7 @@ async def serve(listener, answer):
     open_ones = []  # Connections, the oldest first
     async with loop.Group() as group:
         while True:
-            await loop.ready(listener.fileno(), select.POLLIN)
+            await loop.ready(listener.fileno(), loop.READ)
             try:
                 accepted, (address, *_) = listener.accept()
             except (BlockingIOError, ConnectionError):
@@ -139,7 +121,7 @@ async def _attend(connection, answer, open_ones):
 async def _answer(connection, answer):
     method = "GET"
     try:
-        request = await _in_time(PATIENCE, connection.request(), Refused(408))
+        request = await loop.within(PATIENCE, connection.request(), Refused(408))
         method = request.method
         found = answer(request)
     except Refused as e:
@@ -159,20 +141,10 @@ async def _answer(connection, answer):
     elif method == "HEAD" or is_stream:
         await connection.send(head)
     else:
-        await _in_time(SLOWEST, connection.send(head, found.content), Gone())
+        await loop.within(SLOWEST, connection.send(head, found.content), Gone())
     connection.is_welcome = False
-    connection.socket.shutdown(socket.SHUT_WR)
-    await _in_time(FAREWELL, connection.read_all(), Gone())
-
-
-async def _in_time(seconds, coroutine, late):
-    """The result of a coroutine; raises `late` after `seconds`."""
-    return await loop.race(coroutine, _raise_later(seconds, late))
-
-
-async def _raise_later(seconds, exception):
-    await loop.sleep(seconds)
-    raise exception
+    connection.socket.shutdown(real.SENDING)
+    await loop.within(FAREWELL, connection.read_all(), Gone())
 
 
 class Connection:
@@ -202,7 +174,7 @@ class Connection:
     async def _some(self):
         """The next octets that come. Raises Gone, OSError."""
         while True:
-            await loop.ready(self.socket.fileno(), select.POLLIN)
+            await loop.ready(self.socket.fileno(), loop.READ)
             try:
                 some = self.socket.recv(4096)
             except BlockingIOError:
@@ -224,7 +196,7 @@ class Connection:
                 try:
                     rest = rest[self.socket.send(rest) :]
                 except BlockingIOError:
-                    await _in_time(STALLED, loop.ready(self.socket.fileno(), select.POLLOUT), Gone())
+                    await loop.within(STALLED, loop.ready(self.socket.fileno(), loop.WRITE), Gone())
 
     def check(self):
         """Raises Gone where a client has left that had no more to send, OSError."""

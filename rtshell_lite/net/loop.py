@@ -19,13 +19,16 @@ import _signal  # which `signal` is made of: that one takes long to import
 import os
 import select
 import sys
-import time
 from _collections import deque  # which `collections` is made of, as here of others
 from _heapq import heappop, heappush
 from _thread import _local as Local, allocate_lock  # which `threading` is made of
 
 from rtshell_lite import errors
+from rtshell_lite.net import real
 
+READ = select.POLLIN  # events for which `ready` and `Loop.watch` look
+WRITE = select.POLLOUT
+URGENT = select.POLLPRI
 MOST = 64  # tasks of one `each` at a time with one key
 AWAY = 0.3  # seconds; a loop that was busy or stopped for longer was away
 BOUNCE = 0.3  # seconds in which a second Ctrl-C is taken for the same key press
@@ -41,6 +44,27 @@ _here = Local()  # its `loop` is the one that runs on this thread
 
 class Cancelled(BaseException):
     """Thrown into a task that is not to go on, at what it awaits."""
+
+
+def now():
+    """Seconds by a clock that is never set; on any thread."""
+    here = getattr(_here, "loop", None)
+    if here is None:
+        return real.now()
+    return here.now()
+
+
+def wall():
+    """Seconds since 1970, by the clock of this computer; on any thread."""
+    return world().wall()
+
+
+def world():
+    """The world in which this thread runs: net/real.py, or what a test has given to its loop."""
+    here = getattr(_here, "loop", None)
+    if here is None:
+        return real
+    return here.world
 
 
 def run(coroutine, signals=None, session=None, as_guest=False):
@@ -365,6 +389,16 @@ async def race(*coroutines):
             group.cancel()
 
 
+async def within(seconds, coroutine, late):
+    """The result of a coroutine; raises the exception `late` after so many seconds."""
+    return await race(coroutine, _raise_later(seconds, late))
+
+
+async def _raise_later(seconds, exception):
+    await sleep(seconds)
+    raise exception
+
+
 async def finish(coroutine):
     """The result of a coroutine that runs to its end though its caller is cancelled, or struck by a signal;
     that is raised afterwards.
@@ -461,6 +495,9 @@ async def on_thread(function, *args):
     """
     here = current()
     wait = Wait()
+    if here.world is not real:  # which runs one thing at a time
+        here.world.start_thread(_end_with, wait, function, args)
+        return await wait
     here.make_bell()
     try:
         thread = _Thread.idle.pop()
@@ -468,6 +505,18 @@ async def on_thread(function, *args):
         thread = _Thread()
     thread.give((here, wait, function, args))
     return await wait
+
+
+def _outcome(function, args):
+    """(what function(*args) returns, what it raises), one of them None."""
+    try:
+        return function(*args), None
+    except BaseException as e:
+        return None, e
+
+
+def _end_with(wait, function, args):
+    wait.end(*_outcome(function, args))
 
 
 class _Thread:
@@ -481,7 +530,7 @@ class _Thread:
         self._job = None  # type: tuple
         self._begin = allocate_lock()
         self._begin.acquire()
-        start_thread(self._run)
+        real.start_thread(self._run)
 
     def give(self, job):
         """Let it run a function: (Loop, Wait for the result, function, its arguments)."""
@@ -492,12 +541,7 @@ class _Thread:
         while self._has_job():
             here, wait, function, args = self._job
             self._job = None
-            try:
-                value = function(*args)
-                error = None
-            except BaseException as e:
-                value = None
-                error = e
+            value, error = _outcome(function, args)
             self.idle.append(self)
             here.post(wait.end, value, error)
             del here, wait, function, args, value, error  # which take memory
@@ -510,16 +554,6 @@ class _Thread:
         except ValueError:  # somebody has taken it, and is about to give it a function
             return self._begin.acquire()
         return False
-
-
-def start_thread(function, *args):
-    """Run function(*args) on a thread of its own. Raises Shortage."""
-    import threading
-
-    try:
-        threading.Thread(target=function, args=args, daemon=True).start()
-    except RuntimeError as e:
-        raise errors.Shortage("threads", str(e))
 
 
 class Timer:
@@ -552,9 +586,13 @@ class Loop:
     idle      number of the watched descriptors at which nothing is expected then
     on_return  function(seconds), called when the loop was away for so long: that is no silence of a peer
     session   what `run` was given
+    world     its clocks, network and threads, as in real.py
+    now       its clock
     """
 
-    def __init__(self):
+    def __init__(self, world=real):
+        self.world = world
+        self.now = world.now
         self.ready = deque()  # type: deque
         self.running = None
         self.before_waiting = []
@@ -570,12 +608,12 @@ class Loop:
         self.is_closed = False
         self._timers = []
         self._timer_count = 0
-        self._poll = select.poll()
+        self._poll = world.Poll()
         self._watched = {}
         self._posted = deque()  # type: deque  # functions from other threads
         self._bell = None  # the pipe that wakes the poll
-        self._may_be_rung = False  # other threads may wake it
-        self._back = time.monotonic()  # when the last poll ended
+        self._may_be_rung = world is not real  # other threads, or a simulation, may wake it
+        self._back = world.now()  # when the last poll ended
         self._signals = {}
         self._heard = {}
         self._struck = deque()  # type: deque
@@ -593,7 +631,7 @@ class Loop:
     def call_later(self, seconds, function):
         """Call function() in `seconds`; returns its Timer."""
         self._timer_count += 1
-        timer = Timer(time.monotonic() + seconds, self._timer_count, function)
+        timer = Timer(self.now() + seconds, self._timer_count, function)
         heappush(self._timers, timer)
         return timer
 
@@ -669,7 +707,7 @@ class Loop:
             _here.loop = outer
 
     def _wait(self):
-        begun = time.monotonic()
+        begun = self.now()
         away = begun - self._back
         seconds = self._patience(begun)
         if seconds and self.alone is not None and self.is_one_awaited():
@@ -677,7 +715,7 @@ class Loop:
             self.alone()
         else:
             found = self._poll.poll(seconds * 1000)
-        self._back = time.monotonic()
+        self._back = self.now()
         away = max(away, self._back - begun - seconds)  # the process was busy, or stopped
         if away > AWAY and self.on_return is not None:
             self.on_return(away)
@@ -706,7 +744,7 @@ class Loop:
         """Whether nothing is to be done but what the running task does."""
         if self.ready or self._posted or self._struck:
             return False
-        return not self._timers or self._timers[0].when > time.monotonic()
+        return not self._timers or self._timers[0].when > self.now()
 
     def _patience(self, now):
         """Seconds that a poll may take."""
@@ -733,7 +771,7 @@ class Loop:
         self._readable, self._bell = os.pipe()
         for end in (self._readable, self._bell):
             os.set_blocking(end, False)
-        self.watch(self._readable, select.POLLIN, lambda: os.read(self._readable, 4096))
+        self.watch(self._readable, READ, lambda: os.read(self._readable, 4096))
 
     def close(self):
         """Free what it holds."""
@@ -819,7 +857,7 @@ class Loop:
                 function()
             return
         exception = self._signals[number]()
-        now = time.monotonic()
+        now = self.now()
         if exception is None:
             return
         if now - self._last_strike < (UNWINDING if self._is_ending else BOUNCE):

@@ -1,9 +1,8 @@
 """A recording that is played as components, from its beginning to its end."""
 
-import time
 
 from rtshell_lite import errors, notes, path
-from rtshell_lite.corba import orb, servants
+from rtshell_lite.corba import orb
 from rtshell_lite.datalog import flight
 from rtshell_lite.net import loop
 from rtshell_lite.play import bindings, nameserver, recording, stage
@@ -170,7 +169,7 @@ class Show:
     def _send(self, entry):
         moment = None
         if not self._is_absolute:
-            moment = int(time.time() * 1e9)
+            moment = int(loop.wall() * 1e9)
 
         def data_of(little):
             return self._decoder.data(entry, little, moment)
@@ -185,4 +184,4 @@ class Show:
 
 async def _facing(host, port):
     """This host's address that faces another one."""
-    return await loop.on_thread(servants.own_address, host, port) or HERE
+    return await loop.on_thread(loop.world().own_address, host, port) or HERE

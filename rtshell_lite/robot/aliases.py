@@ -2,6 +2,7 @@
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 ROOT_KEY = b"NameService"  # object key of the root of every name server
@@ -100,11 +101,11 @@ async def resolve(host):
     The system's resolver has no deadline, and omniORB's own limits do not cover it.
     """
 
-    def look_up():
-        import socket  # takes long, and addresses need no look-up
+    world = loop.world()
 
+    def look_up():
         try:
-            known = socket.getaddrinfo(host, None, 0, socket.SOCK_STREAM)
+            known = world.resolve(host)
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
         return list(dict.fromkeys(info[4][0] for info in known))

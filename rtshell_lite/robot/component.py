@@ -2,7 +2,6 @@
 What changes states is in `transitions`.
 """
 
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
@@ -29,10 +28,10 @@ async def until(reached, seconds):
     """Await reached() until it returns True, at first more often, for at most `seconds`;
     returns whether it did.
     """
-    limit = time.monotonic() + seconds
+    limit = loop.now() + seconds
     pause = POLL / 10
     while not await reached():
-        if time.monotonic() > limit:
+        if loop.now() > limit:
             return False
         await loop.sleep(pause)
         pause = min(2 * pause, POLL)

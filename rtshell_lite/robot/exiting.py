@@ -1,6 +1,5 @@
 """How components exit: out of the execution contexts of others first, and it is seen that they are gone."""
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
@@ -86,12 +85,12 @@ async def _has_ended(node):
 
     A process that ends may still accept a connection, and drop it, before it refuses the next.
     """
-    limit = time.monotonic() + ENDING
+    limit = loop.now() + ENDING
     while True:
         (now,) = await tree.check_alive([node])
         if now.kind == "zombie":
             return True
-        if isinstance(now.error, errors.Unanswered) or time.monotonic() > limit:
+        if isinstance(now.error, errors.Unanswered) or loop.now() > limit:
             return False
         await loop.sleep(component.POLL)
 

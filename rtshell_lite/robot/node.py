@@ -1,9 +1,9 @@
 """The objects of the RTC Tree: what each is, by its reference, and whether it lives, by asking it."""
 
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
 from rtshell_lite.path import Name
 from rtshell_lite.text import LONGEST, from_wire
 
@@ -302,9 +302,9 @@ async def _batches(node, size=10000):
     received = len(bindings)
     octets = 0
     more = True
-    end = time.monotonic() + PATIENCE * session.current().timeout
+    end = loop.now() + PATIENCE * session.current().timeout
     try:
-        while more and received < MOST and octets < MOST_OCTETS and time.monotonic() < end:
+        while more and received < MOST and octets < MOST_OCTETS and loop.now() < end:
             more, bindings = await orb.call(str(node.path), iterator, "next_n", size)
             yield bindings[: MOST - received]
             received += len(bindings)

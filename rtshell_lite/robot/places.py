@@ -2,10 +2,10 @@
 found by comparing references.
 """
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
 from rtshell_lite.path import Name
 from rtshell_lite.records import record
 from rtshell_lite.robot import ports, tree
@@ -97,10 +97,10 @@ async def ask(refs, joining):
     A Port has no other connectors than those whose ids are in joining[its identity], as thousands of ports
     may each have a thousand. Those that cannot be asked in PATIENCE are Late.
     """
-    end = time.monotonic() + PATIENCE * session.current().timeout
+    end = loop.now() + PATIENCE * session.current().timeout
 
     async def one_port(ref):
-        if time.monotonic() > end:
+        if loop.now() > end:
             raise errors.NoTime(orb.at_address(ref), session.NO_TIME)
         port = await ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
         ids = joining[orb.identity(ref)]

@@ -3,10 +3,10 @@
 A new part is an attribute of Snapshot, and a line in PARTS with the function that asks for it.
 """
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 
 # How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`,
@@ -94,11 +94,11 @@ class Snapshot:
 
     async def or_default(self, ref, ask, otherwise):
         """`component.or_default`, but a context that did not answer is not asked for `rest` seconds."""
-        if self._left_alone and time.monotonic() < self._left_alone.get(orb.identity(ref), 0):
+        if self._left_alone and loop.now() < self._left_alone.get(orb.identity(ref), 0):
             return otherwise
         answer = await component.or_default(self.node, ref, ask(self.node, ref), None)
         if answer is None and self.rest:
-            self._left_alone[orb.identity(ref)] = time.monotonic() + self.rest
+            self._left_alone[orb.identity(ref)] = loop.now() + self.rest
         if answer is None:
             return otherwise
         return answer

@@ -1,6 +1,5 @@
 """Transitions between the states of a component, and in which of its execution contexts they are made."""
 
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
@@ -236,7 +235,7 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
     asked = []
     failures = []
     reached = set()
-    start = time.monotonic()
+    start = loop.now()
     for context in wanted:
         try:
             _check_that_one_answers(node, [context])
@@ -332,7 +331,7 @@ async def _change_in(node, ref, transition, wait, called, before=None, stage=_ig
     before = before or await component.state_in(node, ref)
     if before != transition.target:
         code = await _request(node, ref, transition, wait, called, stage)
-        return await _reach(node, ref, transition, code, before, wait, time.monotonic())
+        return await _reach(node, ref, transition, code, before, wait, loop.now())
     if wait is not None:
         await check_still_active(node, ref, transition, wait)
     return transition.target
@@ -359,7 +358,7 @@ async def _reach(node, ref, transition, code, before, wait, start):
     """See that a Transition from the state `before`, answered with `code`, is made: the state. Without
     `wait`, RTC_OK is enough, and the result is ACCEPTED.
 
-    `wait` counts from `start`, by time.monotonic().
+    `wait` counts from `start`, by loop.now().
     """
     if code == "RTC_OK" and wait is None:
         return ACCEPTED
@@ -374,7 +373,7 @@ async def _reach(node, ref, transition, code, before, wait, start):
         seconds = wait
     await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
-        await check_still_active(node, ref, transition, start + seconds - time.monotonic())
+        await check_still_active(node, ref, transition, start + seconds - loop.now())
     return transition.target
 
 
@@ -419,17 +418,17 @@ async def check_still_active(node, ref, transition, seconds):
     if transition is not ACTIVATE:
         return
     rate = await component.uncertain_if_refused(orb.call(node.path, ref, "get_rate"))
-    start = time.monotonic()
+    start = loop.now()
     end = start + JITTER
     if rate > 0:
         end += 1 / rate
     limit = start + max(seconds, component.POLL)
-    while time.monotonic() < end:
-        if time.monotonic() > limit:
+    while loop.now() < end:
+        if loop.now() > limit:
             raise errors.Late(
                 str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context"
             )
-        await loop.sleep(max(0, min(component.POLL, end - time.monotonic())))
+        await loop.sleep(max(0, min(component.POLL, end - loop.now())))
         now = await component.uncertain_if_refused(component.state_in(node, ref))
         if now != transition.target:
             raise errors.Refused(str(node.path), f"cannot {transition.name}: it went to {now}")
@@ -448,7 +447,7 @@ async def _until(node, ref, transition, now, seconds, start):
             # OpenRTM-aist 2 remembers the request
             why = "its execution context is stopped; once started, it may still do so"
             raise errors.Refused(str(node.path), f"cannot {transition.name}: {why}")
-        if time.monotonic() > limit:
+        if loop.now() > limit:
             raise errors.Late(str(node.path), f"not {transition.target} within {seconds:g}s, still {now}")
         await loop.sleep(pause)
         pause = min(2 * pause, component.POLL)

@@ -4,9 +4,9 @@ programs.
 
 import collections
 import os
-import time
 
 from rtshell_lite import files, notes
+from rtshell_lite.net import calendar, loop
 from rtshell_lite.text import json_line
 
 
@@ -30,16 +30,16 @@ class Happening(collections.namedtuple("Happening", "time object seen done secon
 
     def line(self):
         """For people."""
-        clock = time.strftime("%H:%M:%S", time.localtime(self.time))
+        clock = calendar.local("%H:%M:%S", self.time)
         return f"[{clock}] {self.object}: {self.words()}"
 
 
 def now(where, seen, done="", begun=None, error=None):
-    """A Happening of this moment; `begun` by time.monotonic()."""
+    """A Happening of this moment; `begun` by loop.now()."""
     seconds = 0.0
     if begun is not None:
-        seconds = time.monotonic() - begun
-    return Happening(time.time(), where, seen, done, seconds, error)
+        seconds = loop.now() - begun
+    return Happening(loop.wall(), where, seen, done, seconds, error)
 
 
 class Log:

@@ -6,12 +6,11 @@ is an attachment, as rtcryo writes it, with another one for what details.py keep
 changes.
 """
 
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.datalog import schemas
 from rtshell_lite.events import connections, watch
-from rtshell_lite.net import loop
+from rtshell_lite.net import calendar, loop
 from rtshell_lite.xmlprofile import rtsprofile
 
 RECORD = "rtlog.Record"
@@ -106,14 +105,14 @@ class Journal:
         if event in SERIOUS:
             fields["mark"] = "%s: %s" % (where.rpartition("/")[2], SERIOUS[event])
         if event in CHANGES or kind == "CONFIG_EVENT":
-            self._changed = time.monotonic()
+            self._changed = loop.now()
         self._work.put_json(self._events, fields)
         if self._listener is not None:
             self._listener(fields)
 
     async def _describe(self):
         """Attach the profile of the system: at the start, and when it has changed and is quiet."""
-        now = time.monotonic()
+        now = loop.now()
         if not self._changed:
             return
         is_busy = now - self._changed < QUIET or now - self._looked < RARELY
@@ -126,7 +125,7 @@ class Journal:
             profile, more = await describe(self._tops)
         except errors.Error:
             return  # the next change shows it
-        moment = int(time.time() * 1e9)
+        moment = int(loop.wall() * 1e9)
         self._work.attach(moment, "system-%d.rtsys" % self._number, "application/xml", profile)
         self._work.attach(moment, "components-%d.json" % self._number, "application/json", more)
 
@@ -150,6 +149,6 @@ async def describe(tops):
     found = await capture.capture(tops, True, with_states=True, with_snapshots=True)
     profile = found.profile
     profile.id = "RTSystem:rtlog:recorded:0"
-    profile.creation_date = profile.update_date = time.strftime("%Y-%m-%dT%H:%M:%S")
+    profile.creation_date = profile.update_date = calendar.local("%Y-%m-%dT%H:%M:%S")
     written = rtsprofile.dump(profile, rtsprofile.XML).encode("utf-8", "surrogateescape")
     return written, details.dump(found.found)

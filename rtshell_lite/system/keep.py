@@ -9,7 +9,6 @@ Error, a value, a set or a rate that was as the file has it, a connection that d
 """
 
 import collections
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -110,8 +109,8 @@ class Keeper(presence.Presence):
 
     async def until_settled(self, seconds):
         """Wait until all is as the file says, for at most `seconds`: whether it is."""
-        end = time.monotonic() + seconds
-        while not self.is_settled() and time.monotonic() < end:
+        end = loop.now() + seconds
+        while not self.is_settled() and loop.now() < end:
             await loop.sleep(TICK)
         return self.is_settled()
 
@@ -134,7 +133,7 @@ class Keeper(presence.Presence):
                     yield errors.Late(kept.where, f"it is {kept.state}")
 
     def happened(self, kept, seen, done="", begun=None, error=None):
-        """Report a Happening of a KeptComponent; `begun` by time.monotonic()."""
+        """Report a Happening of a KeptComponent; `begun` by loop.now()."""
         event = happening.now(kept.where, seen, done, begun, error)
         kept.last = event.words()
         self.on_event(event)
@@ -157,7 +156,7 @@ class Keeper(presence.Presence):
 
     async def _work(self):
         while not self._is_ending:
-            now = time.monotonic()
+            now = loop.now()
             waiting = [kept for kept in self.followed if kept.is_waiting]
             batch = self._mendable([kept for kept in waiting if kept.due <= now])
             for kept in batch:
@@ -231,7 +230,7 @@ class Keeper(presence.Presence):
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
         kept.changed = kept.changed | kept.looking
-        kept.due = time.monotonic() + WAIT
+        kept.due = loop.now() + WAIT
         if not kept.is_there:
             return
         kept.placement.error = error
@@ -247,7 +246,7 @@ class Keeper(presence.Presence):
     async def _restore(self, batch):
         """Do the steps of rtresurrect that concern what has changed of some KeptComponents."""
         outcomes = await self._parts(batch)
-        begun = time.monotonic()
+        begun = loop.now()
         changed = [kept for kept in batch if kept.looking & {WHOLE, "ports"}]
         connectors = await self._connections.take(changed)
         try:
@@ -323,14 +322,14 @@ class Keeper(presence.Presence):
             kept.become("absent")
         if not self.options.create:
             return
-        now = time.monotonic()
+        now = loop.now()
         due = []
         for kept in absent:
             if not placements.is_gone(kept.error) or kept.repairs.until > now:
                 continue
             if kept.repairs.given_up or kept.is_paused or kept.is_busy:
                 continue
-            if time.time() - kept.since > FAREWELL:
+            if loop.wall() - kept.since > FAREWELL:
                 due.append(kept)
         for kept in due:
             kept.is_busy = True
@@ -400,7 +399,7 @@ class Keeper(presence.Presence):
             error = errors.Failed(kept.where, f"{trial.why}; {trial.why_given_up()}")
             if self.complain(kept, STATE, error) and kept.placement.required:
                 self.start(self._stop_dependents(kept))
-        elif trial.until > time.monotonic():
+        elif trial.until > loop.now():
             self._try_later(kept, trial, STATE)
         else:
             return True
@@ -408,7 +407,7 @@ class Keeper(presence.Presence):
 
     async def _reset(self, kept):
         """Take a component out of Error."""
-        begun = time.monotonic()
+        begun = loop.now()
         try:
             await self._change(kept, transitions.RESET)
             kept.has_failed = False
@@ -438,7 +437,7 @@ class Keeper(presence.Presence):
                 return plan.ALREADY
             return plan.FAILED
 
-        begun = time.monotonic()
+        begun = loop.now()
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
         for kept in todo:
             own = []
@@ -480,7 +479,7 @@ class Keeper(presence.Presence):
 
     async def deactivate(self, kept, seen, done):
         """Deactivate one component; `seen` and `done` for the report."""
-        begun = time.monotonic()
+        begun = loop.now()
         try:
             if kept.is_usable:
                 await self._change(kept, transitions.DEACTIVATE)

@@ -3,11 +3,11 @@
 keep.py decides what is done about it.
 """
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.events import presence
+from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.system import policy
 
@@ -35,7 +35,7 @@ class KeptComponent(presence.Followed):
     """One component that is kept.
 
     placement      its placements.Placement; `placement.error` says why nothing can be done with it
-    changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by time.monotonic()
+    changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by loop.now()
     looking   those that are being looked at
     settled   {key of a step: its setting}, and STATE, that were as in the file when last looked at
     hands     {key: what a person has done}
@@ -66,7 +66,7 @@ class KeptComponent(presence.Followed):
         self.settled = {}
         self.hands = {}
         self.said = {}
-        self.since = time.time()
+        self.since = loop.wall()
         self.drives = []
         self.drivers = []
         # False for one whose state is nobody's business here
@@ -98,12 +98,12 @@ class KeptComponent(presence.Followed):
         """Note its state."""
         if state != self.state:
             self.state = state
-            self.since = time.time()
+            self.since = loop.wall()
 
     def change(self, *parts):
         """Have parts of it looked at again."""
         self.changed = self.changed.union(parts)
-        self.due = max(self.due, time.monotonic() + PAUSE)
+        self.due = max(self.due, loop.now() + PAUSE)
         self.keeper.bell.ring()
 
     def as_dict(self):

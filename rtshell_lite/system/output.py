@@ -2,11 +2,9 @@
 
 import collections
 import os
-import select
-import time
 
 from rtshell_lite import files, notes
-from rtshell_lite.net import loop
+from rtshell_lite.net import calendar, loop
 
 LINES = 200  # that are kept of each process
 LONGEST = 4096  # characters of a line
@@ -31,7 +29,7 @@ class Output:
         """Take what comes from a pipe until its end."""
         os.set_blocking(fd, False)
         rest = [b""]  # the beginning of a line
-        loop.current().watch(fd, select.POLLIN, lambda: self._read(fd, rest))
+        loop.current().watch(fd, loop.READ, lambda: self._read(fd, rest))
 
     def _read(self, fd, rest):
         try:
@@ -60,7 +58,7 @@ class Output:
         target = os.path.join(self._log, self.name + ".log")
         try:
             with files.append(target) as file:
-                file.write((time.strftime("%Y-%m-%dT%H:%M:%S ") + line + "\n").encode("utf-8"))
+                file.write((calendar.local("%Y-%m-%dT%H:%M:%S ") + line + "\n").encode("utf-8"))
                 is_full = file.tell() > LOG
             if is_full:
                 os.replace(target, target + ".1")

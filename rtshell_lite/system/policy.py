@@ -2,9 +2,9 @@
 
 import collections
 import os
-import time
 
 from rtshell_lite import errors
+from rtshell_lite.net import loop
 from rtshell_lite.system import capture
 
 HEALTH = 60.0  # seconds without a failure after which earlier ones are forgotten
@@ -61,7 +61,7 @@ def _two_numbers(text, between, complaint):
 class Trial:
     """How often something has failed of late, and when it may be tried again.
 
-    until     time.monotonic() before which it is not to be tried
+    until     loop.now() before which it is not to be tried
     why       the last failure, in words
     given_up  True after too many failures, until `begin_again`
     """
@@ -77,7 +77,7 @@ class Trial:
         """Note a failure: the next attempt comes at once after the first one, later after others,
         or never.
         """
-        now = time.monotonic()
+        now = loop.now()
         self.why = why
         if self.failures and now - self.failures[-1] > HEALTH:
             self.failures = []

@@ -4,7 +4,6 @@ ends, by its policy; ended in reverse.
 
 import os
 import signal
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb
@@ -33,7 +32,7 @@ class Process:
         self.trial = policy.Trial(spec.policy)
         self.state = "waiting"
         self.pid = self.status = None
-        self.since = time.time()
+        self.since = loop.wall()
         self.restarts = 0
         self.output = output
         self.is_wanted = True
@@ -44,7 +43,7 @@ class Process:
         """Note its state, and let those know who wait for that."""
         if state != self.state:
             self.state = state
-            self.since = time.time()
+            self.since = loop.wall()
         waiting = self.changed
         self.changed = []
         for wait in waiting:
@@ -129,7 +128,7 @@ class Processes:
                 await other.until(lambda: other.is_ready)
             if not process.is_wanted or await self._is_foreign(process) or not process.is_wanted:
                 continue
-            begun = time.monotonic()
+            begun = loop.now()
             try:
                 self._spawn(process)
             except OSError as e:
@@ -160,7 +159,7 @@ class Processes:
         if process.spec.ready is not None:
             is_late = False
             while await _seen(process) != ANSWERS:
-                if not is_late and time.monotonic() - begun > PATIENCE:
+                if not is_late and loop.now() - begun > PATIENCE:
                     is_late = True
                     self.happened(process.name, f"{process.spec.ready} does not answer yet", "waits")
                 await loop.sleep(SEEK if is_late else TICK)
@@ -186,7 +185,7 @@ class Processes:
             process.is_wanted = False
             return
         process.restarts += 1
-        pause = loop.sleep(max(0, process.trial.until - time.monotonic()))
+        pause = loop.sleep(max(0, process.trial.until - loop.now()))
         await loop.race(pause, process.until(lambda: not process.trial.failures))
 
     # ---- the operating system ----
@@ -250,7 +249,7 @@ class Processes:
             if process.name in other.spec.after and not other.is_wanted:
                 await other.until(lambda: other.pid is None)
         number, seconds = process.spec.stop
-        begun = time.monotonic()
+        begun = loop.now()
         for last in (number, signal.SIGKILL):
             if process.pid is None:
                 return

@@ -3,7 +3,6 @@ in parallel where nothing orders them.
 """
 
 import collections
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -148,7 +147,7 @@ class Run:
         try:
             async with loop.Group() as group:
                 while not self._schedule.is_over():
-                    now = time.monotonic()
+                    now = loop.now()
                     for action, reason in self._schedule.due(now):
                         if reason is None:
                             self._start(action, group)
@@ -161,12 +160,12 @@ class Run:
             self._leave()
 
     async def _wait(self, until):
-        """Wait until an action begins or ends; no longer than `until`, by time.monotonic(), or None."""
+        """Wait until an action begins or ends; no longer than `until`, by loop.now(), or None."""
         if self._schedule.is_over():
             return
         seconds = None
         if until is not None:
-            seconds = max(0, until - time.monotonic())
+            seconds = max(0, until - loop.now())
         await self._changed.wait(seconds)
 
     def _start(self, action, group):

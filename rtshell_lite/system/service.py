@@ -2,7 +2,6 @@
 
 import os
 import signal
-import time
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import liveness
@@ -58,7 +57,7 @@ class Service:
         self._show = show
         self._log = log
         self.keeper = None
-        self.since = time.time()
+        self.since = loop.wall()
         self._files = None  # what was read last
         self._wanted = None  # reload, stop, or the number of a signal
         self._bell = loop.Bell()
@@ -76,7 +75,7 @@ class Service:
         self._log.add(event)
 
     def process_happened(self, name, seen, done="", begun=None):
-        """Report what happens to a process; `begun` by time.monotonic()."""
+        """Report what happens to a process; `begun` by loop.now()."""
         self.report(happening.now(name, seen, done, begun))
 
     async def run(self, processes):

@@ -6,7 +6,6 @@ A request and each line of its answer are JSON. The first line of an answer has 
 import fcntl
 import json
 import os
-import select
 import socket
 import stat
 import zlib
@@ -131,7 +130,7 @@ class Door:
 
     async def _open(self):
         while True:
-            await loop.ready(self._listener.fileno(), select.POLLIN)
+            await loop.ready(self._listener.fileno(), loop.READ)
             try:
                 connection, _ = self._listener.accept()
             except OSError:
@@ -162,7 +161,7 @@ class Door:
 async def _line(connection):
     data = b""
     while not data.endswith(b"\n") and len(data) < LONGEST:
-        await loop.ready(connection.fileno(), select.POLLIN)
+        await loop.ready(connection.fileno(), loop.READ)
         piece = connection.recv(1 << 16)
         if not piece:
             break
@@ -173,7 +172,7 @@ async def _line(connection):
 async def _send(connection, text):
     data = text.encode("utf-8", "surrogateescape")
     while data:
-        await loop.ready(connection.fileno(), select.POLLOUT)
+        await loop.ready(connection.fileno(), loop.WRITE)
         try:
             data = data[connection.send(data) :]
         except OSError:
@@ -212,7 +211,7 @@ async def ask(door, request):
             await _send(connection, json_line(request) + "\n")
             data = b""
             while True:
-                await loop.ready(connection.fileno(), select.POLLIN)
+                await loop.ready(connection.fileno(), loop.READ)
                 piece = connection.recv(1 << 16)
                 if not piece:
                     break

@@ -5,7 +5,6 @@ One component of each process sends heartbeats: while these come, the others can
 C++ that sends them answers late when its observer is taken back (docs/protocol.md 5).
 """
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -25,7 +24,7 @@ class _Process:
     """What is known of a process that has observers of ours."""
 
     def __init__(self):
-        self.heard = NEVER  # when one of its components last called, by time.monotonic()
+        self.heard = NEVER  # when one of its components last called, by loop.now()
         self.beating = None  # the Subscription of the one that sends heartbeats
         self.asked = NEVER  # when that was asked to send them
         self.is_deaf = False  # whether its components cannot call us
@@ -42,7 +41,7 @@ class Hearing:
         """Whether a component would have reported what has changed."""
         if entry.subscription is None:
             return False
-        return self._processes[entry.node.endpoint].heard > time.monotonic() - LATE
+        return self._processes[entry.node.endpoint].heard > loop.now() - LATE
 
     async def lend(self, entry):
         """Lend a component an observer, if it takes one, or again if it may have lost it. Its ports have just
@@ -51,7 +50,7 @@ class Hearing:
         if entry.takes_none:
             return
         process = self._processes.setdefault(entry.node.endpoint, _Process())
-        now = time.monotonic()
+        now = loop.now()
         is_late = max(process.heard, process.asked) < now - LATE
         if process.is_deaf or entry.subscription is not None and not is_late and not entry.is_in_doubt:
             return
@@ -85,7 +84,7 @@ class Hearing:
             return
 
         def hear(event):
-            process.heard = time.monotonic()
+            process.heard = loop.now()
             entry.hear(event)
 
         entry.subscription = observer.Subscription(entry.node, kind, (), hear)

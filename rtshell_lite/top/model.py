@@ -7,7 +7,6 @@ page lends them observers (hearing.py): what reports its changes is hardly asked
 """
 
 import collections
-import time
 
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import orb, session
@@ -64,7 +63,7 @@ class Entry:
         self.snapshot = snapshot.Snapshot(node, rest=REST)
         self.looked = False  # whether its state, or its failure, is known
         self.silenced = 0.0  # when it was silent last
-        self.since = None  # when its state changed last, by time.monotonic()
+        self.since = None  # when its state changed last, by loop.now()
         self.event = ""  # the last change, in words
         self.path = str(node.path)
         self.is_shown = True
@@ -81,7 +80,7 @@ class Entry:
 
     def measured(self):
         """{port: values that are written a second}, if that was measured a moment ago, else {}."""
-        if time.monotonic() > self._flow_until:
+        if loop.now() > self._flow_until:
             return {}
         return self.flow
 
@@ -93,7 +92,7 @@ class Entry:
     def keep_measured(self, flow):
         """Keep what was measured, for a while."""
         self.flow = flow
-        self._flow_until = time.monotonic() + KEPT
+        self._flow_until = loop.now() + KEPT
 
     def hear(self, event):
         """It has reported an observer.Event: look at what that is about."""
@@ -115,7 +114,7 @@ class Entry:
         return SLOWER * seconds
 
     def due(self):
-        """When it is to be asked, by time.monotonic()."""
+        """When it is to be asked, by loop.now()."""
         if self.asked == NEVER:
             return self.again
         pause = 0.0
@@ -129,7 +128,7 @@ class Entry:
 
     async def ask(self):
         """Ask it. Raises Unanswered."""
-        now = time.monotonic()
+        now = loop.now()
         try:
             await self._look(now)
         except errors.Unanswered:
@@ -171,7 +170,7 @@ class Entry:
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.links = None
             if isinstance(e, errors.Unanswered):
-                self._ports_asked = time.monotonic() + PORTS_SILENT - PORTS
+                self._ports_asked = loop.now() + PORTS_SILENT - PORTS
 
     async def _be_heard(self):
         try:
@@ -199,7 +198,7 @@ class Entry:
     def _become(self, kind, state, failure):
         """Note its state, and whether that is another one than before."""
         if self.looked and state != self.state:
-            self.since = time.monotonic()
+            self.since = loop.now()
             words = {"-": "dead", "?": "silent", "~": "not asked"}
             self.event = f"{words.get(self.state, self.state)} to {words.get(state, state)}"
         self.kind = kind
@@ -233,7 +232,7 @@ class Entry:
             self.ports,
             links,
             self.failure,
-            self.since and time.monotonic() - self.since,
+            self.since and loop.now() - self.since,
             self.event,
             self.measured(),
         )
@@ -422,7 +421,7 @@ class Top:
             except errors.Unspoken as e:
                 entry.fail("unasked", e)
             except errors.Unanswered as e:
-                entry.silenced = time.monotonic()
+                entry.silenced = loop.now()
                 entry.fail("unasked" if isinstance(e, errors.NotAsked) else "silent", e)
                 silent.append(entry)
                 if heard or len(silent) == 2:
@@ -433,8 +432,8 @@ class Top:
 
     async def wait(self, seconds):
         """Wait until everything has been looked at, at most `seconds`."""
-        end = time.monotonic() + seconds
-        while not self._is_complete() and time.monotonic() < end:
+        end = loop.now() + seconds
+        while not self._is_complete() and loop.now() < end:
             await loop.sleep(0.02)
 
     def give_up(self):
@@ -573,7 +572,7 @@ def _due(entries):
     """Those of a process that are to be asked now, those first that were never silent; one of them at least
     every SELDOM seconds, as the process may hang.
     """
-    now = time.monotonic()
+    now = loop.now()
     due = [entry for entry in entries if entry.due() <= now]
     if not due and now >= max(entry.asked for entry in entries) + SELDOM:
         due = _rested(entries)[:1]
@@ -582,7 +581,7 @@ def _due(entries):
 
 def _rested(entries):
     """Those that may be asked now, those first that were not asked for longest."""
-    now = time.monotonic()
+    now = loop.now()
     return sorted((entry for entry in entries if entry.again <= now), key=lambda entry: entry.asked)
 
 

@@ -5,7 +5,6 @@ import contextlib
 import curses
 import locale
 import os
-import select
 import sys
 
 from rtshell_lite import text
@@ -181,7 +180,7 @@ class Page:
         """Show the page and handle keys until q."""
         here = loop.current()
         terminal = sys.stdin.fileno()
-        here.watch(terminal, select.POLLIN, self.typed.ring)
+        here.watch(terminal, loop.READ, self.typed.ring)
         if "readline" not in sys.modules:  # in rtsh the signal is readline's, which would not get it back
             here.hear(_signal.SIGWINCH, self.looking.bell.ring)
         try:

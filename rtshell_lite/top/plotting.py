@@ -1,6 +1,5 @@
 """The plot of an out port on the page of rttop, as rtplot draws it."""
 
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.data import connection, datatypes, inbox, reading
@@ -59,7 +58,7 @@ class Plot:
         raise reader.failure
 
     def _draw(self, source):
-        old = time.time() - WINDOW
+        old = loop.wall() - WINDOW
         for series in source.panel.series.values():
             series.forget(int(old * 1e9))
         picture = plot.Picture([source.panel])

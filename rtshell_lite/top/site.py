@@ -11,11 +11,10 @@ import collections
 import errno
 import functools
 import os
-import socket
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.net import http, loop
+from rtshell_lite.net import calendar
 from rtshell_lite.path import split_address
 from rtshell_lite.robot import places, tree
 from rtshell_lite.system import capture, page_file
@@ -32,7 +31,7 @@ BEAT = 15.0  # seconds after which a browser is sent a comment, which shows that
 TICK = 1.0  # seconds between two looks whether a browser is still there
 
 # What is known of a component: the snapshot.Snapshot with everything, None if it has never answered; which
-# connections it had then; when that was, by time.monotonic().
+# connections it had then; when that was, by loop.now().
 Detail = collections.namedtuple("Detail", "snapshot links asked")
 
 
@@ -51,7 +50,7 @@ class Place:
         self.listener = listener
         self.host = host
         self.token = token
-        own = socket.gethostname().lower()
+        own = loop.world().host_name().lower()
         self.names = {host.lower(), own, own + ".local"}
 
     @property
@@ -97,9 +96,10 @@ async def place(where, otherwise=None):
     """
     host, port = where
     try:
-        found = await loop.on_thread(socket.getaddrinfo, host, port, 0, socket.SOCK_STREAM)
+        world = loop.world()
+        found = await loop.on_thread(world.resolve, host, port)
         family, _, _, _, address = sorted(found, key=lambda each: each[0])[0]
-        listener = http.listening(family, address)
+        listener = world.listen(family, address)
     except (OSError, OverflowError, UnicodeError) as e:
         if otherwise and getattr(e, "errno", None) == errno.EADDRINUSE:
             return await place(otherwise)
@@ -169,7 +169,7 @@ class Site:
         if state == known and words.startswith(why) and bool(why) == bool(words):
             return
         if why:
-            why += time.strftime(" (seen at %H:%M:%S)")
+            why += calendar.local(" (seen at %H:%M:%S)")
         self._changes += 1
         self._now[row.path] = (self._changes, [state, why])
 
@@ -202,7 +202,7 @@ class Site:
             else:
                 shown = answer.snapshot
                 shown.states = ["as above"] * len(shown.states)  # which the page keeps live
-            self._details[path] = Detail(shown, entries[path].links, time.monotonic())
+            self._details[path] = Detail(shown, entries[path].links, loop.now())
         known = []
         for detail in self._details.values():
             if detail.snapshot is not None:
@@ -224,7 +224,7 @@ class Site:
 
     def _due(self, entries):
         """The paths of the components that are to be asked for everything."""
-        end = time.monotonic() - REFRESH
+        end = loop.now() - REFRESH
         due = []
         old = []
         for path, entry in sorted(entries.items()):
@@ -285,7 +285,7 @@ class Site:
         bell = loop.Bell()
         self._bells.add(bell)
         change = 0
-        beat = time.monotonic()
+        beat = loop.now()
         try:
             await connection.send(b"retry: 2000\n\n")
             while True:
@@ -295,12 +295,12 @@ class Site:
                     event = f"event: system\nid: {self._name()}\ndata: {self._content()}\n\n"
                 elif now:
                     event = f"event: states\ndata: {page_file.as_json(now)}\n\n"
-                elif time.monotonic() - beat > BEAT:
+                elif loop.now() - beat > BEAT:
                     event = ":\n\n"
                 change = self._changes
                 known = self._name()
                 if event:
-                    beat = time.monotonic()
+                    beat = loop.now()
                     await connection.send(event.encode())
                 connection.check()
                 await bell.wait(TICK)

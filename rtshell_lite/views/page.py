@@ -11,10 +11,10 @@ import collections
 import hashlib
 import os
 import re
-import time
 
 import rtshell_lite
 from rtshell_lite import errors
+from rtshell_lite.net import calendar
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.text import printable, safe
 from rtshell_lite.views import page_details, part
@@ -188,7 +188,7 @@ def _end(end, locate, numbers):
 
 def origin(command):
     """The line of a page that says when and by what it was made."""
-    made = time.strftime("%Y-%m-%d %H:%M:%S %z")
+    made = calendar.local("%Y-%m-%d %H:%M:%S %z")
     return f"Made at {made} by {command} of rtshell_lite {rtshell_lite.__version__}"
 
 

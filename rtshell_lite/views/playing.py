@@ -2,7 +2,6 @@
 
 import _signal  # see net/loop.py
 import os
-import select
 import sys
 
 from rtshell_lite.datalog import decode
@@ -63,7 +62,7 @@ def _is_ours():
 async def _take_keys(terminal, pace):
     acts = {" ": pace.pause, ".": pace.step, "<": lambda: pace.jump(-JUMP), ">": lambda: pace.jump(JUMP)}
     while True:
-        await loop.ready(terminal, select.POLLIN)
+        await loop.ready(terminal, loop.READ)
         keys = os.read(terminal, 64).decode("latin-1")
         if not keys:
             return

@@ -4,9 +4,9 @@ plot_svg.py draw.
 
 import math
 import re
-import time
 
 from rtshell_lite import errors
+from rtshell_lite.net import calendar
 from rtshell_lite.text import printable
 
 COLUMNS = 2000  # places on the time axis that a long series is thinned to
@@ -350,4 +350,4 @@ def elapsed(picture, moment):
 def date(moment):
     """A moment (ns since the epoch) in local time, with milliseconds."""
     seconds, rest = divmod(moment, 10**9)
-    return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(seconds)) + ".%03d" % (rest // 10**6)
+    return calendar.local("%Y-%m-%d %H:%M:%S", seconds) + ".%03d" % (rest // 10**6)

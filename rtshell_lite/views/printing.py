@@ -9,7 +9,6 @@ import math
 import os
 import struct
 import sys
-import time
 
 from rtshell_lite import errors, start, text
 from rtshell_lite.data import datatypes, statistics, values
@@ -133,10 +132,10 @@ async def batches(box, opened, seconds=math.inf, rate=None):
     With a rate, that many times a second, and only the newest of each key. At least every TICK a list, maybe
     empty, is yielded.
     """
-    end = time.monotonic() + seconds
+    end = loop.now() + seconds
     is_last = False
     while not is_last:
-        left = end - time.monotonic()
+        left = end - loop.now()
         is_last = left <= 0 or not opened.live()
         if is_last:
             left = 0
@@ -177,7 +176,7 @@ class Board:
         self.dropped = [0] * len(channels)
         self.in_place = not json and sys.stdout.isatty()
         self.lines = 0
-        self.begun = self.shown = self.ended = time.monotonic()
+        self.begun = self.shown = self.ended = loop.now()
 
     def add(self, batch):
         """Count (key, Message) pairs, and show the figures since the last time, when it is time."""
@@ -185,7 +184,7 @@ class Board:
             self.channels[key].count(message)
         if not self.is_due():
             return
-        now = time.monotonic()
+        now = loop.now()
         figures = []
         for key, channel in enumerate(self.channels):
             dropped, self.dropped[key] = self.box.dropped[key] - self.dropped[key], self.box.dropped[key]
@@ -195,7 +194,7 @@ class Board:
 
     def is_due(self):
         """Whether it is time to show figures."""
-        return time.monotonic() - self.shown >= SHOW
+        return loop.now() - self.shown >= SHOW
 
     def end(self):
         """Show the figures from the beginning until `ended`."""

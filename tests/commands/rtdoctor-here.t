@@ -3,28 +3,28 @@ rtdoctor looks first at what is here: programs, settings of omniORB, names of th
   $ mkdir fake
   $ cat > fake/sitecustomize.py <<'END'
   > """A host that is called robot1, and names that mean what HOSTS says; robot1's own address is 198.51.100.1."""
-  > import os, socket, time
+  > import os, time
+  > from rtshell_lite.net import real
   > hosts = dict(word.split("=") for word in os.environ["HOSTS"].split())
-  > look_up, Real = socket.getaddrinfo, socket.socket
-  > def getaddrinfo(host, *rest):
+  > resolve, stream, is_own, bind = real.resolve, real.stream, real.is_own, real.bind
+  > def named(host, *rest, **more):
+  >     if isinstance(host, bytes):
+  >         host = host.decode()
   >     address = hosts.get(host, host)
   >     if address == "slow":
   >         time.sleep(60)
   >     if address == "unknown":
-  >         raise socket.gaierror(-2, "Name or service not known")
-  >     return look_up(address, *rest)
-  > class Socket(Real):
-  >     def bind(self, address):
-  >         if address[0] != "198.51.100.1":
-  >             super().bind(address)
-  > socket.gethostname = lambda: "robot1"
-  > socket.getaddrinfo, socket.socket = getaddrinfo, Socket
-  > def connect(address, timeout):
-  >     connection = Real()
-  >     connection.settimeout(timeout)
-  >     connection.connect(("127.0.0.1", address[1]))
-  >     return connection
-  > socket.create_connection = connect
+  >         raise real.NoSuchHost(-2, "Name or service not known")
+  >     return resolve(address, *rest, **more)
+  > def here(family, protocol=0):
+  >     class Socket(type(stream(family, protocol))):
+  >         def connect_ex(self, address):
+  >             return super().connect_ex(("127.0.0.1", address[1]))
+  >     return Socket(family, 1, protocol)
+  > real.host_name = lambda: "robot1"
+  > real.is_own = lambda address: address == "198.51.100.1" or is_own(address)
+  > real.bind = lambda host, port: host == hosts.get("robot1") or bind(host, port)
+  > real.resolve, real.stream = named, here
   > END
   $ doctor() { PYTHONPATH=$TMP/fake${PYTHONPATH:+:$PYTHONPATH} rtdoctor "$@"; }
   $ touch none.cfg; export HOSTS="robot1=198.51.100.1 localhost=127.0.0.1" OMNIORB_CONFIG=$TMP/none.cfg

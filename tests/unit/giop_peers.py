@@ -70,7 +70,6 @@ class Calls(unittest.TestCase):
 
     def setUp(self):
         self.session = session.Session(2)
-        session.Session.answered.clear()
         patched = mock.patch.object(orb, "_orb", client)
         patched.start()
         self.addCleanup(patched.stop)

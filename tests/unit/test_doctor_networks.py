@@ -9,8 +9,9 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from loops import asynchronous, wait_for
-from rtshell_lite.corba import hosts, liveness, session
+from rtshell_lite.corba import liveness, session
 from rtshell_lite.doctor import addresses, limits, managers, networks, references, remedies, waiting
+from rtshell_lite.net import hosts, loop, real
 from rtshell_lite.robot import tree
 
 ONCE = "it asks nobody"
@@ -175,12 +176,11 @@ class Arrival(unittest.TestCase):
         """All addresses of a host share one."""
         given = []
 
-        def create_connection(address, seconds):
+        async def within(seconds, coroutine, late):
+            coroutine.close()
             given.append(seconds)
             raise ConnectionRefusedError(errno.ECONNREFUSED, "refused")
-        with mock.patch.object(addresses.socket, "create_connection", create_connection), self.assertRaises(
-            errors.ConnectionRefused
-        ):
+        with mock.patch.object(loop, "within", within), self.assertRaises(errors.ConnectionRefused):
             wait_for(addresses.connect(["198.51.100.1", "198.51.100.2"], 4000), 3.0)
         self.assertTrue(0 < given[1] <= given[0] <= 3.0, given)
 
@@ -188,14 +188,12 @@ class Arrival(unittest.TestCase):
         with socket.socket() as bound:
             bound.bind(("127.0.0.1", 0))
             self.assertFalse(wait_for(addresses.arrives(bound.getsockname())))
-        addresses.forget()
 
     def test_a_process_that_hangs_takes_what_is_sent(self):
         with socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
             self.assertTrue(wait_for(addresses.arrives(listening.getsockname())))
-        addresses.forget()
 
     def test_another_protocol(self):
         """A server that waits for the end of a line is no hung process; one that hangs says nothing to that,
@@ -209,7 +207,6 @@ class Arrival(unittest.TestCase):
                 serving.start()
                 self.assertIs(wait_for(addresses.speaks_otherwise(listening.getsockname()), 0.6), found, line)
                 serving.join()
-        addresses.forget()
 
     def answer_a_line(self, listening, line):
         with listening.accept()[0] as connection:
@@ -221,16 +218,13 @@ class Arrival(unittest.TestCase):
                 connection.recv(1)  # until the other end has given up
 
     def test_large_packets_lost(self):
-        with mock.patch.object(
-            addresses, "_unacknowledged", lambda connection: 1
-        ), socket.socket() as listening:
+        with mock.patch.object(real, "unacknowledged", lambda connection: 1), socket.socket() as listening:
             listening.bind(("127.0.0.1", 0))
             listening.listen(1)
             where = listening.getsockname()
             silent = errors.Silent("/a", "no answer within 1s")
             self.assertTrue(wait_for(remedies.is_of_network(silent, where), 0.1))
             self.assertEqual(wait_for(remedies.of_silence(silent, where, "/a"), 0.1).name, "network")
-        addresses.forget()
 
     def test_blame(self):
         for e, name in (

@@ -7,7 +7,7 @@ import unittest
 from unittest import mock
 
 import loops
-from rtshell_lite.net import http, loop
+from rtshell_lite.net import http, loop, tcp
 
 LIMIT = 30.0  # seconds that anything may take on a busy machine
 PAGE = b"x" * 300000
@@ -20,7 +20,7 @@ class Serving(loops.Serving):
     """
 
     def __init__(self):
-        self.listener = http.listening(socket.AF_INET, ("127.0.0.1", 0))
+        self.listener = tcp.listen("127.0.0.1", 0)
         self.port = self.listener.getsockname()[1]
         self.ended = []  # streams that have ended
         self.asked = []

@@ -163,7 +163,7 @@ class Calls(giop_peers.Calls):
         self.addCleanup(self.peer.close)
         ref = client.narrow(client.from_url("w", f"corbaloc::127.0.0.1:{self.peer.port}/x"), "RTC.RTObject")
         self.wait_for(orb.call("w", ref, "exit"))
-        connection, = connections._idle[ref.address[1:3]]
+        connection, = self.session.memory.idle[ref.address[1:3]]
         self.peer.connections[-1].shutdown(socket.SHUT_RDWR)
         select.select([connection.wanted()[0]], [], [], 5)
         self.assertEqual(str(self.wait_for(orb.call("w", ref, "exit"))), "RTC_OK")
@@ -171,12 +171,12 @@ class Calls(giop_peers.Calls):
     def test_connections_that_peers_have_closed_are_not_kept(self):
         self.ask(answer(1))
         endpoint = ("127.0.0.1", self.peer.port)
-        connections._sweep()
-        connection, = connections._idle[endpoint]
+        connections.sweep(self.session.memory)
+        connection, = self.session.memory.idle[endpoint]
         self.peer.connections[-1].shutdown(socket.SHUT_RDWR)
         select.select([connection.wanted()[0]], [], [], 5)
-        connections._sweep()
-        self.assertNotIn(endpoint, connections._idle)
+        connections.sweep(self.session.memory)
+        self.assertNotIn(endpoint, self.session.memory.idle)
         self.assertIsNone(connection.wanted()[0])
 
     def test_garbage(self):
@@ -307,7 +307,7 @@ class Calls(giop_peers.Calls):
             return sum(isinstance(each, calls.Request) for each in gc.get_objects())
         before = requests()
         self.ask(answer(1))
-        self.assertIn(("127.0.0.1", self.peer.port), connections._idle)
+        self.assertIn(("127.0.0.1", self.peer.port), self.session.memory.idle)
         self.assertEqual(requests(), before)
 
     def test_nobody_listens(self):

@@ -7,7 +7,6 @@ import socket
 import struct
 import threading
 import time
-import types
 import unittest
 from unittest import mock
 
@@ -15,9 +14,9 @@ from giop_client import answer
 from giop_peers import Calls, Peer, Script
 import tools
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, orb, session
+from rtshell_lite.corba import orb, session
 from rtshell_lite.giop import cdr, descriptors
-from rtshell_lite.net import loop
+from rtshell_lite.net import hosts, real
 from rtshell_lite.corba.iiop import client, connections
 from rtshell_lite.giop import marshal, messages, operations
 
@@ -95,11 +94,16 @@ class Time(Calls):
         self.assertLess(watch.seconds(), 2.4)  # eight forwards took 3.2
 
 
+async def connection_to(endpoint):
+    """A Connection of the session of this loop."""
+    return connections.Connection(endpoint)
+
+
 class Connections(Calls):
     def setUp(self):
         super().setUp()
-        connections.forget(*list(connections._idle))
-        self.addCleanup(lambda: connections.forget(*list(connections._idle)))
+        self.idle = self.session.memory.idle
+        self.addCleanup(lambda: connections.forget(self.session.memory, *list(self.idle)))
 
     def test_stale_ones_are_forgotten_together(self):
         """A host that was switched off and on knows none of them, and it lives."""
@@ -109,13 +113,13 @@ class Connections(Calls):
         endpoint = ref.address[1:3]
         stale = []
         for _ in range(3):
-            one = connections.Connection(endpoint)
+            one = self.wait_for(connection_to(endpoint))
             one.waits_for = None
             one.has_answered = True
             one._candidates = None
             one._socket, far = _socket.socketpair()
             stale.append((one, far))
-        connections._idle[endpoint] = [one for one, _ in stale]
+        self.idle[endpoint] = [one for one, _ in stale]
         with mock.patch.object(connections.Connection, "is_idle", lambda self: True):  # nobody has told us
             for _, far in stale:
                 far.close()
@@ -126,13 +130,13 @@ class Connections(Calls):
         first, second = [self.script_of(lambda number: answer(number)) for _ in range(2)]
         self.wait_for(orb.call("w", first.ref, "_non_existent"))
 
+        stream = real.stream
+
         def scarce(*args):
-            if connections._idle.get(first.ref.address[1:3]):
+            if self.idle.get(first.ref.address[1:3]):
                 raise OSError(errno.EMFILE, "Too many open files")
-            return _socket.socket(*args)
-        with mock.patch.object(
-            connections, "_socket", types.SimpleNamespace(**dict(vars(_socket), socket=scarce))
-        ):
+            return stream(*args)
+        with mock.patch.object(real, "stream", scarce):
             self.assertIs(self.wait_for(orb.call("w", second.ref, "_non_existent")), False)
         self.assertIsNone(self.session.shortage)
 
@@ -140,7 +144,7 @@ class Connections(Calls):
 class Names(Calls):
     def setUp(self):
         super().setUp()
-        patch = mock.patch.object(hosts, "_looking_up", {})
+        patch = mock.patch.object(real, "looking_up", {})
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -150,17 +154,17 @@ class Names(Calls):
         free = threading.Event()
         most = []
 
-        def hanging(host, port, family, kind, protocol, flags):
+        def hanging(host, port=None, family=0, flags=0):
             if not flags:
                 most.append(threading.active_count())
                 free.wait(30)
             raise _socket.gaierror(-2, "unknown")
         refs = [client.from_url("w", f"corbaloc::robot{number}.example:1/x") for number in range(200)]
         before = threading.active_count()
-        with mock.patch.object(hosts._socket, "getaddrinfo", hanging):
+        with mock.patch.object(real, "resolve", hanging):
             found = self.run_tasks(*map(self.asking, refs))
             free.set()
-            while hosts._looking_up:
+            while real.looking_up:
                 time.sleep(0.01)
         self.assertEqual({error.why for error in found}, {session.no_answer(0.5)})
         self.assertLessEqual(max(most) - before, hosts.MOST)
@@ -173,19 +177,19 @@ class Names(Calls):
         self.addCleanup(free.set)
         peer = self.script_of(lambda number: answer(number))
         _, host, port, _ = peer.ref.address
-        real = _socket.getaddrinfo
+        resolve = real.resolve
 
-        def found(name, port, family, kind, protocol, flags):
+        def found(name, port=None, family=0, flags=0):
             if flags:
                 raise _socket.gaierror(-2, "unknown")
             asked.append(name)
             if name == b"off.example":
                 free.wait(30)
                 raise _socket.gaierror(-2, "unknown")
-            return real(host, port, family, kind, protocol, flags)
+            return resolve(host, port, family, flags)
         refs = [client.from_url("w", f"corbaloc::off.example:{number}/x") for number in range(1, 101)]
         refs.append(client.from_url("w", f"corbaloc::on.example:{port}/x"))
-        with mock.patch.object(hosts._socket, "getaddrinfo", found):
+        with mock.patch.object(real, "resolve", found):
             values = self.run_tasks(*map(self.asking, refs))
         self.assertIs(values.pop(), False)
         self.assertEqual({error.why for error in values}, {session.no_answer(1.0)})
@@ -195,7 +199,7 @@ class Names(Calls):
         """It costs the name, not all that is asked."""
         peer = self.script_of(lambda number: answer(number))
         ref = client.from_url("w", "corbaloc::robot.example:1/x")
-        with mock.patch.object(loop, "start_thread", side_effect=errors.Shortage("threads", "no more")):
+        with mock.patch.object(real, "start_thread", side_effect=errors.Shortage("threads", "no more")):
             lost, found = self.run_tasks(self.asking(ref), self.asking(peer.ref))
         self.assertIs(found, False)
         self.assertIn("out of threads here: no more", lost.why)

@@ -7,14 +7,16 @@ import threading
 import time
 import tracemalloc
 import unittest
+from unittest import mock
 
 from giop_client import answer
 from giop_peers import CLOSE, Calls, Peer
 import tools
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, orb
+from rtshell_lite.corba import orb
 from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import descriptors, messages, operations
+from rtshell_lite.net import real
 
 PART = 3  # a short run takes one in PART of its tests
 
@@ -365,16 +367,17 @@ class Loop(Calls):
         peer = self.script(lambda pending: answer(pending[-1][0]) if pending else None)
         go_on = threading.Event()
 
-        def look_up(host, port, *how):
+        def look_up(host, port=None, family=0, flags=0):
             if host == b"slow.example":
-                if not how[-1]:  # it is not only asked whether it is an address
+                if not flags:  # it is not only asked whether it is an address
                     go_on.wait(10)
                 raise socket.gaierror(0, "late")
-            return real(host, port, *how)
+            return resolve(host, port, family, flags)
 
-        real = hosts._socket.getaddrinfo
-        hosts._socket = FakeSockets(look_up)
-        self.addCleanup(setattr, hosts, "_socket", hosts._socket.real)
+        resolve = real.resolve
+        patch = mock.patch.object(real, "resolve", look_up)
+        patch.start()
+        self.addCleanup(patch.stop)
         slow, here = [
             client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x")
             for host in ("slow.example", "localhost")
@@ -387,17 +390,6 @@ class Loop(Calls):
         go_on.set()
         self.assertIsInstance(values[0], errors.Silent)
         self.assertIs(values[1], False)
-
-
-class FakeSockets:
-    """The module _socket with another resolver."""
-
-    def __init__(self, look_up):
-        self.real = hosts._socket
-        self.getaddrinfo = look_up
-
-    def __getattr__(self, name):
-        return getattr(self.real, name)
 
 
 if __name__ == "__main__":

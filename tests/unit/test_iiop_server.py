@@ -17,7 +17,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.corba.iiop import client, server
 from rtshell_lite.giop import messages, references, requests
-from rtshell_lite.net import listening, loop
+from rtshell_lite.net import loop, tcp
 
 whole = messages.whole
 
@@ -220,12 +220,12 @@ class Places(unittest.TestCase):
 
     def test_listening(self):
         for host, port in (("", 0), ("127.0.0.1", 0), ("localhost", 0)):
-            made = listening.socket_at(host, port)
+            made = tcp.listen(host, port)
             self.addCleanup(made.close)
             socket.create_connection(("127.0.0.1", made.getsockname()[1]), LIMIT).close()
         for host, port in (("192.0.2.222", 0), ("no.such.host.invalid", 0), ("127.0.0.1", 99999), ("a..b", 0),
                            ("127.0.0.1", made.getsockname()[1])):
-            self.assertIsNone(listening.socket_at(host, port), (host, port))
+            self.assertIsNone(tcp.listen(host, port), (host, port))
 
 
 class Callers(Served):

@@ -394,12 +394,12 @@ class Sessions(unittest.TestCase):
         ):
             for port in range(100):
                 now.fall_silent(("host", port), "no answer", time.monotonic())
-                now.answered["host", port] = port
+                now.memory.answered["host", port] = port
             self.assertEqual(len(now.silent), 100)
             time.sleep(0.02)
             now.sweep()
             self.assertEqual(
-                (now.silent, sorted(now.answered)), ({}, [("host", port) for port in range(90, 100)])
+                (now.silent, sorted(now.memory.answered)), ({}, [("host", port) for port in range(90, 100)])
             )
 
 

@@ -3,11 +3,11 @@ at all.
 """
 import os
 import tempfile
-import time
 import unittest
 from unittest import mock
 
 from rtshell_lite import errors
+from rtshell_lite.net import loop
 from rtshell_lite.system import policy, procfile
 from rtshell_lite.xmlprofile import model
 
@@ -39,7 +39,7 @@ class Words(unittest.TestCase):
 class Trials(unittest.TestCase):
     def setUp(self):
         self.now = 1000.0
-        patch = mock.patch.object(time, "monotonic", lambda: self.now)
+        patch = mock.patch.object(loop, "now", lambda: self.now)
         patch.start()
         self.addCleanup(patch.stop)
 

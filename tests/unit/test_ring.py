@@ -32,8 +32,8 @@ class Ring(Case):
         self.clock = Clock()
         self.number = 0
         self.kept = []
-        for name in ("time", "monotonic"):
-            patch = mock.patch.object(time, name, self.clock)
+        for name in ("wall", "now"):
+            patch = mock.patch.object(loop, name, self.clock)
             patch.start()
             self.addCleanup(patch.stop)
 
@@ -347,7 +347,7 @@ class Conditions(unittest.TestCase):
 
     def test_silence_is_noticed_once(self):
         clock = Clock()
-        with mock.patch.object(time, "monotonic", clock):
+        with mock.patch.object(loop, "now", clock):
             (condition,) = triggers.parse(["silent A.rtc:out 0.5"])
             take = condition.wrap(("/h/A.rtc:out",), None, lambda message: None)
             clock.now += 9

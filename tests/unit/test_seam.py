@@ -125,7 +125,7 @@ class StoodStill(unittest.TestCase):
             clock.return_value += seconds
             reader.count += round(100 * seconds)
 
-        with mock.patch("time.monotonic", clock), mock.patch.object(loop, "sleep", sleep):
+        with mock.patch.object(loop, "now", clock), mock.patch.object(loop, "sleep", sleep):
             buffered = lateness._Buffered(reader)
             clock.return_value = 5.0
             reader.count += 500 - lost

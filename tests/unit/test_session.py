@@ -21,7 +21,6 @@ class Calls(unittest.TestCase):
     """
 
     def setUp(self):
-        session.Session.answered.clear()
         self.session = session.Session(TIMEOUT)
         self.release = threading.Event()
         self.addCleanup(self.release.set)

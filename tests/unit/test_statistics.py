@@ -5,6 +5,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.data import statistics
+from rtshell_lite.net import loop
 from rtshell_lite.views import printing
 
 MS = 10**6  # ns
@@ -228,7 +229,7 @@ class Meters(unittest.TestCase):
         for when, sizes in looks:
             for size in sizes:
                 meter.take(mock.Mock(data=b"x" * size))
-            with mock.patch.object(statistics.time, "monotonic", lambda when=when: when):
+            with mock.patch.object(loop, "now", lambda when=when: when):
                 found.append(meter.rate()[1:])
         return found
 

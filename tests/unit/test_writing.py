@@ -102,7 +102,7 @@ class Rest(unittest.TestCase):
 
         async def sleep(seconds):
             slept.append(seconds)
-        with mock.patch.object(writing.time, "monotonic", lambda: 100.0), mock.patch.object(
+        with mock.patch.object(writing.loop, "now", lambda: 100.0), mock.patch.object(
             writing.loop, "sleep", sleep
         ):
             with self.assertRaises(StopIteration) as ended:  # it awaits nothing else
@@ -143,7 +143,7 @@ class Lingering(unittest.TestCase):
         async def each(writers, *_):
             return [None] * len(writers)
 
-        with mock.patch.object(writing.time, "monotonic", lambda: now[0]), mock.patch.object(
+        with mock.patch.object(writing.loop, "now", lambda: now[0]), mock.patch.object(
             writing.loop, "sleep", sleep
         ), mock.patch.object(writing.session, "each", each):
             run_at_once(writing.linger([writer], seconds))

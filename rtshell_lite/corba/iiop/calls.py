@@ -1,7 +1,5 @@
 """One call: its request as octets, what its reply says, and what its failure means."""
 
-import time
-from _socket import gaierror
 from struct import error as StructError
 
 from rtshell_lite import errors
@@ -9,6 +7,7 @@ from rtshell_lite.corba import failures, session
 from rtshell_lite.giop import descriptors, idl, ior
 from rtshell_lite.corba.iiop import connections
 from rtshell_lite.giop import allowance, marshal, messages, operations
+from rtshell_lite.net import loop, real
 from rtshell_lite.text import printable
 
 PADDING = 7  # octets that an ORB may leave at the end of a reply
@@ -28,7 +27,7 @@ class Request:
     is_once    it is an operation of a Schema, and must not be sent twice, whatever happens
     asks_others  it may wait for other processes, see failures.asks_others
     seconds    how long its answer may take
-    sent       time.monotonic() when it was sent
+    sent       loop.now() when it was sent
     retried    how often it has been sent again, as a connection was lost, here or by the peer, that may have
                begun it
     """
@@ -162,7 +161,7 @@ class Request:
 
     def _forward(self, status, data, at, little):
         if self._forwards:  # the first answer may have waited for those before it
-            self._spent += time.monotonic() - self.sent
+            self._spent += loop.now() - self.sent
         self._forwards += 1
         if self._forwards > FORWARDS or self._spent > self.seconds:
             raise ValueError("forwarded again and again")
@@ -219,7 +218,7 @@ class Request:
             return errors.ConnectionLost(where)
         if isinstance(e, ConnectionRefusedError):
             return errors.ConnectionRefused(where)
-        if isinstance(e, gaierror):
+        if isinstance(e, real.NoSuchHost):
             return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
         if isinstance(e, OSError):
             session.current().note_shortage(e, self.ref.address.host)

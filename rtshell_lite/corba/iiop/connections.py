@@ -2,18 +2,16 @@
 what comes is bounded.
 """
 
-import _socket  # which `socket` is made of: that one takes long to import
 import errno
 import itertools
 import os
-import select
 import struct
-import time
 from _functools import partial  # as in net/loop.py
 
 from rtshell_lite import errors
-from rtshell_lite.corba import hosts, session
+from rtshell_lite.corba import session
 from rtshell_lite.giop import messages
+from rtshell_lite.net import hosts, loop, real
 
 PIECE = 16384  # octets received at a time: buffers of more are slow to allocate
 AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
@@ -22,13 +20,7 @@ IN_FLIGHT = 4
 # of these, calls that may wait for other processes (failures.asks_others): the others show that it lives
 ASKING_OTHERS = 2
 MOST_STRAYS = 100  # replies of one connection that nobody waits for
-_AT_ONCE = _socket.MSG_DONTWAIT
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
-_idle = {}  # type: dict  # {endpoint: [Connection]} for the next calls, at most IN_FLIGHT
-_swept = time.monotonic()
-_spoken = {}  # type: dict  # {endpoint: the x of GIOP 1.x}, for peers that did not understand a later one
-# endpoints of peers that close the connection after each reply, as far as is known
-of_one_reply = set()  # type: set
 
 
 class Closed(Exception):
@@ -41,9 +33,9 @@ class Closed(Exception):
         self.not_started = not_started
 
 
-def kept(endpoint):
+def kept(memory, endpoint):
     """A connection that an earlier call has left and the peer has not closed, or None."""
-    waiting = _idle.get(endpoint)
+    waiting = memory.idle.get(endpoint)
     try:
         while waiting:
             connection = waiting.pop()
@@ -55,10 +47,10 @@ def kept(endpoint):
     return None
 
 
-def forget(*endpoints):
+def forget(memory, *endpoints):
     """Close the idle connections to these processes; True if there were any."""
     has_closed = False
-    for waiting in [_idle.pop(endpoint, []) for endpoint in endpoints]:
+    for waiting in [memory.idle.pop(endpoint, []) for endpoint in endpoints]:
         try:
             while True:
                 waiting.pop().close()  # one by one: `kept`, on another thread, may take some of them
@@ -68,18 +60,17 @@ def forget(*endpoints):
     return has_closed
 
 
-def _sweep():
+def sweep(memory):
     """Close what the peers have closed: a process that is started again has another port,
     and this one is never asked for again.
     """
-    global _swept
-    _swept = time.monotonic()
-    for endpoint in list(_idle):
-        still_open = list(iter(partial(kept, endpoint), None))
+    memory.swept = loop.now()
+    for endpoint in list(memory.idle):
+        still_open = list(iter(partial(kept, memory, endpoint), None))
         if still_open:
-            _idle[endpoint] = still_open
+            memory.idle[endpoint] = still_open
         else:
-            _idle.pop(endpoint, None)
+            memory.idle.pop(endpoint, None)
 
 
 class Connection:
@@ -101,9 +92,10 @@ class Connection:
         self._number = 0
         self._given_up = set()
         self._strays = 0
-        self._version = (1, _spoken.get(endpoint, 2))  # the latest GIOP to speak
+        self._memory = session.current().memory
+        self._version = (1, self._memory.spoken.get(endpoint, 2))  # the latest GIOP to speak
         self._via = endpoint  # where it is connected
-        self._socket = None  # type: _socket.socket
+        self._socket = None  # a socket of TCP
         self._candidates = self._all_candidates(others)
         self._error = None  # type: OSError
         self._out = bytearray()  # what is to be sent
@@ -126,8 +118,8 @@ class Connection:
         if self._socket is None:
             return None, 0
         if self.waits_for:
-            return self._socket.fileno(), select.POLLOUT
-        return self._socket.fileno(), select.POLLIN | (select.POLLOUT if self._out else 0)
+            return self._socket.fileno(), loop.WRITE
+        return self._socket.fileno(), loop.READ | (loop.WRITE if self._out else 0)
 
     # ---- connecting ----
 
@@ -154,7 +146,7 @@ class Connection:
         Raises OSError, that of the first place, when there is no way left.
         """
         if self.waits_for == "peer":
-            code = self._socket.getsockopt(_socket.SOL_SOCKET, _socket.SO_ERROR)
+            code = real.failure(self._socket)
             if not code:
                 return self._connected()
             self._failed(code)
@@ -173,12 +165,12 @@ class Connection:
     def _begun_with(self, family, kind, protocol, _, place):
         """Begin to connect with a place: its error number."""
         try:
-            self._socket = _socket.socket(family, kind, protocol)
-            self._socket.setsockopt(_socket.IPPROTO_TCP, _socket.TCP_NODELAY, 1)
+            self._socket = loop.world().stream(family, protocol)
+            real.send_at_once(self._socket)
             self._socket.setblocking(False)
             return self._socket.connect_ex(place)
         except OSError as e:
-            if e.errno in (errno.EMFILE, errno.ENFILE) and forget(*list(_idle)):
+            if e.errno in (errno.EMFILE, errno.ENFILE) and forget(self._memory, *list(self._memory.idle)):
                 return self._begun_with(family, kind, protocol, None, place)
             return e.errno
 
@@ -189,7 +181,7 @@ class Connection:
 
     def _connected(self):
         self._socket.setblocking(True)
-        _limit(self._socket, session.TICK)
+        real.limit(self._socket, session.TICK)
         self.waits_for = ""
         self._candidates = None  # it holds the first request, and so its answer
         if self._via != self.endpoint:  # where objects may have other keys
@@ -210,7 +202,7 @@ class Connection:
             octets = self.octets(request, self._number)
         except (OSError, TypeError, errors.Refused) as e:
             return request.failed(e)
-        request.sent = time.monotonic()
+        request.sent = loop.now()
         self.requests[self._number] = request
         if request.is_oneway:
             self._oneway.append(self._number)
@@ -228,7 +220,7 @@ class Connection:
         if self.waits_for or not self._out:
             return
         try:
-            sent = self._socket.send(self._out, _AT_ONCE)
+            sent = self._socket.send(self._out, real.AT_ONCE)
         except BlockingIOError:
             return
         del self._out[:sent]
@@ -245,7 +237,7 @@ class Connection:
         self._number += 1
         messages.renumber(octets, self._number)
         try:
-            sent = self._socket.send(octets, _AT_ONCE)
+            sent = self._socket.send(octets, real.AT_ONCE)
         except OSError:
             sent = 0
         if sent < len(octets):
@@ -276,7 +268,7 @@ class Connection:
     def answered(self, number):
         """The request with this number, which has its reply; None if it was given up."""
         if self.has_answered:
-            of_one_reply.discard(self.endpoint)
+            self._memory.of_one_reply.discard(self.endpoint)
         self.has_answered = True
         self._given_up.discard(number)
         return self.requests.pop(number, None)
@@ -316,16 +308,16 @@ class Connection:
             isinstance(end, Closed)
             and not end.not_started
             and not self._pieces
-            and self.endpoint not in session.current().answered
+            and self.endpoint not in self._memory.answered
         ):
             older = minor - 1
         else:
             return False
         if older < 0:  # it was not that
-            _spoken.pop(self.endpoint, None)
+            self._memory.spoken.pop(self.endpoint, None)
         if self.has_answered or not 0 <= older < minor:
             return False
-        _spoken[self.endpoint] = older
+        self._memory.spoken[self.endpoint] = older
         return True
 
     # ---- receiving ----
@@ -337,7 +329,7 @@ class Connection:
         found = []  # type: list
         try:
             for _ in range(AT_A_TIME):
-                piece = self._early or self._socket.recv(PIECE, 0 if may_wait else _AT_ONCE)
+                piece = self._early or self._socket.recv(PIECE, 0 if may_wait else real.AT_ONCE)
                 self._early = b""
                 if not piece:
                     raise Closed()
@@ -433,7 +425,7 @@ class Connection:
         then what is sent would be lost.
         """
         try:
-            self._socket.recv(1, _AT_ONCE | _socket.MSG_PEEK)
+            self._socket.recv(1, real.AT_ONCE | real.PEEK)
         except BlockingIOError:
             return True
         except OSError:
@@ -442,14 +434,14 @@ class Connection:
 
     def leave(self):
         """Keep it for the next call to its process, or close it."""
-        waiting = _idle.setdefault(self.endpoint, [])
+        waiting = self._memory.idle.setdefault(self.endpoint, [])
         is_clean = not (self.end or self.requests or self._given_up or self._out or self.has_begun())
         if self.has_answered and is_clean and len(waiting) < IN_FLIGHT:
             waiting.append(self)
         else:
             self.close()
-        if time.monotonic() - _swept > SWEEP:
-            _sweep()
+        if loop.now() - self._memory.swept > SWEEP:
+            sweep(self._memory)
 
     def close(self):
         self.end = None  # its traceback leads back here: what has come would stay until a collection
@@ -460,15 +452,3 @@ class Connection:
 
 def _lazily(function):
     yield from function()
-
-
-def _limit(sock, seconds):
-    """Let `recv` wait for so long at most;
-    a timeout of Python's own would cost a system call more each time.
-    """
-    whole = int(seconds)
-    fraction = int(seconds % 1 * 1e6)
-    try:
-        sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("ll", whole, fraction))
-    except OSError:  # 32-bit systems whose time has 64 bits
-        sock.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("qq", whole, fraction))

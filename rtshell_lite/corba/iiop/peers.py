@@ -6,7 +6,6 @@ that may wait for other processes connections.ASKING_OTHERS, after all others. A
 process, the rest is not asked.
 """
 
-import time
 from _collections import deque  # as in net/loop.py
 from _functools import partial
 from struct import error as StructError
@@ -72,7 +71,7 @@ class _Repeated:
             value = await self._otherwise()
             self._prepare()
             return value
-        begun = time.monotonic()
+        begun = loop.now()
         number, data = self._connection.exchange(self._octets)
         at = messages.plain_reply(data, number)
         if at:
@@ -110,7 +109,7 @@ class _Repeated:
         self._peer = peers.peer(request.endpoint)
         self._connection = None
         connection = self._peer.connection
-        if connection is None or request.is_oneway or request.endpoint in connections.of_one_reply:
+        if connection is None or request.is_oneway or request.endpoint in peers.session.memory.of_one_reply:
             return
         octets = connection.octets(request, 0)
         if messages.is_newest(octets):
@@ -121,9 +120,10 @@ class _Repeated:
 class _Peer:
     """One process: what is asked of it, and the connection with it."""
 
-    def __init__(self, endpoint):
+    def __init__(self, endpoint, memory):
         self.endpoint = endpoint
-        self.heard = time.monotonic()
+        self._memory = memory
+        self.heard = loop.now()
         self.moved_on = 0.0  # when the request that had waited for longest was answered
         # calls.Requests that are not on their way, and those that wait for others
         self.waiting = deque()  # type: deque
@@ -171,14 +171,14 @@ class _Peer:
         At each answer, not two at every second one: a peer without TCP_NODELAY sends the second when the
         first is acknowledged, by the next request or 40 ms later.
         """
-        if self.endpoint in connections.of_one_reply:
+        if self.endpoint in self._memory.of_one_reply:
             return not self.connection.requests
         return len(self.connection.requests) < connections.IN_FLIGHT or _is_naming(request)
 
     def needs_connection(self, request):
         """Whether a request must not be lost again with a connection that the peer may close after its reply.
         """
-        if self.connection is None or self.endpoint not in connections.of_one_reply:
+        if self.connection is None or self.endpoint not in self._memory.of_one_reply:
             return False
         is_used_up = self.connection.has_answered and not self.connection.requests
         return is_used_up and (not request.is_idempotent or request.retried > 1)
@@ -238,7 +238,10 @@ class Peers:
 
     def peer(self, endpoint):
         """The _Peer of a process."""
-        return self.known.get(endpoint) or self.known.setdefault(endpoint, _Peer(endpoint))
+        known = self.known.get(endpoint)
+        if known is None:
+            known = self.known[endpoint] = _Peer(endpoint, self.session.memory)
+        return known
 
     def submit(self, request):
         peer = self.peer(request.endpoint)
@@ -275,7 +278,7 @@ class Peers:
             return
         if not connection.is_quiet:
             return
-        if endpoint in connections.of_one_reply or not self.loop.is_one_awaited():
+        if endpoint in self.session.memory.of_one_reply or not self.loop.is_one_awaited():
             return
         self._asked.add(peer)
         try:
@@ -331,7 +334,7 @@ class Peers:
             self._begin_checking()
 
     def _connect(self, peer, request):
-        peer.connection = connections.kept(peer.endpoint)
+        peer.connection = connections.kept(self.session.memory, peer.endpoint)
         if peer.connection is None:
             peer.connection = connections.Connection(peer.endpoint, request.others)
             self._go_on_connecting(peer)
@@ -393,7 +396,7 @@ class Peers:
         number, status, little, at = messages.reply(data)
         if peer.connection.is_stray(number):
             return
-        peer.heard = time.monotonic()
+        peer.heard = loop.now()
         self.session.has_answered(peer.endpoint, peer.heard)
         if number == next(iter(peer.connection.requests), None):
             peer.moved_on = peer.heard
@@ -426,9 +429,9 @@ class Peers:
             not_started = ()
         if is_cut:
             # the others are no better, where the peer has been started again
-            connections.forget(peer.endpoint)
+            connections.forget(self.session.memory, peer.endpoint)
             if connection.has_answered and not not_started:
-                connections.of_one_reply.add(peer.endpoint)
+                self.session.memory.of_one_reply.add(peer.endpoint)
         is_older = connection.may_speak_older(e)
         for request in lost:
             if is_older and request.is_idempotent:
@@ -472,7 +475,7 @@ class Peers:
     def _check(self):
         """Fail what has waited too long."""
         self._checking = None
-        now = time.monotonic()
+        now = loop.now()
         for peer in list(self._asked):
             self._check_one(peer, now)
         if self._asked:

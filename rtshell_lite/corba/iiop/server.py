@@ -10,15 +10,12 @@ for each address, for a second, and for what they may ask.
 import binascii
 import os
 import re
-import select
-import socket
 import struct
-import time
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.giop import allowance, descriptors, idl, messages, operations, references, requests
-from rtshell_lite.net import listening, loop
+from rtshell_lite.net import loop, real, tcp
 
 MOST = 500  # connections
 MOST_OF_ADDRESS = 200  # of them that have called no servant yet
@@ -123,7 +120,7 @@ class Caller:
         self.end = 0
         self.fragments = messages.Fragments()
         self.out = bytearray()
-        self.since = time.monotonic()  # when the last message was complete
+        self.since = loop.now()  # when the last message was complete
 
     def held(self):
         """How much memory its messages take."""
@@ -164,7 +161,7 @@ class Caller:
             self.minor = data[5]
             whole = self.fragments.joined(data[:size], self.largest)
             if whole is not None:
-                self.since = time.monotonic()
+                self.since = loop.now()
                 return whole
         return None
 
@@ -209,10 +206,10 @@ class Server:
         self.session = session.current()
         self.objects = {}
         self.callers = set()
-        self.second = time.monotonic()  # since when new connections are counted
+        self.second = loop.now()  # since when new connections are counted
         self.new = 0  # how many
         self.tasks = set()  # type: set  # of servants that ask others before they answer
-        self.listening = listening.socket_at(host, port)
+        self.listening = tcp.listen(host, port)
         if self.listening is None:
             raise errors.Usage(errors.BAD_ENDPOINT)
         self.port = self.listening.getsockname()[1]
@@ -229,7 +226,7 @@ class Server:
         self.listening.close()
 
     def _listen(self):
-        self.loop.watch(self.listening.fileno(), select.POLLIN, self.accept)
+        self.loop.watch(self.listening.fileno(), loop.READ, self.accept)
 
     def _pause(self):
         """Accept no connections for a moment."""
@@ -240,7 +237,7 @@ class Server:
         """Take a new connection; where there is no room, one that has called no servant gives its place,
         or the new one.
         """
-        now = time.monotonic()
+        now = loop.now()
         if now - self.second >= 1:
             self.second = now
             self.new = 0
@@ -264,7 +261,7 @@ class Server:
             return
         connection.setblocking(False)
         try:
-            connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            real.send_at_once(connection)
         except OSError:  # on macOS, where it has ended already
             pass
         caller = Caller(connection, host)
@@ -284,7 +281,7 @@ class Server:
                 self.loop.post(self.attend, caller, may_send)
 
         self.loop.unwatch(caller.socket.fileno())
-        self.loop.watch(caller.socket.fileno(), select.POLLOUT if may_send else select.POLLIN, go_on)
+        self.loop.watch(caller.socket.fileno(), loop.WRITE if may_send else loop.READ, go_on)
 
     def attend(self, caller, may_send):
         """Read from a connection or write to it, and answer what is complete while answers can leave."""
@@ -351,7 +348,7 @@ class Server:
     def sweep(self):
         """Close the connections that nobody uses, and those that somebody abuses."""
         self.loop.call_later(SWEEP, self.sweep)
-        now = time.monotonic()
+        now = loop.now()
         for caller in list(self.callers):
             if caller.is_unfinished():
                 limit = UNFINISHED

@@ -1,16 +1,9 @@
 """Where hosts are, by their names, and the networks of this one."""
 
-import _socket  # which `socket` is made of: that one takes long to import
-
 from rtshell_lite import errors
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
-# of Linux
-SIOCGIFADDR = 0x8915
-SIOCGIFNETMASK = 0x891B
 MOST = 32  # names that are looked up at a time, with a thread each
-
-_looking_up = {}  # type: dict  # {host: LookUp}
 
 
 class LookUp:
@@ -25,47 +18,49 @@ class LookUp:
             self.found = None
         else:
             self.found = OSError(0, "no address of IIOP in its reference")
+        self._world = loop.world()
         self._host = host
         self._asking = None  # the LookUp whose thread asks
         if self.found:
             return
-        self._ask(0 if host == "localhost" else _socket.AI_NUMERICHOST)
+        self._ask(0 if host == "localhost" else real.NUMERIC)
         if isinstance(self.found, OSError) and host != "localhost":
             self.found = None
 
     def begin(self):
         """Ask others, unless that has been done; to be called until there is an answer."""
         if self._asking is None:
-            self._asking = _looking_up.get(self._host) or self._started()
+            self._asking = self._world.looking_up.get(self._host) or self._started()
         if self._asking is not None:
             self.found = self._asking.found
 
     def _started(self):
         """This LookUp, whose thread asks now; None where too many are asking."""
-        if len(_looking_up) >= MOST:
+        looking_up = self._world.looking_up
+        if len(looking_up) >= MOST:
             return None
-        _looking_up[self._host] = self
+        looking_up[self._host] = self
         try:
-            loop.start_thread(self._ask_others)
+            self._world.start_thread(self._ask_others)
         except errors.Shortage as e:
             self.found = OSError(0, str(e))
-            _looking_up.pop(self._host, None)
+            looking_up.pop(self._host, None)
         return self
 
     def _ask_others(self):
         try:
             self._ask()
         finally:
-            _looking_up.pop(self._host, None)
+            self._world.looking_up.pop(self._host, None)
 
     def _ask(self, flags=0):
         try:
-            self.found = _places(self._host, flags)
+            self.found = _places(self._world, self._host, flags)
         except (OSError, ValueError) as e:  # ValueError: a NUL in it
             if isinstance(e, OSError):
                 self.found = e
             else:
-                self.found = _socket.gaierror(0, str(e))
+                self.found = real.NoSuchHost(0, str(e))
 
 
 def places(host):
@@ -73,17 +68,17 @@ def places(host):
     the look-up of a name may take long.
     """
     try:
-        return _places(host)
+        return _places(loop.world(), host)
     except (OSError, ValueError):
         return []
 
 
-def _places(host, flags=0):
+def _places(world, host, flags=0):
     try:
         name = host.encode("ascii")
     except UnicodeError:
         name = host.encode("utf-8", "surrogateescape")
-    return _socket.getaddrinfo(name, None, 0, _socket.SOCK_STREAM, 0, flags)
+    return world.resolve(name, flags=flags)
 
 
 # ---- networks ----
@@ -112,21 +107,6 @@ def together(one, other):
 def interfaces():
     """[(name, ipaddress.IPv4Interface)] of this host."""
     import ipaddress
-    import socket
-    import struct
 
-    found = []
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
-        for _, name in socket.if_nameindex():
-            request = struct.pack("256s", name.encode()[:15])
-            try:
-                import fcntl
-
-                address, mask = [
-                    socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
-                    for number in (SIOCGIFADDR, SIOCGIFNETMASK)
-                ]
-            except (OSError, ImportError):  # it has no such address, or this is no Linux
-                continue
-            found.append((name, ipaddress.ip_interface(f"{address}/{mask}")))
-    return found
+    found = loop.world().interfaces()
+    return [(name, ipaddress.ip_interface(f"{address}/{mask}")) for name, address, mask in found]

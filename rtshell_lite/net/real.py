@@ -1,0 +1,198 @@
+"""The world as it is: the clocks, the network and the threads of this computer.
+
+A Loop has a world, this module or an object with the same names: tests put a simulated one in its place.
+"""
+
+import _socket  # which `socket` is made of: that one takes long to import
+import select
+import struct
+import time
+
+from rtshell_lite import errors
+
+now = time.monotonic  # seconds by a clock that is never set
+wall = time.time  # seconds since 1970
+Poll = select.poll
+NoSuchHost = _socket.gaierror
+AT_ONCE = _socket.MSG_DONTWAIT  # flags of `recv` and `send`
+PEEK = _socket.MSG_PEEK
+NUMERIC = _socket.AI_NUMERICHOST  # a flag of `resolve`: an address, not a name
+SENDING = _socket.SHUT_WR  # what `shutdown` ends
+ALL = _socket.SHUT_RDWR
+LISTEN = 128  # connections that wait to be accepted
+# of Linux
+SIOCGIFADDR = 0x8915
+SIOCGIFNETMASK = 0x891B
+
+looking_up = {}  # type: dict  # {host: hosts.LookUp} that a thread is asking for
+
+
+# ---- TCP ----
+
+
+def stream(family, protocol=0):
+    """A TCP socket, which is not connected: with the methods of _socket.socket. Raises OSError."""
+    return _socket.socket(family, _socket.SOCK_STREAM, protocol)
+
+
+def listen(family, place, only_v6=True):
+    """A socket.socket that listens at a place as of `resolve`, and does not block. Raises OSError,
+    OverflowError.
+    """
+    import socket
+
+    made = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        if family == socket.AF_INET6:
+            made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, only_v6)
+        made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        made.bind(place)
+        made.listen(LISTEN)
+        made.setblocking(False)
+    except (OSError, OverflowError):
+        made.close()
+        raise
+    return made
+
+
+def send_at_once(connection):
+    """Have what is sent leave without waiting for more. Raises OSError."""
+    connection.setsockopt(_socket.IPPROTO_TCP, _socket.TCP_NODELAY, 1)
+
+
+def failure(connection):
+    """The error number of a connection that has been begun; 0 for none."""
+    return connection.getsockopt(_socket.SOL_SOCKET, _socket.SO_ERROR)
+
+
+def limit(connection, seconds):
+    """Let `recv` wait for so long at most: a timeout of Python's own would cost a system call more each time.
+    """
+    whole = int(seconds)
+    fraction = int(seconds % 1 * 1e6)
+    try:
+        connection.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("ll", whole, fraction))
+    except OSError:  # 32-bit systems whose time has 64 bits
+        connection.setsockopt(_socket.SOL_SOCKET, _socket.SO_RCVTIMEO, struct.pack("qq", whole, fraction))
+
+
+def bind(host, port):
+    """Bind a TCP socket to a host, "" for all addresses of this one, and a port, and close it. Raises
+    OSError, UnicodeError.
+    """
+    family, _, protocol, _, place = resolve(host or None, port, flags=_socket.AI_PASSIVE)[0]
+    own = stream(family, protocol)
+    try:
+        own.setsockopt(_socket.SOL_SOCKET, _socket.SO_REUSEADDR, 1)
+        own.bind(place)
+    finally:
+        own.close()
+
+
+def connected(endpoint, seconds):
+    """A socket.socket that is connected with (host, port), whose methods wait for so long at most, as this
+    does: for threads of omniORB. Raises OSError, ValueError.
+    """
+    import socket
+
+    return socket.create_connection(endpoint, seconds)
+
+
+def unacknowledged(connection):
+    """How many octets sent have not been acknowledged by the other host; 0 if the kernel does not report it.
+    """
+    try:
+        import fcntl
+        import termios  # which Debian's python3-minimal lacks
+
+        return struct.unpack("i", fcntl.ioctl(connection, termios.TIOCOUTQ, b"\0" * 4))[0]
+    except (OSError, ImportError):
+        return 0
+
+
+# ---- hosts ----
+
+
+def resolve(host, port=None, family=0, flags=0):
+    """The places of a host for TCP, as of getaddrinfo; host None with AI_PASSIVE: this one. May take long.
+    Raises OSError, UnicodeError, ValueError.
+    """
+    return _socket.getaddrinfo(host, port, family, _socket.SOCK_STREAM, 0, flags)
+
+
+def host_name():
+    """The name of this host."""
+    return _socket.gethostname()
+
+
+def is_own(address):
+    """Whether an IP address is one of this host: a UDP socket can be bound there."""
+    if ":" in address:
+        family = _socket.AF_INET6
+    else:
+        family = _socket.AF_INET
+    own = None
+    try:
+        own = _socket.socket(family, _socket.SOCK_DGRAM)
+        own.bind((address.partition("%")[0], 0))
+    except OSError:
+        return False
+    finally:
+        if own is not None:
+            own.close()
+    return True
+
+
+def own_address(host, port):
+    """The address of this host that faces another, None if there is no route. Sends nothing; may take long.
+    """
+    try:
+        places = _socket.getaddrinfo(host, port, 0, _socket.SOCK_DGRAM)
+    except (OSError, UnicodeError):
+        return None
+    for family, kind, protocol, _, place in places:
+        probe = None
+        try:
+            probe = _socket.socket(family, kind, protocol)
+            probe.connect(place)
+            return probe.getsockname()[0]
+        except OSError:
+            continue
+        finally:
+            if probe is not None:
+                probe.close()
+    return None
+
+
+def interfaces():
+    """[(name, IPv4 address, its netmask)] of this host, as text."""
+    import socket
+
+    found = []
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
+        for _, name in socket.if_nameindex():
+            request = struct.pack("256s", name.encode()[:15])
+            try:
+                import fcntl
+
+                address, mask = [
+                    socket.inet_ntoa(fcntl.ioctl(any_socket, number, request)[20:24])
+                    for number in (SIOCGIFADDR, SIOCGIFNETMASK)
+                ]
+            except (OSError, ImportError):  # it has no such address, or this is no Linux
+                continue
+            found.append((name, address, mask))
+    return found
+
+
+# ---- threads ----
+
+
+def start_thread(function, *args):
+    """Run function(*args) on a thread of its own. Raises Shortage."""
+    import threading
+
+    try:
+        threading.Thread(target=function, args=args, daemon=True).start()
+    except RuntimeError as e:
+        raise errors.Shortage("threads", str(e))

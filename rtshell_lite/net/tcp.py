@@ -1,0 +1,55 @@
+"""Connections with TCP, made and awaited on the loop."""
+
+import _socket  # which `socket` is made of: that one takes long to import
+import errno
+import os
+
+from rtshell_lite.net import loop, real
+
+
+def listen(host, port):
+    """A socket that listens at an address, "" for all of this host, 0 for any port; None where that cannot
+    be.
+    """
+    world = loop.world()
+    if host:
+        families = (_socket.AF_INET, _socket.AF_INET6)
+    else:
+        families = (_socket.AF_INET6, _socket.AF_INET)
+    for family in families:
+        try:
+            place = world.resolve(host or None, 0, family, _socket.AI_PASSIVE)[0][4]
+            return world.listen(family, place[:1] + (port,) + place[2:], bool(host))
+        except (OSError, OverflowError, UnicodeError):
+            continue
+    return None
+
+
+async def connect(way):
+    """A socket that is connected with a place as of `resolve`, and does not block. Raises OSError; how long
+    it waits is limited by the caller.
+    """
+    family, _, protocol, _, place = way
+    made = loop.world().stream(family, protocol)
+    try:
+        made.setblocking(False)
+        code = made.connect_ex(place)
+        if code == errno.EINPROGRESS:
+            await loop.ready(made.fileno(), loop.WRITE)
+            code = real.failure(made)
+        if code:
+            raise OSError(code, os.strerror(code))
+        return made
+    except BaseException:
+        made.close()
+        raise
+
+
+async def receive(connection, most):
+    """What comes next, at most so many octets, b"" at its end. Raises OSError."""
+    while True:
+        await loop.ready(connection.fileno(), loop.READ)
+        try:
+            return connection.recv(most)
+        except BlockingIOError:
+            continue
