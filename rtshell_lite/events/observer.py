@@ -5,7 +5,6 @@ and Python send.
 """
 
 import collections
-import os
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, servants
@@ -100,7 +99,7 @@ def _new_id():
     """A random UUID (RFC 4122, version 4) as text.
     (uuid takes long to import; Debian's python3-minimal has none.)
     """
-    digits = os.urandom(16).hex()
+    digits = loop.world().octets(16).hex()
     return f"{digits[:8]}-{digits[8:12]}-4{digits[13:16]}-a{digits[17:20]}-{digits[20:]}"
 
 

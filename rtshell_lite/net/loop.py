@@ -50,7 +50,7 @@ def now():
     """Seconds by a clock that is never set; on any thread."""
     here = getattr(_here, "loop", None)
     if here is None:
-        return real.now()
+        return world().now()
     return here.now()
 
 
@@ -60,11 +60,13 @@ def wall():
 
 
 def world():
-    """The world in which this thread runs: net/real.py, or what a test has given to its loop."""
-    here = getattr(_here, "loop", None)
-    if here is None:
-        return real
-    return here.world
+    """The world in which this thread runs: net/real.py, or what `inhabit` has said."""
+    return getattr(_here, "world", real)
+
+
+def inhabit(other):
+    """From now on this thread, and what runs on it, is in another world: that of a test."""
+    _here.world = other
 
 
 def run(coroutine, signals=None, session=None, as_guest=False):
@@ -75,7 +77,7 @@ def run(coroutine, signals=None, session=None, as_guest=False):
     session   what the tasks find as current().session
     as_guest  in a program that uses SIGALRM itself: signals arrive at an `await` only
     """
-    loop = Loop()
+    loop = Loop(world())
     loop.session = session
     loop.is_guest = as_guest
     try:
@@ -205,14 +207,14 @@ class Group:
     def __init__(self):
         self.loop = current()
         self.parent = self.loop.running
-        self.tasks = set()
+        self.tasks = {}  # type: dict  # of them alone: a set has no order
         self.failure = None
         self._all_over = None  # a Wait of the parent at the end of the block
 
     def start(self, coroutine, place=None):
         """Begin a Task."""
         task = Task(self.loop, coroutine, self, self.parent.place if place is None else place)
-        self.tasks.add(task)
+        self.tasks[task] = True
         return task
 
     def cancel(self):
@@ -222,7 +224,7 @@ class Group:
 
     def ended(self, task):
         """A task has ended; called by it."""
-        self.tasks.discard(task)
+        self.tasks.pop(task, None)
         if task.error is not None and not isinstance(task.error, Cancelled):
             self._fail(task.error)
         if not self.tasks and self._all_over is not None:
@@ -590,7 +592,7 @@ class Loop:
     now       its clock
     """
 
-    def __init__(self, world=real):
+    def __init__(self, world):
         self.world = world
         self.now = world.now
         self.ready = deque()  # type: deque
@@ -656,6 +658,9 @@ class Loop:
         """Call function() at a signal, on the main thread; None ends that.
         The handler of before comes back at the end.
         """
+        if self.world is not real:
+            self._heard[number] = function, None
+            return
         if not _is_main_thread():
             return
         if number not in self._heard:
@@ -765,8 +770,12 @@ class Loop:
         self._may_be_rung = True
         self._make_pipe()
 
+    def strike(self, number):
+        """A signal has come, in a world that is simulated."""
+        self._struck.append(number)
+
     def _make_pipe(self):
-        if self._bell is not None:
+        if self._bell is not None or self.world is not real:
             return
         self._readable, self._bell = os.pipe()
         for end in (self._readable, self._bell):
@@ -788,9 +797,9 @@ class Loop:
 
     def _take_signals(self, signals):
         """Have signals noted instead of raised; returns the handlers from before."""
-        if not signals or not _is_main_thread():
-            return {}
         self._signals = signals
+        if not signals or self.world is not real or not _is_main_thread():
+            return {}
         self._take_wakeups()
         before = {number: _signal.getsignal(number) for number in signals}
         for number in signals:
@@ -806,6 +815,8 @@ class Loop:
             self._outer_bell = outer
 
     def _return_signals(self, before):
+        if self.world is not real:
+            return
         for number, (_, handler) in self._heard.items():
             _signal.signal(number, handler)
         if not before and not self._heard:

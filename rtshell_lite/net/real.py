@@ -4,6 +4,7 @@ A Loop has a world, this module or an object with the same names: tests put a si
 """
 
 import _socket  # which `socket` is made of: that one takes long to import
+import os
 import select
 import struct
 import time
@@ -13,6 +14,7 @@ from rtshell_lite import errors
 now = time.monotonic  # seconds by a clock that is never set
 wall = time.time  # seconds since 1970
 Poll = select.poll
+octets = os.urandom  # octets(number) that nobody can guess
 NoSuchHost = _socket.gaierror
 AT_ONCE = _socket.MSG_DONTWAIT  # flags of `recv` and `send`
 PEEK = _socket.MSG_PEEK

@@ -20,15 +20,16 @@ _NOT_FOUND = "CosNaming.NamingContext.NotFound"
 
 
 class Names:
-    """The naming contexts of a process, at `host`; `root` is the first."""
+    """The naming contexts of a process, at `host`; `root` is the first. `make`: the class of contexts."""
 
-    def __init__(self, host):
+    def __init__(self, host, make=None):
         self.host = host
+        self._make = make or Context
         self.count = 0  # of names
         self.octets = 0  # of names, and of what is bound to them
         self.contexts = 0
         self.iterators = []
-        self.root = Context(self)
+        self.root = self._make(self)
         self.root.withdraw = orb.publish(self.root, host, KEY)
 
     def context(self):
@@ -36,7 +37,7 @@ class Names:
         if self.contexts >= MOST_CONTEXTS:
             raise Thrown("NO_RESOURCES")
         self.contexts += 1
-        made = Context(self)
+        made = self._make(self)
         made.withdraw = orb.publish(made, self.host)
         return made
 

@@ -5,10 +5,10 @@ The order of calls is that of OpenRTM (docs/protocol.md 2): `connect` has the fi
 each publishes what the others need, calls the next one, and uses what has come back.
 """
 
-import os
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.net import loop
 from rtshell_lite.play import carriers
 from rtshell_lite.play.component import code, nvlist, wire
 
@@ -289,7 +289,7 @@ def _with_id(profile):
     """A ConnectorProfile with an id: its own, or a random UUID (RFC 4122, version 4)."""
     if profile.connector_id:
         return profile
-    digits = os.urandom(16).hex()
+    digits = loop.world().octets(16).hex()
     made = f"{digits[:8]}-{digits[8:12]}-4{digits[13:16]}-a{digits[17:20]}-{digits[20:]}"
     return _made(profile.name, made, profile.ports, profile.properties)
 

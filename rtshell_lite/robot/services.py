@@ -1,6 +1,5 @@
 """Service ports: the interfaces that they provide, and the references of these (docs/protocol.md 7)."""
 
-import os
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -65,7 +64,7 @@ def _service(port, given, instance, type_name):
 async def _connected_once(port):
     """The properties that a connector of one port alone gets; it is removed again."""
     where = ports.label(port)
-    connector_id = "rtshell_lite-" + os.urandom(16).hex()
+    connector_id = "rtshell_lite-" + loop.world().octets(16).hex()
     code, profile = await _connect(port, where, connector_id)
     if str(code) == "PRECONDITION_NOT_MET":  # RtORB takes no ids
         code, profile = await _connect(port, where, "")

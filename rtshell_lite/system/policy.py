@@ -1,7 +1,6 @@
 """How often what fails is tried again: restart policies, as those of systemd."""
 
 import collections
-import os
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
@@ -91,7 +90,7 @@ class Trial:
         if len(self.failures) > 1:
             doublings = min(len(self.failures) - 2, 20)
             delay = min(self.policy.most, self.policy.first * 2**doublings)
-        jitter = os.urandom(1)[0] / 1020  # at most a quarter; `random` would take 300 kB
+        jitter = loop.world().octets(1)[0] / 1020  # at most a quarter; `random` would take 300 kB
         self.until = now + delay * (1 + jitter)
 
     def why_given_up(self):

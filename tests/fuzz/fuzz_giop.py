@@ -29,7 +29,7 @@ class Requests(Target):
     words = WORDS + [b"_is_a\0", b"put\0", b"update_status\0", b"_non_existent\0"]
 
     def prepare(self):
-        self.server = server.Server(loop.Loop(), "127.0.0.1", 0)
+        self.server = server.Server(loop.Loop(loop.world()), "127.0.0.1", 0)
         for key, kind in KEYS.items():
             servant = kind()
             self.server.objects[key] = servant, server.idl.id_of(servant.interface)
@@ -83,7 +83,7 @@ class Requests(Target):
             there.setblocking(False)
             here.setblocking(False)
             caller = server.Caller(there, "")
-            self.server.callers.add(caller)
+            self.server.callers[caller] = True
             here.sendall(data)
             found = b""
             while caller in self.server.callers and select.select([there], [], [], 0)[0]:

@@ -389,9 +389,7 @@ class Sessions(unittest.TestCase):
 
     def test_old_ones_are_forgotten(self):
         now = session.Session(0.01)
-        with mock.patch.object(session.Session, "answered", {}), mock.patch.object(
-            session, "MOST_ANSWERED", 10
-        ):
+        with mock.patch.object(session, "MOST_ANSWERED", 10):
             for port in range(100):
                 now.fall_silent(("host", port), "no answer", time.monotonic())
                 now.memory.answered["host", port] = port

@@ -227,8 +227,9 @@ class Peers:
         self.loop = of
         self.session = session.current()
         self.known = {}
-        self._changed = set()  # peers to which requests may be sent
-        self._asked = set()  # peers with requests under way
+        # dicts of peers alone, as sets have no order: to which requests may be sent; with requests under way
+        self._changed = {}  # type: dict
+        self._asked = {}  # type: dict
         self._watches = 0  # connections that the loop watches
         self._checking = None  # the Timer of the next look for what has waited too long
         self._tick = min(session.TICK, self.session.timeout / 10)
@@ -246,7 +247,7 @@ class Peers:
     def submit(self, request):
         peer = self.peer(request.endpoint)
         peer.add(request)
-        self._changed.add(peer)
+        self._changed[peer] = True
 
     def withdraw(self, request):
         """Nobody waits for the result of a request any more; it is not sent, if it has not been."""
@@ -258,9 +259,9 @@ class Peers:
         for number, other in list(peer.connection.requests.items()):
             if other is request:
                 peer.connection.give_up(number)
-                self._changed.add(peer)
+                self._changed[peer] = True
         if not peer.connection.requests:
-            self._asked.discard(peer)
+            self._asked.pop(peer, None)
 
     # ---- sending ----
 
@@ -280,7 +281,7 @@ class Peers:
             return
         if endpoint in self.session.memory.of_one_reply or not self.loop.is_one_awaited():
             return
-        self._asked.add(peer)
+        self._asked[peer] = True
         try:
             connection.send(peer.next_queue().popleft())
             connection.flush()
@@ -289,20 +290,21 @@ class Peers:
             return
         self._begin_checking()
         if connection.is_quiet and connection.requests:
-            self._changed.discard(peer)
+            self._changed.pop(peer, None)
             self._take(peer, True)
 
     def take_over(self, peer, number, request):
         """Go on with a request that `exchange` of its connection has sent."""
         peer.connection.requests[number] = request
-        self._asked.add(peer)
-        self._changed.add(peer)
+        self._asked[peer] = True
+        self._changed[peer] = True
         self._begin_checking()
         self._take(peer, False)
 
     def _send_all(self):
         while self._changed:
-            self._send(self._changed.pop())
+            peer, _ = self._changed.popitem()
+            self._send(peer)
         self.loop.alone = None
         self.loop.idle = self._watches - 1
         if len(self._asked) == 1:
@@ -322,7 +324,7 @@ class Peers:
                     self._connect(peer, queue[0])
                 if not peer.may_send(queue[0]):
                     break
-                self._asked.add(peer)
+                self._asked[peer] = True
                 peer.connection.send(queue.popleft())
                 queue = peer.next_queue()
             if peer.connection is not None:
@@ -402,8 +404,8 @@ class Peers:
             peer.moved_on = peer.heard
         request = peer.connection.answered(number)
         if not peer.connection.requests:
-            self._asked.discard(peer)
-        self._changed.add(peer)
+            self._asked.pop(peer, None)
+        self._changed[peer] = True
         if request is None or not request.answered(status, data, at, little):
             return
         failure = None
@@ -450,8 +452,8 @@ class Peers:
         peer.connection = None
         self._unwatch(peer)
         connection.close()
-        self._asked.discard(peer)
-        self._changed.add(peer)
+        self._asked.pop(peer, None)
+        self._changed[peer] = True
         return connection
 
     @staticmethod
@@ -492,8 +494,8 @@ class Peers:
             request.silent(silence)
         self._fail_rest(peer)
         if not peer.connection.requests:
-            self._asked.discard(peer)
-        self._changed.add(peer)
+            self._asked.pop(peer, None)
+        self._changed[peer] = True
 
     def _fail_rest(self, peer):
         """End what is not to be asked now, by what has been found of the process."""

@@ -50,7 +50,7 @@ def serve(servant, host="", key=None):
     if here.server is None:
         here.server = Server(here, *_setting("endPoint"))
     server = here.server
-    key = key or binascii.hexlify(os.urandom(12))
+    key = key or binascii.hexlify(loop.world().octets(12))
     type_id = idl.id_of(servant.interface)
     server.objects[key] = servant, type_id
     own_host, _ = _setting("endPoint")
@@ -205,7 +205,7 @@ class Server:
         self.loop = of
         self.session = session.current()
         self.objects = {}
-        self.callers = set()
+        self.callers = {}  # type: dict  # of them alone: a set has no order
         self.second = loop.now()  # since when new connections are counted
         self.new = 0  # how many
         self.tasks = set()  # type: set  # of servants that ask others before they answer
@@ -265,7 +265,7 @@ class Server:
         except OSError:  # on macOS, where it has ended already
             pass
         caller = Caller(connection, host)
-        self.callers.add(caller)
+        self.callers[caller] = True
         self._watch(caller)
 
     def _watch(self, caller):
@@ -362,7 +362,7 @@ class Server:
         that what has not been answered has not been begun, or was not understood.
         """
         if caller in self.callers:
-            self.callers.discard(caller)
+            self.callers.pop(caller, None)
             self.loop.unwatch(caller.socket.fileno())
         try:
             if not caller.out:

@@ -1,0 +1,121 @@
+"""The alphabet of faults. Each is a function of a Robot and the word that it concerns; a line in FAULTS says
+what kind of word.
+"""
+
+import world as worlds
+
+LONG = 5.0  # seconds that something lasts which ends by itself
+SLOW = 0.3
+
+
+def kill(robot, process):
+    """A process is killed; its names stay."""
+    robot.programs[process].kill()
+
+
+def hang(robot, process):
+    """A process is stopped: its kernel accepts, nobody answers."""
+    robot.programs[process].stop()
+
+
+def pause(robot, process):
+    """A process is stopped for a while."""
+    program = robot.programs[process]
+    program.stop()
+    robot.world.at(LONG, program.go_on)
+
+
+def restart(robot, process):
+    """A process is killed, and started again under the same names."""
+    robot.programs[process].kill()
+    robot.world.at(0.5, robot.start_again, process)
+
+
+def error(robot, component):
+    """A component goes to Error."""
+    found = robot.living(component)
+    if found is not None:
+        found.contexts[0].set_state(found, "Error")
+
+
+def halt(robot, component):
+    """A context is stopped."""
+    found = robot.living(component)
+    if found is not None:
+        found.contexts[0].running = False
+
+
+def cut(robot, host):
+    """Nothing reaches a host any more, or leaves it."""
+    robot.world.rules.append(lambda one, other, port: _is_cut(one, other, host))
+
+
+def _is_cut(one, other, host):
+    if one is not other and host in (one.name, other.name):
+        return worlds.DROP
+    return None
+
+
+def unplug(robot, host):
+    """A host is cut off for a while."""
+
+    def rule(one, other, port):
+        return _is_cut(one, other, host)
+
+    robot.world.rules.append(rule)
+    robot.world.at(LONG, robot.world.rules.remove, rule)
+
+
+def close_port(robot, process):
+    """A firewall rejects connections from elsewhere to the port of a process."""
+    home = robot.programs[process].host
+    wanted = {port for port, each in home.listeners.items() if each.program is robot.programs[process]}
+
+    def rule(one, other, port):
+        return worlds.REJECT if other is home and one is not home and port in wanted else None
+
+    robot.world.rules.append(rule)
+
+
+def slow_network(robot, host):
+    """Each packet from or to a host takes longer."""
+    robot.world.delays[host] = SLOW
+
+
+def no_names(robot, _):
+    """The name server is killed."""
+    robot.names.kill()
+
+
+def empty_names(robot, _):
+    """The name server is killed, and is back without a name."""
+    robot.names.kill()
+    robot.world.at(0.5, _new_names, robot)
+
+
+def _new_names(robot):
+    robot.names = robot.start_names()
+
+
+def wrong_clock(robot, host):
+    """The clock of a host is an hour ahead."""
+    robot.world.hosts[host].ahead += 3600
+
+
+# each fault, what it concerns, and whether a doctor who looks after it has to find something
+FAULTS = {
+    kill: ("process", True),
+    hang: ("process", True),
+    pause: ("process", False),
+    restart: ("process", False),
+    error: ("component", True),
+    halt: ("component", False),
+    cut: ("host", False),
+    unplug: ("host", False),
+    close_port: ("process", False),
+    slow_network: ("host", False),
+    no_names: ("names", True),
+    empty_names: ("names", True),
+    wrong_clock: ("host", False),
+}
+BY_NAME = {fault.__name__: fault for fault in FAULTS}

@@ -1,0 +1,174 @@
+"""What must be so, whatever happens: judged by the truth of the world after a Play."""
+
+import re
+
+import faults
+
+# seconds that a command may take, in timeouts; all of them end, whatever hangs
+LIMITS = {"rtls": 4, "rtcat": 6, "rtfind": 4, "rtdoctor": 20, "rtcryo": 12, "rtdel": 6}
+OTHERS = 12
+SLACK = 3.5  # seconds beside: for --wait 3
+STATUSES = {0, 1, 2, 3, 4, 5, 6, 130}
+STATES = ("Inactive", "Active", "Error", "Created")
+LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec"}
+WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
+IN_FLIGHT = 4
+IDLE = "nothing has been started"  # true of a world in which nothing is Active
+MARGIN = 0.05  # seconds: an answer was on its way
+
+
+def judge(play):
+    """Add to `failures` what is not as it must be: (name of the oracle, words)."""
+    for command in play.commands:
+        for name, oracle in ORACLES.items():
+            words = oracle(play, command)
+            if words:
+                play.failures.append((name, f"{command.line}: {words}"))
+    for name, oracle in OF_WORLDS.items():
+        words = oracle(play)
+        if words:
+            play.failures.append((name, words))
+
+
+# ---- of a command ----
+
+
+def ends(play, command):
+    """In the time that is promised."""
+    limit = LIMITS.get(command.name, OTHERS) + SLACK
+    if not command.is_over:
+        return "does not end"
+    if command.interrupted is not None:
+        if command.ended - command.interrupted > 6:
+            return f"ends {command.ended - command.interrupted:.2f} s after Ctrl-C"
+    elif command.ended - command.begun > limit:
+        return f"takes {command.ended - command.begun:.2f} s of {limit}"
+    return None
+
+
+def is_stable(play, command):
+    """No bug of ours shows."""
+    if command.program.failure is not None:
+        return f"raises {command.program.failure!r}"
+    if "internal error" in command.error or "Traceback" in command.error:
+        return command.error.strip()
+    if command.is_over and command.status not in STATUSES:
+        return f"status {command.status}"
+    if command.status == 0 and f"{command.name}: " in command.error and "error" in command.error:
+        return f"status 0, and {command.error.strip()}"
+    return None
+
+
+def is_polite(play, command):
+    """A process has few questions to answer at a time."""
+    for name, most in command.program.most_asked.items():
+        if most > IN_FLIGHT and name != "omniNames":
+            return f"{most} requests to {name} at a time"
+    return None
+
+
+def lists_the_truth(play, command):
+    """What rtls -l shows was so at a moment while it ran."""
+    if command.name != "rtls" or "l" not in command.line.partition("-")[2] or not command.is_over:
+        return None
+    for line in command.out.splitlines():
+        found = re.match(r"(\S+)\s.*?([*?~]?)(C\d+)\.rtc$", line)
+        if not found:
+            continue
+        state, mark, name = found.groups()
+        words = _doubt_state(play, command, state, mark, name)
+        if words:
+            return f"{line.strip()!r}: {words}"
+    return None
+
+
+def _doubt_state(play, command, state, mark, name):
+    begun = command.begun - MARGIN
+    if mark == "*" and not (play.robot.was_gone(name, begun, command.ended) or _is_refused(play)):
+        return "it lives"
+    if mark in ("?", "~") and not _was_troubled(play, command.ended):
+        return "nothing hides it"
+    if state in STATES and state not in play.robot.states(name, begun, command.ended):
+        return f"it was {sorted(play.robot.states(name, begun, command.ended))}"
+    return None
+
+
+def _is_refused(play):
+    return any(name == "close_port" for _, name, _ in play.scenario.faults)
+
+
+def _was_troubled(play, until):
+    return any(when <= until for when, _ in play.robot.troubles)
+
+
+def doctor_is_right(play, command):
+    """Nothing alive is called dead; nothing is found in a healthy world; a fault alone is found."""
+    if command.name != "rtdoctor" or not command.is_over or command.interrupted is not None:
+        return None
+    for line in command.out.splitlines():
+        found = re.search(r"/(C\d+)\.rtc: dead", line)
+        if found and not play.robot.was_gone(found.group(1), command.begun, command.ended):
+            return f"{line}: it lives"
+    was_changed = any(each.name not in LOOKING for each in play.commands)
+    if not was_changed and not _was_troubled(play, command.ended):
+        wrong = [line for line in command.out.splitlines() if IDLE not in line]
+        if wrong or command.out and play.scenario.active:
+            return f"nothing is wrong: {command.out}"
+    if len(play.scenario.faults) != 1 or was_changed:
+        return None
+    when, name, whom = play.scenario.faults[0]
+    _, must_be_found = faults.FAULTS[faults.BY_NAME[name]]
+    if must_be_found and play.begin + when < command.begun and not command.out:
+        return f"{name} {whom} is not found: {command.error}"
+    return None
+
+
+def says_what_is_done(play, command):
+    """Active is said of what is Active in its context."""
+    wanted = {"rtact": "Active", "rtdeact": "Inactive", "rtreset": "Inactive"}.get(command.name)
+    if wanted is None or "--wait" not in command.line or command.status != 0:
+        return None
+    name = command.line.split()[-1]
+    if wanted not in play.robot.states(name, command.begun, command.ended):
+        return f"status 0, but it was {sorted(play.robot.states(name, command.begun, command.ended))}"
+    return None
+
+
+# ---- of a world ----
+
+
+def no_live_name_goes(play):
+    """rtdel -z removes names of the dead."""
+    for when, name, reference in play.robot.removed:
+        for life in play.robot.lives.get(name, ()):
+            if life.component.reference is not None and _is_same(life.component.reference, reference):
+                if life.is_alive(when):
+                    return f"{name} was unbound at {when:.3f} s, and lived"
+    return None
+
+
+def _is_same(one, other):
+    return one.address[1:] == other.address[1:]
+
+
+def looking_changes_nothing(play):
+    """No connector is there that was not, where nobody has connected anything."""
+    if not LOOKING | WITHOUT_CONNECTORS >= {each.name for each in play.commands}:
+        return None
+    more = set(play.robot.connectors()) - set(play.before)
+    if more:
+        return f"connectors {sorted(more)}"
+    if not play.scenario.faults and set(play.before) - set(play.robot.connectors()):
+        return "connectors are gone"
+    return None
+
+
+ORACLES = {
+    "ends": ends,
+    "stable": is_stable,
+    "polite": is_polite,
+    "true list": lists_the_truth,
+    "true finding": doctor_is_right,
+    "done is done": says_what_is_done,
+}
+OF_WORLDS = {"live names": no_live_name_goes, "no trace": looking_changes_nothing}

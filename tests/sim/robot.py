@@ -1,0 +1,161 @@
+"""A simulated robot and the truth about it: which component lived when, in what state, and who removed what.
+"""
+
+import components
+import world as worlds
+
+from rtshell_lite.corba import orb, session
+from rtshell_lite.net import loop
+from rtshell_lite.play import nameserver, ports
+from rtshell_lite.play.component import nvlist
+
+PORT = 2809
+
+
+class Life:
+    """One life of a component: in a Program, from `begun` until the program ends."""
+
+    def __init__(self, component, program):
+        self.component = component
+        self.program = program
+        self.begun = program.begun
+
+    def is_alive(self, when):
+        ended = self.program.ended
+        return self.begun <= when and (ended is None or when < ended)
+
+    def ended_by(self, when):
+        return self.program.ended is not None and self.program.ended <= when
+
+
+class Robot:
+    """The processes of a robot in a World.
+
+    lives      {name of a component: [Life]}
+    removed    [(time, name, reference)] of the names that somebody has unbound
+    troubles   [(time, line)] of what has gone wrong
+    """
+
+    def __init__(self, world, name_server):
+        self.world = world
+        self.server = f"{name_server.address}:{PORT}"
+        self.home = name_server
+        self.lives = {}
+        self.processes = {}  # {name: (host, [names of components])}
+        self.programs = {}  # {name: Program}
+        self.removed = []
+        self.troubles = []  # (time, line) of what a fault has done
+        self.bound = set()  # names of components that have been bound
+        self.names = self.start_names()
+
+    def path(self, name):
+        return f"/{self.server}/robot.host_cxt/{name}.rtc"
+
+    def trouble(self, line):
+        self.troubles.append((self.world.time, line))
+        self.world.tell(line)
+
+    def start_names(self):
+        robot = self
+
+        class Context(nameserver.Context):
+            """A naming context that notes what is bound and removed."""
+
+            def bind(self, name, reference):
+                super().bind(name, reference)
+                robot.bound.add(name[-1].id)
+
+            def unbind(self, name):
+                place, last = self._place(name)
+                known = place.bound.get(last)
+                super().unbind(name)
+                robot.removed.append((robot.world.time, last[0], known[0]))
+
+        return worlds.Program(
+            self.home, "omniNames", components.serve_names(self.home.address, PORT, Context)
+        )
+
+    def start(self, name, host, members):
+        """Start a process with these components."""
+        made = [components.Component(self.world, each) for each in members]
+        program = worlds.Program(host, name, components.serve(made, host.address, self.server))
+        self.processes[name] = host, members
+        self.programs[name] = program
+        for component in made:
+            self.lives.setdefault(component.instance_name, []).append(Life(component, program))
+        return program
+
+    def start_again(self, name):
+        host, members = self.processes[name]
+        return self.start(name, host, members)
+
+    def living(self, name):
+        """The Component with that name that lives now, or None."""
+        life = self.lives[name][-1]
+        return life.component if life.is_alive(self.world.time) else None
+
+    # ---- the truth ----
+
+    def was_alive(self, name, begun, ended):
+        """Whether it lived at a moment between two."""
+        return any(
+            life.begun <= ended and not life.ended_by(begun) for life in self.lives.get(name, ())
+        )
+
+    def was_gone(self, name, begun, ended):
+        """Whether a life of it had ended by then."""
+        return any(life.ended_by(ended) for life in self.lives.get(name, ()))
+
+    def states(self, name, begun, ended):
+        """The states that it was in between two moments."""
+        found = set()
+        for life in self.lives.get(name, ()):
+            if life.begun > ended or life.ended_by(begun):
+                continue
+            history = life.component.states
+            for number, (since, state) in enumerate(history):
+                until = history[number + 1][0] if number + 1 < len(history) else ended + 1
+                if since <= ended and until >= begun:
+                    found.add(state)
+        return found
+
+    def connectors(self):
+        """{id of a connector: names of its components} of all that live."""
+        found = {}
+        for name in self.lives:
+            component = self.living(name)
+            if component is None:
+                continue
+            for port in component.ports:
+                for connector_id in port.connectors:
+                    found.setdefault(connector_id, set()).add(name)
+        return found
+
+    # ---- at the beginning ----
+
+    def set_up(self, connections, active):
+        """Connect [(name of the source, of the target)], and activate components."""
+
+        async def main():
+            for source, target in connections:
+                ends = [self.living(source).ports[1].reference, self.living(target).ports[0].reference]
+                properties = {
+                    "dataport.dataflow_type": "push",
+                    "dataport.interface_type": "corba_cdr",
+                    "dataport.subscription_type": "new",
+                    "dataport.data_type": "IDL:RTC/TimedLong:1.0",
+                }
+                profile = ports._made(f"{source}_{target}", "", ends, nvlist(properties.items()))
+                await orb.call("set up", ends[0], "connect", profile)
+            for name in active:
+                component = self.living(name)
+                context = component.contexts[0].reference
+                await orb.call("set up", context, "activate_component", component.reference)
+
+        program = worlds.Program(
+            self.home, "set up", lambda: loop.run(main(), session=session.Session(components.PATIENT))
+        )
+        self.world.run(self.world.time + 30, lambda: program.is_over)
+        if program.failure:
+            raise program.failure
+        self.world.run(self.world.time + 0.1)

@@ -1,0 +1,138 @@
+"""A scenario: what is in a world, what goes wrong, and what people do, drawn from a seed as plain lists, so
+that parts can be left out to find the smallest that fails.
+"""
+
+import random
+
+import faults
+import oracles
+import robot as robots
+import users
+import world as worlds
+
+PATIENCE = 20.0  # virtual seconds for all to be started
+LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise
+
+
+class Scenario:
+    """hosts      names of hosts; the first has the name server
+    seat       the host on which commands are typed
+    processes  [(name, host, [components])]
+    connections, active
+    faults     [(when, name of the fault, what it concerns)], seconds from the set-up's end
+    commands   [(when, words, seconds until Ctrl-C, or None)]
+    """
+
+    def __init__(self, seed, only=()):
+        draw = random.Random(seed)
+        self.seed = seed
+        self.hosts = ["robot", "arm", "base"][: draw.choice((1, 1, 2, 3))]
+        self.seat = draw.choice(self.hosts + ["desk", "desk"])
+        self.processes = []
+        names = []
+        for number in range(draw.choice((1, 2, 2, 3, 4, 6))):
+            members = []
+            for _ in range(draw.choice((1, 1, 2, 3, 5))):
+                members.append(f"C{len(names)}")
+                names.append(members[-1])
+            self.processes.append((f"p{number}", draw.choice(self.hosts), members))
+        self.connections = [
+            (draw.choice(names), draw.choice(names)) for _ in range(draw.randrange(0, len(names) + 1))
+        ]
+        self.connections = sorted({pair for pair in self.connections if pair[0] != pair[1]})
+        self.active = sorted(draw.choice(([], names)))
+        self.faults = []
+        for _ in range(draw.choice((0, 1, 1, 1, 2, 3))):
+            self._draw_fault(draw, names)
+        self.faults.sort()
+        self.commands = []
+        for _ in range(draw.choice((1, 2, 3, 4))):
+            interrupted = draw.random() * 2 if draw.random() < 0.1 else None
+            words = users.draw(draw, names, only)
+            self.commands.append((round(draw.random() * 6, 3), words, interrupted))
+        self.commands.sort(key=lambda each: each[0])
+
+    def _draw_fault(self, draw, names):
+        fault = draw.choice(sorted(faults.BY_NAME))
+        kind, _ = faults.FAULTS[faults.BY_NAME[fault]]
+        whom = {
+            "process": [process for process, _, _ in self.processes],
+            "component": names,
+            "host": self.hosts,
+            "names": [""],
+        }[kind]
+        self.faults.append((round(draw.random() * 3, 3), fault, draw.choice(whom)))
+
+    def play(self):
+        """Let it happen. Returns the Play."""
+        return Play(self)
+
+    # ---- to make it smaller ----
+
+    def smaller(self):
+        """Scenarios with one part less."""
+        for part in ("commands", "faults", "connections", "active", "processes"):
+            whole = getattr(self, part)
+            for number in range(len(whole)):
+                if part in ("processes", "commands") and len(whole) == 1:
+                    continue
+                yield self._with(part, whole[:number] + whole[number + 1 :])
+
+    def _with(self, part, value):
+        made = Scenario.__new__(Scenario)
+        made.__dict__.update(self.__dict__)
+        setattr(made, part, value)
+        names = {each for _, _, members in made.processes for each in members}
+        processes = {each for each, _, _ in made.processes}
+        made.connections = [pair for pair in made.connections if names.issuperset(pair)]
+        made.active = [name for name in made.active if name in names]
+        known = names | processes | set(made.hosts) | {""}
+        made.faults = [each for each in made.faults if each[2] in known]
+        return made
+
+
+class Play:
+    """A Scenario that is played: its `world`, `robot`, `commands` (users.Command), `failures` [(name of the
+    oracle, words)].
+    """
+
+    def __init__(self, scenario):
+        self.scenario = scenario
+        self.world = world = worlds.World(scenario.seed)
+        self.commands = []
+        self.failures = []
+        for number, name in enumerate(scenario.hosts + ["desk"], 1):
+            world.host(name, f"10.0.0.{number}")
+        try:
+            self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]])
+            for name, host, members in scenario.processes:
+                self.robot.start(name, world.hosts[host], members)
+            count = sum(len(members) for _, _, members in scenario.processes)
+            world.run(PATIENCE, lambda: len(self.robot.bound) >= count)
+            self.robot.set_up(scenario.connections, scenario.active)
+            self._act()
+            oracles.judge(self)
+        finally:
+            world.end()
+
+    def _act(self):
+        world = self.world
+        seat = world.hosts[self.scenario.seat]
+        self.before = self.robot.connectors()
+        begin = self.begin = world.time
+        for when, name, whom in self.scenario.faults:
+            world.at(when, self._break, name, whom)
+        for when, words, interrupted in self.scenario.commands:
+            world.at(when, self._type, seat, words, interrupted)
+        total = len(self.scenario.commands)
+        world.run(begin + LAST, lambda: len(self.commands) == total and self._are_over())
+
+    def _are_over(self):
+        return all(command.is_over for command in self.commands)
+
+    def _break(self, name, whom):
+        self.robot.trouble(f"{name} {whom}")
+        faults.BY_NAME[name](self.robot, whom)
+
+    def _type(self, seat, words, interrupted):
+        self.commands.append(users.Command(self.robot, seat, words, interrupted))

@@ -1,0 +1,110 @@
+"""People at a simulated robot: what they type, and the commands that run then, as on a robot."""
+
+import signal
+
+import world as worlds
+
+from rtshell_lite import cli
+from rtshell_lite.shell import installation
+
+TIMEOUT = 1.0  # seconds, of all commands
+_modules = {}  # type: dict
+
+
+def draw(draw, names, only=()):
+    """The words of a command line, drawn at random."""
+    one, other = draw.choice(names), draw.choice(names)
+    lines = [
+        "rtls",
+        "rtls -l",
+        "rtls -R /",
+        "rtls -lR",
+        f"rtcat {one}",
+        f"rtcat -l {one}",
+        "rtfind . --type c",
+        "rtdoctor -q",
+        f"rtact --wait 3 {one}",
+        f"rtdeact --wait 3 {one}",
+        f"rtreset --wait 3 {one}",
+        f"rtact {one} {other}",
+        "rtdel -z .",
+        f"rtcon {one}:out {other}:in",
+        f"rtdis {one}:out",
+        f"rtconf {one} list",
+        f"rtconf {one} set gain 5",
+        "rtcryo -y .",
+        f"rtec {one}",
+    ]
+    wanted = [line for line in lines if not only or line.split()[0] in only]
+    return draw.choice(wanted)
+
+
+class Command:
+    """A command that somebody has typed on a host: `words`, as a line."""
+
+    def __init__(self, robot, host, line, interrupted=None):
+        self.line = line
+        self.name, *words = line.split()
+        names = set(robot.lives)
+        words = [_spelt(word, names) for word in words]
+        module = _module(self.name)
+        self.world = robot.world
+        environment = {
+            "RTCTREE_NAMESERVERS": robot.server,
+            "RTCSH_CWD": f"/{robot.server}/robot.host_cxt",
+            "RTSHELL_ORB": "builtin",
+            "RTSHELL_TIMEOUT": str(TIMEOUT),
+        }
+
+        def main():
+            try:
+                return cli.command(module.arguments, module.run, module.__doc__, words)
+            except KeyboardInterrupt:
+                return 130
+
+        self.begun = robot.world.time
+        self.interrupted = None  # when
+        robot.world.tell(f"$ {line}")
+        self.program = worlds.Program(host, self.name, main, words, environment)
+        if interrupted is not None:
+            robot.world.at(interrupted, self._interrupt)
+
+    def _interrupt(self):
+        if not self.program.is_over:
+            self.interrupted = self.world.time
+            self.world.tell("Ctrl-C")
+            self.program.strike(signal.SIGINT)
+
+    @property
+    def is_over(self):
+        return self.program.is_over
+
+    @property
+    def ended(self):
+        return self.program.ended
+
+    @property
+    def status(self):
+        return self.program.status
+
+    @property
+    def out(self):
+        return self.program.out.getvalue()
+
+    @property
+    def error(self):
+        return self.program.error.getvalue()
+
+
+def _spelt(word, names):
+    """A word with .rtc after the name of a component."""
+    name, colon, port = word.partition(":")
+    if name in names:
+        return f"{name}.rtc{colon}{port}"
+    return word
+
+
+def _module(name):
+    if name not in _modules:
+        _modules[name] = installation.load(installation.commands()[name], "sim_" + name)
+    return _modules[name]

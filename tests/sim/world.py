@@ -1,0 +1,666 @@
+"""A world in one process of Python: hosts, their network, programs on them, and a clock that jumps to what
+comes next. What happens in it is drawn from one seed.
+
+Each program has a thread of its own, of which one runs at a time: the others wait in the poll of their loop.
+So the code of commands and components is what runs on a robot; only net/real.py is another.
+"""
+
+import _socket
+import collections
+import errno
+import heapq
+import io
+import itertools
+import os
+import random
+import select
+import sys
+import threading
+
+from rtshell_lite import cli, notes
+from rtshell_lite.net import loop
+
+BEGIN = 1800000000.0  # seconds since 1970 when a world begins
+AGAIN = 0.2  # seconds until what was lost is sent again, doubled each time
+LONGEST_AGAIN = 3.0
+GIVEN_UP = 120.0  # seconds until a host gives up a connection
+ROOM = 1 << 18  # octets that wait in a socket at most
+BUSY = 1e-5  # seconds that a program takes before it looks again
+MOST_AT_ONCE = 200000  # turns of programs without any time passing: one of them never waits
+FIRST_FD = 100000  # beyond real ones
+# of GIOP: octets of the head of a message, its kinds
+HEADER = 12
+REQUEST = 0
+REPLY = 1
+LOOPBACK = "127.0.0.1"
+
+
+class Killed(BaseException):
+    """Raised in a program that is no more."""
+
+
+class World:
+    """`time`: seconds since it began; `random`: from the seed; `story`: (time, line) of what has happened."""
+
+    def __init__(self, seed):
+        self.seed = seed
+        self.random = random.Random(seed)
+        self.time = 0.0
+        self.hosts = {}
+        self.programs = []
+        self.rules = []  # of firewalls: function(host, other, port) returns DROP, REJECT or None
+        self.story = []
+        self.delays = {}  # {host: seconds more to it}
+        self._events = []
+        self._numbers = itertools.count()
+        self.ready = collections.deque()
+        self._turn = threading.Lock()
+        self._turn.acquire()
+        self._turns = 0
+        self.fds = itertools.count(FIRST_FD)
+
+    def tell(self, line):
+        """Add a line to the story."""
+        self.story.append((self.time, line))
+
+    def host(self, name, address):
+        made = self.hosts[name] = Host(self, name, address)
+        return made
+
+    def host_at(self, address):
+        for host in self.hosts.values():
+            if host.address == address:
+                return host
+        return None
+
+    # ---- time ----
+
+    def at(self, seconds, function, *args):
+        """Call function(*args) in so many seconds."""
+        heapq.heappush(self._events, (self.time + seconds, next(self._numbers), function, args))
+
+    def run(self, until, is_over=lambda: False):
+        """Let things happen until a time, or until is_over()."""
+        while not is_over():
+            if self.ready:
+                self._turns += 1
+                if self._turns > MOST_AT_ONCE:
+                    raise AssertionError("%s never waits" % self.ready[0].name)
+                self.ready.popleft().take_turn()
+                continue
+            if not self._events or self._events[0][0] > until:
+                self.time = max(self.time, until)
+                return
+            when, _, function, args = heapq.heappop(self._events)
+            if when > self.time:
+                self._turns = 0
+            self.time = max(self.time, when)
+            function(*args)
+
+    def give_back(self):
+        """Let the world go on; called on the thread of a program."""
+        self._turn.release()
+
+    def wait_for_turn(self):
+        self._turn.acquire()
+
+    def end(self):
+        """End all programs, and their threads."""
+        for program in list(self.programs):
+            program.kill()
+
+    # ---- the network ----
+
+    def latency(self, one, other):
+        if one is other:
+            return 2e-5 + self.random.random() * 2e-5
+        more = self.delays.get(one.name, 0) + self.delays.get(other.name, 0)
+        return 2e-4 + self.random.random() * 2e-4 + more
+
+    def verdict(self, one, other, port):
+        """What happens to a packet to a port: None, DROP, REJECT."""
+        if one is not other and not (one.is_on and other.is_on):
+            return DROP
+        for rule in self.rules:
+            found = rule(one, other, port)
+            if found:
+                return found
+        return None
+
+
+DROP = "drop"
+REJECT = "reject"
+
+
+class Host:
+    """A computer with one address: `listeners` by port; `is_on`."""
+
+    def __init__(self, world, name, address):
+        self.world = world
+        self.name = name
+        self.address = address
+        self.listeners = {}
+        self.is_on = True
+        self.ahead = 0.0  # seconds by which its clock is ahead
+        self._port = 40000
+
+    def free_port(self):
+        self._port += 1
+        return self._port
+
+
+class Program:
+    """A process on a host: it runs main(), on a thread of its own, and is an object like net/real.py for it.
+
+    status  what main() has returned, None before
+    """
+
+    NoSuchHost = _socket.gaierror
+
+    def __init__(self, host, name, main, argv=(), environment=None):
+        self.host = host
+        self.world = host.world
+        self.name = name
+        self.argv = [name, *argv]
+        self.environment = environment or {}
+        self.sockets = {}  # by file descriptor
+        self.looking_up = {}
+        self.most_asked = {}  # {name of a program: how many requests it had to answer for us at a time}
+        self.status = None
+        self.is_over = False
+        self.is_stopped = False
+        self.begun = self.world.time
+        self.ended = None  # when
+        self.out = Output()
+        self.error = Output()
+        self.loop = None
+        self.failure = None  # what main() has raised
+        self._main = main
+        self._is_killed = False
+        self._is_ready = False
+        self._waits = 0
+        self._left_out = set()
+        self._settings = (False, False)
+        self._turn = threading.Lock()
+        self._turn.acquire()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+        self.world.programs.append(self)
+        self.wake()
+
+    # ---- turns ----
+
+    def wake(self):
+        """It has something to do."""
+        if not (self._is_ready or self.is_stopped or self.is_over):
+            self._is_ready = True
+            self.world.ready.append(self)
+
+    def _wake_from(self, wait):
+        """The time of a wait has passed, which may be over."""
+        if wait == self._waits:
+            self.wake()
+
+    def take_turn(self):
+        """Let it run until it waits, or ends."""
+        self._is_ready = False
+        if self.is_over or self.is_stopped and not self._is_killed:
+            return
+        before = sys.stdout, sys.stderr, sys.argv, os.environ, cli._quiet, cli._verbose, notes._left_out
+        sys.stdout, sys.stderr, sys.argv, os.environ = self.out, self.error, self.argv, self.environment
+        cli._quiet, cli._verbose = self._settings
+        notes._left_out = self._left_out
+        self._turn.release()
+        self.world.wait_for_turn()
+        self._settings = cli._quiet, cli._verbose
+        sys.stdout, sys.stderr, sys.argv, os.environ, cli._quiet, cli._verbose, notes._left_out = before
+
+    def _run(self):
+        self._turn.acquire()
+        loop.inhabit(self)
+        try:
+            self.status = self._main()
+        except Killed:
+            pass
+        except BaseException as e:
+            self.failure = e
+        finally:
+            self._is_killed = True
+            self.is_over = True
+            self.ended = self.world.time
+            self.close_all()
+            if self in self.world.programs:
+                self.world.programs.remove(self)
+            self.world.give_back()
+
+    def wait(self, seconds):
+        """Wait until it is woken, or a time has passed; on its own thread."""
+        if self._is_killed:
+            raise Killed
+        self._waits += 1
+        self.world.at(seconds, self._wake_from, self._waits)
+        self.world.give_back()
+        self._turn.acquire()
+        if self._is_killed:
+            raise Killed
+
+    # ---- what is done to it ----
+
+    def kill(self):
+        """SIGKILL."""
+        if self.is_over:
+            return
+        self._is_killed = True
+        self.is_stopped = False
+        self.close_all()
+        self._is_ready = False
+        self.take_turn()
+
+    def stop(self):
+        """SIGSTOP: the kernel of its host goes on."""
+        self.is_stopped = True
+
+    def go_on(self):
+        """SIGCONT."""
+        self.is_stopped = False
+        self.wake()
+
+    def strike(self, number):
+        """A signal that it hears."""
+        if self.loop is not None and not self.is_over:
+            self.loop.strike(number)
+            self.wake()
+
+    def close_all(self):
+        for each in list(self.sockets.values()):
+            each.close()
+
+    # ---- what net/real.py has ----
+
+    def now(self):
+        return 1000.0 + self.world.time
+
+    def wall(self):
+        return BEGIN + self.world.time + self.host.ahead
+
+    def octets(self, number):
+        return bytes(self.world.random.randrange(256) for _ in range(number))
+
+    def Poll(self):
+        return Poll(self)
+
+    def start_thread(self, function, *args):
+        here = loop.current()
+        self.world.at(self.world.latency(self.host, self.host), self._post, here, function, args)
+
+    def _post(self, here, function, args):
+        if not self.is_over:
+            here.post(function, *args)
+            self.wake()
+
+    def stream(self, family, protocol=0):
+        return Socket(self)
+
+    def listen(self, family, place, only_v6=True):
+        made = Socket(self)
+        made.listen_at(place[1])
+        return made
+
+    def bind(self, host, port):
+        if port in self.host.listeners:
+            raise OSError(errno.EADDRINUSE, os.strerror(errno.EADDRINUSE))
+
+    def unacknowledged(self, connection):
+        return connection.unacknowledged()
+
+    def resolve(self, host, port=None, family=0, flags=0):
+        if isinstance(host, bytes):
+            host = host.decode()
+        if host is None:
+            address = "0.0.0.0"
+        elif host == "localhost":
+            address = LOOPBACK
+        elif not host.strip("0123456789."):
+            address = host
+        elif host in self.world.hosts and not flags:
+            address = self.world.hosts[host].address
+        else:
+            raise self.NoSuchHost(_socket.EAI_NONAME, "Name or service not known")
+        return [(_socket.AF_INET, _socket.SOCK_STREAM, 6, "", (address, port or 0))]
+
+    def host_name(self):
+        return self.host.name
+
+    def is_own(self, address):
+        return address in (LOOPBACK, self.host.address)
+
+    def own_address(self, host, port):
+        (*_, (address, _)), = self.resolve(host)
+        if address == LOOPBACK:
+            return LOOPBACK
+        return self.host.address
+
+    def interfaces(self):
+        return [("lo", LOOPBACK, "255.0.0.0"), ("eth0", self.host.address, "255.255.255.0")]
+
+
+class Output(io.TextIOWrapper):
+    """stdout or stderr of a program, which nobody is slow to read."""
+
+    def __init__(self):
+        super().__init__(io.BytesIO(), "utf-8", "backslashreplace", newline="\n", write_through=True)
+
+    def getvalue(self):
+        self.flush()
+        return self.buffer.getvalue().decode()
+
+    def fileno(self):
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+
+
+class Poll:
+    """As select.poll, of the sockets of a program."""
+
+    def __init__(self, program):
+        self._program = program
+        self._watched = {}
+        program.loop = loop.current() or program.loop
+
+    def register(self, fd, events):
+        self._watched[fd] = events
+
+    def unregister(self, fd):
+        del self._watched[fd]
+
+    def poll(self, milliseconds):
+        program = self._program
+        program.loop = loop.current() or program.loop
+        found = self._ready()
+        if found or milliseconds <= 0:
+            program.wait(BUSY)
+            return found or self._ready()
+        program.wait(milliseconds / 1000)
+        return self._ready()
+
+    def _ready(self):
+        found = []
+        for fd, events in self._watched.items():
+            socket = self._program.sockets.get(fd)
+            if socket is not None:
+                come = events & socket.events()
+                if come:
+                    found.append((fd, come))
+        return found
+
+
+class Scan:
+    """The kinds of the GIOP messages in a stream of octets."""
+
+    def __init__(self):
+        self._head = b""
+        self._rest = 0  # octets to come of the message that has begun
+
+    def kinds(self, data):
+        found = []
+        at = 0
+        while at < len(data):
+            if self._rest:
+                taken = min(self._rest, len(data) - at)
+                self._rest -= taken
+                at += taken
+                continue
+            taken = HEADER - len(self._head)
+            self._head += data[at : at + taken]
+            at += taken
+            if len(self._head) == HEADER:
+                found.append(self._head[7])
+                order = "little" if self._head[6] & 1 else "big"
+                self._rest = int.from_bytes(self._head[8:], order)
+                self._head = b""
+        return found
+
+
+class Socket:
+    """A socket of TCP of a program."""
+
+    def __init__(self, program):
+        self.program = program
+        self.world = program.world
+        self.host = program.host
+        self.fd = next(self.world.fds)
+        program.sockets[self.fd] = self
+        self.peer = None  # the Socket at the other end
+        self.address = None  # of the other end, (address, port)
+        self.port = None
+        self.incoming = bytearray()
+        self.is_at_end = False  # the other end sends no more
+        self.error = 0
+        self.backlog = None  # connections that wait to be accepted, of one that listens
+        self.is_connected = False
+        self.is_of_client = False
+        self.is_closed = False
+        self._under_way = 0  # octets that have been sent, and have not arrived
+        self._sent = collections.deque()  # (when it arrives, function, arguments), the oldest first
+        self._is_repeating = False  # what was lost is sent again
+        self.scan = Scan()
+        self.asked = 0  # GIOP requests that have been sent here, and not been answered
+
+    # ---- as _socket.socket ----
+
+    def fileno(self):
+        return -1 if self.is_closed else self.fd
+
+    def setblocking(self, flag):
+        pass
+
+    def setsockopt(self, *args):
+        pass
+
+    def getsockopt(self, level, option):
+        code = self.error
+        self.error = 0
+        return code
+
+    def getsockname(self):
+        return self.host.address, self.port
+
+    def connect_ex(self, place):
+        address, port = place
+        self.address = place
+        self.port = self.host.free_port()
+        self.is_of_client = True
+        if self.program.is_own(address):
+            other = self.host
+        else:
+            other = self.world.host_at(address)
+        if other is None:
+            return errno.ENETUNREACH
+        self._try(other, port, AGAIN, GIVEN_UP)
+        return errno.EINPROGRESS
+
+    def listen_at(self, port):
+        if port in self.host.listeners:
+            self.close()
+            raise OSError(errno.EADDRINUSE, os.strerror(errno.EADDRINUSE))
+        self.port = port or self.host.free_port()
+        self.host.listeners[self.port] = self
+        self.backlog = collections.deque()
+
+    def accept(self):
+        if not self.backlog:
+            raise BlockingIOError(errno.EAGAIN, "nobody")
+        made = self.backlog.popleft()
+        return made, made.address
+
+    def send(self, data, flags=0):
+        self._check()
+        if self.error:
+            raise OSError(self.error, os.strerror(self.error))
+        room = ROOM - self._under_way - len(self.peer.incoming)
+        if room <= 0:
+            raise BlockingIOError(errno.EAGAIN, "full")
+        data = bytes(data[:room])
+        self._count(data)
+        self._under_way += len(data)
+        self._travel(self.peer.take, data)
+        return len(data)
+
+    def sendall(self, data):
+        self.send(data)
+
+    def recv(self, most, flags=0):
+        self._check()
+        if self.incoming:
+            data = bytes(self.incoming[:most])
+            if not flags & _socket.MSG_PEEK:
+                del self.incoming[:most]
+                if self.peer is not None:
+                    self.peer.program.wake()
+            return data
+        if self.error:
+            raise OSError(self.error, os.strerror(self.error))
+        if self.is_at_end:
+            return b""
+        raise BlockingIOError(errno.EAGAIN, "nothing")
+
+    def recv_into(self, buffer):
+        data = self.recv(len(buffer))
+        buffer[: len(data)] = data
+        return len(data)
+
+    def shutdown(self, how):
+        self._check()
+        self._travel(self.peer.come_to_end)
+
+    def close(self):
+        if self.is_closed:
+            return
+        self.is_closed = True
+        self.program.sockets.pop(self.fd, None)
+        if self.backlog is not None:
+            if self.host.listeners.get(self.port) is self:
+                del self.host.listeners[self.port]
+            for each in self.backlog:
+                each.close()
+        elif self.peer is not None:
+            self._travel(self.peer.break_off if self.incoming else self.peer.come_to_end)
+
+    # ---- what its kernel does ----
+
+    def events(self):
+        """What a poll finds."""
+        found = 0
+        if self.backlog or self.incoming or self.is_at_end or self.error:
+            found |= select.POLLIN
+        if self.error or self.is_connected and len(self.peer.incoming) + self._under_way < ROOM:
+            found |= select.POLLOUT
+        return found
+
+    def unacknowledged(self):
+        return self._under_way
+
+    def _check(self):
+        if self.is_closed:
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        if self.peer is None and not self.error:
+            raise OSError(errno.ENOTCONN, os.strerror(errno.ENOTCONN))
+
+    def _try(self, other, port, pause, left):
+        """Ask a host for a connection, again and again while nothing answers."""
+        if self.is_closed:
+            return
+        verdict = self.world.verdict(self.host, other, port)
+        there_and_back = 2 * self.world.latency(self.host, other)
+        if verdict == DROP:
+            if left <= 0:
+                self._fail(errno.ETIMEDOUT)
+            else:
+                self.world.at(pause, self._try, other, port, min(2 * pause, LONGEST_AGAIN), left - pause)
+        elif verdict == REJECT:
+            self.world.at(there_and_back, self._fail, errno.ECONNREFUSED)
+        else:
+            self.world.at(there_and_back, self._arrive, other, port)
+
+    def _arrive(self, other, port):
+        if self.is_closed:
+            return
+        listener = other.listeners.get(port)
+        if listener is None:
+            return self._fail(errno.ECONNREFUSED)
+        theirs = Socket(listener.program)
+        theirs.peer = self
+        theirs.is_connected = True
+        theirs.port = port
+        theirs.address = (self.host.address, self.port)
+        self.peer = theirs
+        self.is_connected = True
+        listener.backlog.append(theirs)
+        listener.program.wake()
+        self.program.wake()
+
+    def _fail(self, code):
+        self.error = code
+        self.program.wake()
+
+    def _travel(self, function, *args):
+        """Have something arrive at the other end, after what was sent before."""
+        pause = self.world.latency(self.host, self.peer.host)
+        arrives = self.world.time + pause
+        if self._sent:
+            arrives = max(arrives, self._sent[-1][0])
+        self._sent.append((arrives, function, args))
+        self.world.at(arrives - self.world.time, self._deliver)
+
+    def _deliver(self):
+        if not self._is_repeating:
+            self._repeat(AGAIN)
+
+    def _repeat(self, pause):
+        """Have all arrive that should have; again after a pause while it is lost."""
+        self._is_repeating = False
+        while self._sent and self._sent[0][0] <= self.world.time:
+            if self.world.verdict(self.host, self.peer.host, self.served_port()) == DROP:
+                if self.world.time - self._sent[0][0] > GIVEN_UP:
+                    self._sent.clear()
+                    return self._fail(errno.ETIMEDOUT)
+                self._is_repeating = True
+                self.world.at(pause, self._repeat, min(2 * pause, LONGEST_AGAIN))
+                return
+            _, function, args = self._sent.popleft()
+            function(*args)
+
+    def served_port(self):
+        """The port of the end that has listened."""
+        return self.peer.port if self.is_of_client else self.port
+
+    def _count(self, data):
+        """Count GIOP requests and replies that are sent."""
+        for kind in self.scan.kinds(data):
+            if kind == REQUEST and self.is_of_client:
+                self.asked += 1
+                most = sum(
+                    each.asked for each in self.program.sockets.values() if each.address == self.address
+                )
+                known = self.program.most_asked.get(self.peer.program.name, 0)
+                self.program.most_asked[self.peer.program.name] = max(known, most)
+            elif kind == REPLY and not self.is_of_client:
+                self.peer.asked -= 1
+
+    def take(self, data):
+        """Octets have arrived."""
+        self.peer._under_way -= len(data)
+        if self.is_closed:
+            if not self.peer.is_closed:
+                self._travel(self.peer.break_off)
+            return
+        self.incoming += data
+        self.program.wake()
+
+    def come_to_end(self):
+        self.is_at_end = True
+        self.program.wake()
+
+    def break_off(self):
+        """RST."""
+        if not self.is_closed:
+            self._fail(errno.ECONNRESET)

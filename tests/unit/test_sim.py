@@ -1,0 +1,45 @@
+"""Simulated worlds (tests/sim): if this fails, a command does not end, says what was not so, or does harm;
+`tests/simulate --seed N -v` tells how.
+"""
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+WORLDS = 500
+
+
+def simulate(*words):
+    """(status, what tests/simulate prints)"""
+    done = subprocess.run(
+        [sys.executable, os.path.join(TESTS, "simulate"), *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        universal_newlines=True,
+    )
+    return done.returncode, done.stdout
+
+
+class Worlds(unittest.TestCase):
+    def test_worlds(self):
+        status, said = simulate("--seed", "1", "--worlds", str(WORLDS))
+        self.assertEqual(status, 0, said)
+        self.assertRegex(said, f"{WORLDS} worlds, [0-9]+ commands, 0 failed")
+
+    def test_seeds_that_have_found_a_bug(self):
+        with open(os.path.join(TESTS, "sim", "seeds.txt")) as file:
+            seeds = re.findall(r"^(\d+)", file.read(), re.M)
+        for seed in seeds:
+            status, said = simulate("--seed", seed)
+            self.assertEqual(status, 0, said)
+
+    def test_a_seed_has_one_story(self):
+        (_, one), (_, other) = [simulate("--seed", "77", "--worlds", "20", "-v") for _ in range(2)]
+        self.assertGreater(len(one), 1000)
+        self.assertEqual(one, other)
+
+
+if __name__ == "__main__":
+    unittest.main()
