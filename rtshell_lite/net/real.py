@@ -14,6 +14,7 @@ from rtshell_lite import errors
 now = time.monotonic  # seconds by a clock that is never set
 wall = time.time  # seconds since 1970
 Poll = select.poll
+Stream = _socket.socket  # what `stream` makes
 octets = os.urandom  # octets(number) that nobody can guess
 NoSuchHost = _socket.gaierror
 AT_ONCE = _socket.MSG_DONTWAIT  # flags of `recv` and `send`

@@ -11,6 +11,7 @@ SLACK = 3.5  # seconds beside: for --wait 3
 STATUSES = {0, 1, 2, 3, 4, 5, 6, 130}
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec"}
+NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names"}
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
@@ -86,11 +87,20 @@ def _doubt_state(play, command, state, mark, name):
     begun = command.begun - MARGIN
     if mark == "*" and not (play.robot.was_gone(name, begun, command.ended) or _is_refused(play)):
         return "it lives"
-    if mark in ("?", "~") and not _was_troubled(play, command.ended):
-        return "nothing hides it"
+    if (mark in ("?", "~") or state not in STATES) and _is_plain(play, command, name):
+        return "it could be asked"
+    if mark == "?" and command.status == 0:
+        return "status 0"
     if state in STATES and state not in play.robot.states(name, begun, command.ended):
         return f"it was {sorted(play.robot.states(name, begun, command.ended))}"
     return None
+
+
+def _is_plain(play, command, name):
+    """Whether nothing was between a command and a component."""
+    if NETWORK & {fault for when, fault, _ in play.scenario.faults if play.begin + when < command.ended}:
+        return False
+    return command.interrupted is None and play.robot.was_well(name, command.begun, command.ended)
 
 
 def _is_refused(play):
@@ -134,6 +144,38 @@ def says_what_is_done(play, command):
     return None
 
 
+def _is_alone(play, command):
+    """Whether no other command that changes something ran at the same time."""
+    return not any(
+        each is not command
+        and each.name not in LOOKING
+        and each.begun < command.ended
+        and each.is_over
+        and each.ended > command.begun
+        for each in play.commands
+    )
+
+
+def changes_what_it_says(play, command):
+    """A connector is there, or gone, and a value is set, where the status is 0."""
+    if command.status != 0 or not command.is_over or not _is_alone(play, command):
+        return None
+    _, *ends = command.line.split()
+    names = [word.partition(":")[0] for word in ends if word[0] == "C"]
+    if not all(_is_plain(play, command, name) for name in names):
+        return None
+    joined = [command.connectors.get(end, set()) for end in ends]
+    if command.name == "rtcon" and not joined[0] & joined[1]:
+        return "status 0, and no connector"
+    if command.name == "rtdis" and joined[0]:
+        return "status 0, and a connector is left"
+    if command.name == "rtconf" and "set" in ends:
+        value = play.robot.living(names[0]).configuration.sets["default"]["gain"]
+        if value != ends[-1]:
+            return f"status 0, and gain is {value}"
+    return None
+
+
 # ---- of a world ----
 
 
@@ -155,11 +197,12 @@ def looking_changes_nothing(play):
     """No connector is there that was not, where nobody has connected anything."""
     if not LOOKING | WITHOUT_CONNECTORS >= {each.name for each in play.commands}:
         return None
-    more = set(play.robot.connectors()) - set(play.before)
-    if more:
-        return f"connectors {sorted(more)}"
-    if not play.scenario.faults and set(play.before) - set(play.robot.connectors()):
-        return "connectors are gone"
+    after = play.robot.connectors()
+    for end, connectors in after.items():
+        if connectors - play.before.get(end, set()):
+            return f"{end} has another connector"
+        if not play.scenario.faults and play.before[end] - connectors:
+            return f"{end} has lost a connector"
     return None
 
 
@@ -170,5 +213,6 @@ ORACLES = {
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
     "done is done": says_what_is_done,
+    "changed is changed": changes_what_it_says,
 }
 OF_WORLDS = {"live names": no_live_name_goes, "no trace": looking_changes_nothing}

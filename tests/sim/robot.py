@@ -10,6 +10,7 @@ from rtshell_lite.play import nameserver, ports
 from rtshell_lite.play.component import nvlist
 
 PORT = 2809
+STARTING = 3.0  # seconds that it takes until a component is bound, or has answered what has waited
 
 
 class Life:
@@ -106,6 +107,14 @@ class Robot:
         """Whether a life of it had ended by then."""
         return any(life.ended_by(ended) for life in self.lives.get(name, ()))
 
+    def was_well(self, name, begun, ended):
+        """Whether it lived all the time between two moments, in a process that was not stopped."""
+        life = self.lives[name][-1]
+        if life.begun > begun - STARTING or not life.is_alive(ended):
+            return False
+        stops = life.program.stops
+        return not any(since < ended and (until is None or until > begun - STARTING) for since, until in stops)
+
     def states(self, name, begun, ended):
         """The states that it was in between two moments."""
         found = set()
@@ -120,15 +129,13 @@ class Robot:
         return found
 
     def connectors(self):
-        """{id of a connector: names of its components} of all that live."""
+        """{NAME:port: ids of its connectors} of all that live."""
         found = {}
         for name in self.lives:
             component = self.living(name)
-            if component is None:
-                continue
-            for port in component.ports:
-                for connector_id in port.connectors:
-                    found.setdefault(connector_id, set()).add(name)
+            if component is not None:
+                for port in component.ports:
+                    found[f"{name}:{port.name}"] = set(port.connectors)
         return found
 
     # ---- at the beginning ----

@@ -65,7 +65,9 @@ class Command:
         self.begun = robot.world.time
         self.interrupted = None  # when
         robot.world.tell(f"$ {line}")
+        self.connectors = {}  # of the robot, when it ends
         self.program = worlds.Program(host, self.name, main, words, environment)
+        self.program.at_end = lambda: self.connectors.update(robot.connectors())
         if interrupted is not None:
             robot.world.at(interrupted, self._interrupt)
 

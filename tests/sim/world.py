@@ -169,12 +169,14 @@ class Program:
         self.status = None
         self.is_over = False
         self.is_stopped = False
+        self.stops = []  # [[from, until or None]]
         self.begun = self.world.time
         self.ended = None  # when
         self.out = Output()
         self.error = Output()
         self.loop = None
         self.failure = None  # what main() has raised
+        self.at_end = None  # function, called when it ends
         self._main = main
         self._is_killed = False
         self._is_ready = False
@@ -229,6 +231,8 @@ class Program:
             self.is_over = True
             self.ended = self.world.time
             self.close_all()
+            if self.at_end is not None:
+                self.at_end()
             if self in self.world.programs:
                 self.world.programs.remove(self)
             self.world.give_back()
@@ -259,10 +263,12 @@ class Program:
     def stop(self):
         """SIGSTOP: the kernel of its host goes on."""
         self.is_stopped = True
+        self.stops.append([self.world.time, None])
 
     def go_on(self):
         """SIGCONT."""
         self.is_stopped = False
+        self.stops[-1][1] = self.world.time
         self.wake()
 
     def strike(self, number):

@@ -95,7 +95,7 @@ class Connection:
         self._memory = session.current().memory
         self._version = (1, self._memory.spoken.get(endpoint, 2))  # the latest GIOP to speak
         self._via = endpoint  # where it is connected
-        self._socket = None  # a socket of TCP
+        self._socket = None  # type: real.Stream
         self._candidates = self._all_candidates(others)
         self._error = None  # type: OSError
         self._out = bytearray()  # what is to be sent
