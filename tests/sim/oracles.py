@@ -3,6 +3,7 @@
 import re
 
 import faults
+from users import TIMEOUT
 
 # seconds that a command may take, in timeouts; all of them end, whatever hangs
 LIMITS = {"rtls": 4, "rtcat": 6, "rtfind": 4, "rtdoctor": 20, "rtcryo": 12, "rtdel": 6}
@@ -57,6 +58,14 @@ def is_stable(play, command):
         return f"status {command.status}"
     if command.status == 0 and f"{command.name}: " in command.error and "error" in command.error:
         return f"status 0, and {command.error.strip()}"
+    return None
+
+
+def waits_before_it_says_so(play, command):
+    """Nobody is called silent who has not been given the time."""
+    if f"no answer within {TIMEOUT:g}s" in command.error + command.out and command.is_over:
+        if command.ended - command.begun < TIMEOUT:
+            return f"said after {command.ended - command.begun:.3f} s"
     return None
 
 
@@ -209,6 +218,7 @@ def looking_changes_nothing(play):
 ORACLES = {
     "ends": ends,
     "stable": is_stable,
+    "patient": waits_before_it_says_so,
     "polite": is_polite,
     "true list": lists_the_truth,
     "true finding": doctor_is_right,

@@ -113,7 +113,8 @@ class Robot:
         if life.begun > begun - STARTING or not life.is_alive(ended):
             return False
         stops = life.program.stops
-        return not any(since < ended and (until is None or until > begun - STARTING) for since, until in stops)
+        last = begun - STARTING
+        return not any(since < ended and (until is None or until > last) for since, until in stops)
 
     def states(self, name, begun, ended):
         """The states that it was in between two moments."""

@@ -36,17 +36,16 @@ class Scenario:
                 members.append(f"C{len(names)}")
                 names.append(members[-1])
             self.processes.append((f"p{number}", draw.choice(self.hosts), members))
-        self.connections = [
-            (draw.choice(names), draw.choice(names)) for _ in range(draw.randrange(0, len(names) + 1))
-        ]
-        self.connections = sorted({pair for pair in self.connections if pair[0] != pair[1]})
+        targets = draw.choice([names, names, draw.choice(self.processes)[2]])  # all of one process, perhaps
+        pairs = {(draw.choice(names), draw.choice(targets)) for _ in range(draw.randrange(2 * len(names)))}
+        self.connections = sorted(pair for pair in pairs if pair[0] != pair[1])
         self.active = sorted(draw.choice(([], names)))
         self.faults = []
         for _ in range(draw.choice((0, 1, 1, 1, 2, 3))):
             self._draw_fault(draw, names)
         self.faults.sort()
         self.commands = []
-        for _ in range(draw.choice((1, 2, 3, 4))):
+        for _ in range(draw.choice((1, 2, 3, 5))):
             interrupted = draw.random() * 2 if draw.random() < 0.1 else None
             words = users.draw(draw, names, only)
             self.commands.append((round(draw.random() * 6, 3), words, interrupted))

@@ -68,7 +68,7 @@ class Hearing(unittest.TestCase):
         for where, name, value in (
             (hearing.component, "profile", profile),
             (hearing.observer, "Subscription", Subscription),
-            (hearing.time, "monotonic", lambda: self.now),
+            (hearing.loop, "now", lambda: self.now),
         ):
             patched = mock.patch.object(where, name, value)
             patched.start()

@@ -17,7 +17,7 @@ SECOND = 10 ** 9
 
 
 class Clock:
-    """A time that passes when a test says so, in the place of time.time and time.monotonic."""
+    """A time that passes when a test says so, in the place of loop.wall and loop.now."""
 
     def __init__(self):
         self.now = START / 1e9
