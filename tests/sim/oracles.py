@@ -11,10 +11,14 @@ OTHERS = 12
 SLACK = 3.5  # seconds beside: for --wait 3
 STATUSES = {0, 1, 2, 3, 4, 5, 6, 130}
 STATES = ("Inactive", "Active", "Error", "Created")
-LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec"}
+LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
+# commands on a file, and the state that they promise
+OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
+OF_FILES["rtstop"] = "Inactive"
 NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names"}
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
+ROUNDS = 3  # how often a process that does not answer is asked again, by commands that give it the time
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
 
@@ -72,7 +76,9 @@ def waits_before_it_says_so(play, command):
 def is_polite(play, command):
     """A process has few questions to answer at a time."""
     for name, most in command.program.most_asked.items():
-        if most > IN_FLIGHT and name != "omniNames":
+        was_stopped = any(life.program.name == name and life.program.stops for life in play.robot.all_lives())
+        limit = IN_FLIGHT * (ROUNDS if was_stopped else 1)
+        if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
     return None
 
@@ -130,6 +136,8 @@ def doctor_is_right(play, command):
             return f"{line}: it lives"
     was_changed = any(each.name not in LOOKING for each in play.commands)
     if not was_changed and not _was_troubled(play, command.ended):
+        if "--profile" in command.line and not play.scenario.active:
+            return None  # they should be Active
         wrong = [line for line in command.out.splitlines() if IDLE not in line]
         if wrong or command.out and play.scenario.active:
             return f"nothing is wrong: {command.out}"
@@ -171,6 +179,8 @@ def changes_what_it_says(play, command):
         return None
     _, *ends = command.line.split()
     names = [word.partition(":")[0] for word in ends if word[0] == "C"]
+    if command.name in OF_FILES:
+        names = [name for _, _, members in play.scenario.processes for name in members]
     if not all(_is_plain(play, command, name) for name in names):
         return None
     joined = [command.connectors.get(end, set()) for end in ends]
@@ -178,10 +188,37 @@ def changes_what_it_says(play, command):
         return "status 0, and no connector"
     if command.name == "rtdis" and joined[0]:
         return "status 0, and a connector is left"
+    if command.name in OF_FILES:
+        return _doubt_system(play, command)
     if command.name == "rtconf" and "set" in ends:
-        value = play.robot.living(names[0]).configuration.sets["default"]["gain"]
-        if value != ends[-1]:
-            return f"status 0, and gain is {value}"
+        if command.gains.get(names[0]) != ends[-1]:
+            return f"status 0, and gain is {command.gains.get(names[0])}"
+    return None
+
+
+def _doubt_system(play, command):
+    """What is not so though a command on the file of the robot has ended with status 0."""
+    joined = []
+    for source, target in play.scenario.connections:
+        both = command.connectors.get(f"{source}:out", set()) & command.connectors.get(f"{target}:in", set())
+        joined.append(bool(both))
+    if command.name in ("rtresurrect", "rtcheck") and not all(joined):
+        return "status 0, and a connection is missing"
+    if command.name == "rtteardown" and any(joined):
+        return "status 0, and a connection is left"
+    wanted = OF_FILES[command.name]
+    for name in play.robot.lives:
+        if wanted and wanted not in play.robot.states(name, command.begun, command.ended):
+            return f"status 0, and {name} was not {wanted}"
+    return None
+
+
+def agrees(play, command):
+    """rtcheck finds nothing where nothing has changed."""
+    is_unchanged = not play.scenario.faults and all(each.name in LOOKING for each in play.commands)
+    if command.name == "rtcheck" and is_unchanged and play.scenario.active and command.interrupted is None:
+        if command.status != 0 or command.out:
+            return f"status {command.status}: {command.out}{command.error}"
     return None
 
 
@@ -224,5 +261,6 @@ ORACLES = {
     "true finding": doctor_is_right,
     "done is done": says_what_is_done,
     "changed is changed": changes_what_it_says,
+    "agrees": agrees,
 }
 OF_WORLDS = {"live names": no_live_name_goes, "no trace": looking_changes_nothing}

@@ -109,10 +109,17 @@ class Play:
             count = sum(len(members) for _, _, members in scenario.processes)
             world.run(PATIENCE, lambda: len(self.robot.bound) >= count)
             self.robot.set_up(scenario.connections, scenario.active)
+            self._save()
             self._act()
             oracles.judge(self)
         finally:
             world.end()
+
+    def _save(self):
+        saved = users.Command(self.robot, self.robot.home, f"rtcryo -y --all -o {users.FILE}")
+        self.world.run(self.world.time + PATIENCE, lambda: saved.is_over)
+        if saved.status != 0:
+            self.failures.append(("stable", f"the robot is not saved: {saved.error}"))
 
     def _act(self):
         world = self.world

@@ -8,6 +8,7 @@ from rtshell_lite import cli
 from rtshell_lite.shell import installation
 
 TIMEOUT = 1.0  # seconds, of all commands
+FILE = "robot.rtsys"  # in which the robot was saved when all was well
 _modules = {}  # type: dict
 
 
@@ -34,6 +35,13 @@ def draw(draw, names, only=()):
         f"rtconf {one} set gain 5",
         "rtcryo -y .",
         f"rtec {one}",
+        f"rtcheck {FILE}",
+        f"rtresurrect {FILE}",
+        f"rtresurrect --rollback {FILE}",
+        f"rtteardown {FILE}",
+        f"rtstart {FILE}",
+        f"rtstop {FILE}",
+        f"rtdoctor -q --profile {FILE}",
     ]
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted)
@@ -66,10 +74,18 @@ class Command:
         self.interrupted = None  # when
         robot.world.tell(f"$ {line}")
         self.connectors = {}  # of the robot, when it ends
+        self.gains = {}  # and the values of a parameter
         self.program = worlds.Program(host, self.name, main, words, environment)
-        self.program.at_end = lambda: self.connectors.update(robot.connectors())
+        self.program.at_end = lambda: self._note(robot)
         if interrupted is not None:
             robot.world.at(interrupted, self._interrupt)
+
+    def _note(self, robot):
+        self.connectors = robot.connectors()
+        for name in robot.lives:
+            component = robot.living(name)
+            if component is not None:
+                self.gains[name] = component.configuration.sets["default"]["gain"]
 
     def _interrupt(self):
         if not self.program.is_over:
