@@ -48,15 +48,18 @@ async def means_the_same_to(host, home):
 async def means_the_same(host, homes):
     """Whether a host means the same one here as at `homes`, the IP addresses of another host, or of this one.
 
-    Addresses of private networks may not, nor may a name that means this host here.
+    Addresses of private networks may not, nor may a name that means this host here, and is not its own.
     """
-    if any(is_own(home) for home in homes):
+    is_here = any(is_own(home) for home in homes)
+    if is_here and (_is_address(host) or _is_own_name(host)):
         return True
     import ipaddress  # takes long, and few need it
 
     known = await _addresses(host)
     if not _is_address(host) and any(is_own(address) for address in known):
         return False
+    if is_here:
+        return True
     for address in known:
         is_private = ipaddress.ip_address(address.partition("%")[0]).is_private
         if is_private and not any(hosts.together(home, address) for home in homes):
@@ -75,6 +78,15 @@ async def _addresses(host):
     """The IP addresses of a host, [] for one that is not known. Raises Silent."""
     found = await session.on_thread(host, lambda: hosts.places(host))
     return [place[0] for *_, place in found]
+
+
+def _is_own_name(host):
+    """Whether a host is called as this one calls itself, with or without its domain."""
+    import socket  # takes long, and few need it
+
+    if host == "localhost":
+        return True
+    return host.partition(".")[0].lower() == socket.gethostname().partition(".")[0].lower()
 
 
 def _is_address(host):

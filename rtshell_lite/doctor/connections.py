@@ -262,6 +262,9 @@ async def _lost(link, where, end, undo, culprits):
         return misled._replace(message="the far end of a connection " + misled.message)
     if await liveness.shows_death(end.error, endpoint) and await networks.is_certain(end.ref, homes):
         return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
+    if isinstance(end.error, errors.ConnectionRefused):
+        message = f"the far end of a connection, at {name}, refuses: dead, or a firewall closes this port"
+        return fail("connection", where, message, remedies.words("firewall", port=endpoint[1]))
     if await remedies.is_of_network(end.error, endpoint):
         message = (
             f"cannot tell from here whether the far end of a connection, at {name}, lives "

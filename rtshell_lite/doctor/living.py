@@ -12,7 +12,7 @@ from rtshell_lite.doctor.finding import listed, warn
 from rtshell_lite.net import loop
 from rtshell_lite.path import MANAGER_PORT
 from rtshell_lite.robot import manager
-from rtshell_lite.system import capture
+from rtshell_lite.system import capture, relocate
 from rtshell_lite.text import counted
 
 # Properties with a reference, and which of the ends has it
@@ -21,11 +21,13 @@ MOST = 100  # addresses that are asked
 
 
 async def find_living(profile, missing):
-    """{path as text: where it answers, in words} of those `missing` Components of a profile that live."""
-    known = await _at_references(profile, missing)
+    """{path as text: where it answers, in words} of those `missing` Components of a profile that live, and
+    {path: (why, its port)} of those that may.
+    """
+    known, doubts = await _at_references(profile, missing)
     still_missing = [each for each in missing if capture.shown_path(each) not in known]
     known.update(await _at_managers(still_missing))
-    return known
+    return known, doubts
 
 
 def findings(profile, missing, known):
@@ -57,12 +59,18 @@ def _by_server(components):
 
 
 async def _at_references(profile, missing):
-    """`found`, by their references, and those to data ports."""
+    """What `find_living` returns, by their references, and those to data ports."""
     locate = capture.locator(profile)
     refs = {}
+    doubts = {}
     for component, ref in zip(missing, await loop.each(missing, capture.living_reference)):
-        if ref is not None and not isinstance(ref, errors.Error):
-            refs[capture.shown_path(component)] = ref, "it answers"
+        where = capture.shown_path(component)
+        if isinstance(ref, errors.Error):
+            why = await capture.doubt(component, relocate.path_in(component.path_uri), ref)
+            if why:
+                doubts[where] = why, orb.endpoint(capture.saved_reference(component))[1]
+        elif ref is not None:
+            refs[where] = ref, "it answers"
     for connector in profile.connectors:
         for each in connector.properties:
             end = SIDES.get(each.name)
@@ -83,7 +91,7 @@ async def _at_references(profile, missing):
     for (path, (ref, words)), answer in zip(asked, answers):
         if answer is True:
             living[path] = f"{words} at {orb.at_address(ref)}"
-    return living
+    return living, doubts
 
 
 async def _at_managers(missing):

@@ -75,14 +75,14 @@ async def is_certain(ref, homes):
 
 
 async def names_here(ref, homes):
-    """The host names in `ref` that mean this host here, while none of `homes` is of this host;
-    its process may run on another.
+    """The host names in `ref` that mean this host here, and may mean another to `homes`: its process may run
+    there.
     """
-    if any(addresses.is_own(home) for home in homes):
-        return []
     own = []
     for host, _ in orb.addresses(ref):
         if not host or host == "localhost" or addresses.is_numeric(host):
+            continue
+        if await liveness.means_the_same(host, homes):
             continue
         if any(addresses.is_own(address) for address in await _numeric([(host, 0)])):
             own.append(host)

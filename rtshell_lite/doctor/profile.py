@@ -29,9 +29,9 @@ async def findings(profile, file, state):
     ]
     missing = [each for each in profile.components if capture.shown_path(each) in absent]
     if missing:
-        known = await living.find_living(profile, missing)
+        known, doubts = await living.find_living(profile, missing)
     else:
-        known = {}
+        known = doubts = {}
     found += living.findings(profile, missing, known)
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
@@ -53,6 +53,11 @@ async def findings(profile, file, state):
         if difference.path in known and _is_missing(difference):
             message = f"{safe(difference.brief)}, but it lives: {safe(known[difference.path])}"
             found.append(report("profile", difference.path, message, remedies.words("bind again")))
+            continue
+        if difference.path in doubts and _is_missing(difference):
+            why, port = doubts[difference.path]
+            message = f"{safe(difference.brief)}, but it may live: {safe(why)}"
+            found.append(report("profile", difference.path, message, remedies.words("firewall", port=port)))
             continue
         found.append(report("profile", difference.path, safe(difference.brief), _remedy(difference, file)))
     found += await _rates(profile)

@@ -145,18 +145,35 @@ def saved_reference(component):
 
 async def living_reference(component):
     """The reference in a model.Component, if what it refers to answers, by the name of the component; else
-    None: a file may have been changed by hand. Raises Silent where it hangs, ConnectionRefused.
+    None: a file may have been changed by hand. Raises Unreachable, also where it may live: see `doubt`.
     """
     ref = saved_reference(component)
     if ref is None:
         return None
     try:
         name = await orb.call(component.path_uri, orb.narrow(ref, "OpenRTM.DataFlowComponent"), "get_sdo_id")
-    except (errors.Silent, errors.ConnectionRefused):
+    except (errors.Gone, errors.Garbled):
+        return None
+    except errors.Unreachable:
         raise
     except errors.Error:
         return None
     return ref if from_wire(name) == component.instance_name else None
+
+
+async def doubt(component, where, e):
+    """Why a model.Component may live whose reference raised the errors.Unreachable `e`, in words; '' where
+    that shows that it is gone. `where` is its Path.
+    """
+    ref = saved_reference(component)
+    place = orb.at_address(ref)
+    if isinstance(e, errors.ConnectionRefused):
+        if isinstance(await orb.refusal(where, orb.endpoint(ref)), errors.ProcessGone):
+            return ""
+        return f"{place}, where it was, refuses: dead, or a firewall closes this port"
+    if isinstance(e, errors.Silent):
+        return f"{place}, where it was, does not answer ({e.why}): it hangs, or is out of reach"
+    return f"{place}, where it was, is out of reach ({e.why})"
 
 
 def is_reference(name, value):

@@ -176,13 +176,11 @@ async def _life_at_saved_address(placement, is_own):
     try:
         if await capture.living_reference(placement.component) is None:
             return ""
-    except errors.Silent as e:
-        return f"what had this name hangs at {place} ({e.why}): end its process first"
-    except errors.ConnectionRefused:
-        refusal = await orb.refusal(placement.path, orb.endpoint(ref))
-        if is_own or isinstance(refusal, errors.ProcessGone):
+    except errors.Unreachable as e:
+        if is_own and isinstance(e, errors.ConnectionRefused):
             return ""
-        return f"{place}, where it was, refuses: dead, or a firewall closes this port (REFERENCE in the file)"
+        why = await capture.doubt(placement.component, placement.path, e)
+        return why and why + " (REFERENCE in the file)"
     words = "restart it, or end its process; if that is another robot, take REFERENCE out of the file"
     return f"it lives at {place}, though its name is not bound: {words}"
 

@@ -82,11 +82,13 @@ class Published(unittest.TestCase):
         self.assertIsNone(self.misled("fe80::1%eth0", ["10.77.0.2"]))
 
     def test_a_name_that_means_this_host(self):
+        """Of names in /etc/hosts that mean this host here, only its own is known to mean it elsewhere."""
         with mock.patch.object(
-            liveness, "_addresses", asynchronous(lambda host: ["10.77.0.1"] if host == "desk" else [host])
-        ):
+            liveness, "_addresses", asynchronous(lambda host: [host] if host[0].isdigit() else ["10.77.0.1"])
+        ), mock.patch.object(socket, "gethostname", lambda: "Desk.example.org"):
             self.assertFalse(self.certain("desk", ["10.77.0.2"]))
-            self.assertTrue(self.certain("desk", ["10.77.0.1"]))
+            for host, is_certain in (("desk", True), ("localhost", True), ("arm", False)):
+                self.assertIs(self.certain(host, ["10.77.0.1"]), is_certain, host)
 
     def test_refusals_that_prove_death(self):
         self.assertTrue(self.certain("127.0.0.1", ["127.0.0.1"]))
