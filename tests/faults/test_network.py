@@ -4,9 +4,7 @@ nowhere.
 If one of these fails, the tool works on the desk and not at the robot. Needs `ip netns`, and the right to use
 it.
 """
-import contextlib
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -14,6 +12,7 @@ import threading
 import time
 import unittest
 
+import hosts
 import running
 import tools
 
@@ -30,59 +29,12 @@ except ImportError:
 HOSTS = {"laptop": "10.77.0.1", "robot1": "10.77.0.2", "robot2": "10.77.0.3"}
 NOWHERE = "10.77.0.99"  # nobody has it: questions who does are not answered
 ELSEWHERE = "203.0.113.9"  # in a network to which there is no route (RFC 5737)
-MARK = "rt%d" % os.getpid()
 PORT = 2809
-
-
-def ip(*words):
-    """Run ip; raises CalledProcessError."""
-    subprocess.run(("ip",) + words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-
-
-def namespace(name):
-    return "%s-%s" % (MARK, name)
-
-
-def inside(name):
-    return ["ip", "netns", "exec", namespace(name)]
-
-
-def build():
-    """The hosts, and a switch with a bridge that joins them."""
-    ip("netns", "add", namespace("switch"))
-    ip("-n", namespace("switch"), "link", "add", "bridge", "type", "bridge")
-    ip("-n", namespace("switch"), "link", "set", "bridge", "up")
-    for name, address in HOSTS.items():
-        ip("netns", "add", namespace(name))
-        ip(
-            "-n",
-            namespace("switch"),
-            "link",
-            "add",
-            name,
-            "type",
-            "veth",
-            "peer",
-            "name",
-            "eth0",
-            "netns",
-            namespace(name),
-        )
-        ip("-n", namespace("switch"), "link", "set", name, "master", "bridge", "up")
-        ip("-n", namespace(name), "link", "set", "lo", "up")
-        ip("-n", namespace(name), "address", "add", address + "/24", "dev", "eth0")
-        ip("-n", namespace(name), "link", "set", "eth0", "up")
 
 
 def setUpModule():
     global around
-    if not shutil.which("ip"):
-        raise unittest.SkipTest("needs ip (iproute2)")
-    try:
-        build()
-    except subprocess.CalledProcessError as e:
-        unbuild()
-        raise unittest.SkipTest("this machine allows no network namespaces: " + e.stderr.decode().strip())
+    hosts.build(HOSTS)
     around = running.Surroundings()
     for name, words in (("robot1", ["these", "ConsoleIn"]), ("robot2", ["these", "ConsoleOut"])):
         populate(name, words)
@@ -99,7 +51,7 @@ def populate(name, words):
 
 
 def start(label, host, command):
-    running.processes.start(label, inside(host) + command)
+    running.processes.start(label, hosts.inside(host) + command)
     return running.processes.find(label)
 
 
@@ -137,34 +89,16 @@ PROFILE = """<rts:RtsProfile xmlns:rts="http://www.openrtp.org/namespaces/rts" r
 
 def tearDownModule():
     around.close()
-    unbuild()
-
-
-def call_hosts(**names):
-    """Give names to addresses, seen from the laptop: files of /etc/netns are mounted by ip netns exec."""
-    place = os.path.join("/etc/netns", namespace("laptop"))
-    os.makedirs(place, exist_ok=True)
-    with open("/etc/hosts") as known, open(os.path.join(place, "hosts"), "w") as file:
-        file.write(known.read())
-        for name, addresses in names.items():
-            file.write("".join("%s %s\n" % (address, name) for address in addresses))
-
-
-def unbuild():
-    shutil.rmtree(os.path.join("/etc/netns", namespace("laptop")), ignore_errors=True)
-    for name in list(HOSTS) + ["switch"]:
-        subprocess.run(
-            ["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
+    hosts.unbuild(HOSTS)
 
 
 def laptop(*words, timeout=running.TIMEOUT):
-    return running.run(list(words), around.top, inside("laptop"), **surroundings(timeout))
+    return running.run(list(words), around.top, hosts.inside("laptop"), **surroundings(timeout))
 
 
 def on(host, *words):
     """A command on a host."""
-    return running.run(list(words), around.top, inside(host), **surroundings(2))
+    return running.run(list(words), around.top, hosts.inside(host), **surroundings(2))
 
 
 def doctor(host, *words):
@@ -176,54 +110,17 @@ def surroundings(timeout):
     return {"RTCTREE_NAMESERVERS": "%(robot1)s;%(robot2)s" % HOSTS, "RTSHELL_TIMEOUT": str(timeout)}
 
 
-def cable(name, how):
-    """Pull the cable of a host at the switch ("down"), or plug it in again ("up"): the host itself does not
-    notice.
-    """
-    ip("-n", namespace("switch"), "link", "set", name, how)
-
-
-WALL = """table ip wall {
-    chain inbound {
-        type filter hook input priority 0
-        iif lo accept
-        tcp dport %s tcp flags & (syn | ack) == syn reject with %s
-    }
-}"""
-
-
-@contextlib.contextmanager
 def firewall(name, how, ports="!= %d" % PORT):
     """A host refuses connections from outside with some ports: with all but that of its name server."""
-    if not shutil.which("nft"):
-        raise unittest.SkipTest("needs nft (nftables)")
-    rules = WALL % (ports, how)
-    # it refuses each time
-    subprocess.run(inside(name) + ["sh", "-c", "echo 0 >/proc/sys/net/ipv4/icmp_ratelimit"], check=True)
-    subprocess.run(inside(name) + ["nft", rules], check=True)
-    try:
-        yield
-    finally:
-        subprocess.run(inside(name) + ["nft", "delete table ip wall"], check=True)
+    begun = "tcp dport %s tcp flags & (syn | ack) == syn" % ports
+    return hosts.rules(name, "input", "%s reject with %s" % (begun, how))
 
 
-@contextlib.contextmanager
 def hole(name, most):
-    """What a host sends is lost where it is larger than `size` octets, as where an MTU on the way is too
+    """What a host sends is lost where it is larger than `most` octets, as where an MTU on the way is too
     small and ICMP is dropped.
     """
-    if not shutil.which("nft"):
-        raise unittest.SkipTest("needs nft (nftables)")
-    rules = (
-        "table ip hole { chain outbound { type filter hook output priority 0; oif lo accept; meta length "
-        "> %d drop; }; }"
-        % most
-    )
-    subprocess.run(inside(name) + ["nft", rules], check=True)
-    try:
-        yield
-    finally:
-        subprocess.run(inside(name) + ["nft", "delete table ip hole"], check=True)
+    return hosts.rules(name, "output", "meta length > %d drop" % most)
 
 
 A, B = (
@@ -240,7 +137,7 @@ def start_lasting():
             words,
             around.top,
             surroundings(running.TIMEOUT),
-            inside("laptop"),
+            hosts.inside("laptop"),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
@@ -270,7 +167,7 @@ class Network(unittest.TestCase):
         around.ctl("robot1", "write", "ConsoleIn0:out", "42")
         self.assertEqual(around.ctl("robot2", "received", "ConsoleOut0:in", "1"), ["1 42"])
         lasting = start_lasting()
-        cable("robot2", "down")
+        hosts.cable("robot2", "down")
         self.ask_without_cable()
         for process in lasting:  # while what they hold is out of reach
             watch = tools.Stopwatch(process.pid)
@@ -282,7 +179,7 @@ class Network(unittest.TestCase):
             killer.cancel()
             process.wait()
             self.assertLess(taken, BOUND + self.start_up, process.args)
-        cable("robot2", "up")
+        hosts.cable("robot2", "up")
         end = time.monotonic() + running.LIMIT
         while laptop("rtls", "-l", "-R", "/").status:  # the hosts have to find each other again
             self.assertLess(time.monotonic(), end)
@@ -432,22 +329,21 @@ class Network(unittest.TestCase):
         self.start_up = laptop("rtls", "/" + HOSTS["robot1"], timeout=10).seconds
         said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"], timeout=2).out.decode()
         self.assertNotRegex(said, "fail.*(hung|cannot|lost)")
-        subprocess.run(inside("robot2") + ["ip", "route", "add", "blackhole", HOSTS["laptop"]], check=True)
+        hosts.ip("-n", hosts.namespace("robot2"), "route", "add", "blackhole", HOSTS["laptop"])
         try:
             said = laptop("rtdoctor", "-q", "/" + HOSTS["robot2"]).out.decode()
         finally:
-            subprocess.run(
-                inside("robot2") + ["ip", "route", "del", "blackhole", HOSTS["laptop"]], check=True
-            )
+            hosts.ip("-n", hosts.namespace("robot2"), "route", "del", "blackhole", HOSTS["laptop"])
         self.blames_the_network(said)
 
     def test_addresses_that_mislead(self):
         """Seen from the laptop and from the robot: who publishes 127.0.0.1, or an address of another network,
         is named.
         """
-        ip("-n", namespace("robot1"), "link", "add", "inner", "type", "veth", "peer", "name", "outer")
-        ip("-n", namespace("robot1"), "address", "add", "192.168.78.2/24", "dev", "inner")
-        ip("-n", namespace("robot1"), "link", "set", "inner", "up")
+        robot1 = hosts.namespace("robot1")
+        hosts.ip("-n", robot1, "link", "add", "inner", "type", "veth", "peer", "name", "outer")
+        hosts.ip("-n", robot1, "address", "add", "192.168.78.2/24", "dev", "inner")
+        hosts.ip("-n", robot1, "link", "set", "inner", "up")
         looped = world(
             "looped",
             "robot1",
@@ -512,7 +408,7 @@ class Network(unittest.TestCase):
         """A name in a reference that nobody knows, or that means this host here; one of a name server that
         means two hosts.
         """
-        call_hosts(arm=[HOSTS["robot1"], HOSTS["robot2"]], desk=[HOSTS["laptop"]])
+        hosts.call_hosts("laptop", arm=[HOSTS["robot1"], HOSTS["robot2"]], desk=[HOSTS["laptop"]])
         for number, (name, host) in enumerate((("Far0", "robot.invalid"), ("Desk0", "desk"))):
             world(
                 name,
@@ -553,7 +449,7 @@ class Network(unittest.TestCase):
         self.assertIn("%s: has no names, though a manager at port 2810 of its host has 2 "
                       "components (ConsoleIn0 and ConsoleOut0)" % where,
                       doctor("laptop", where))
-        call_hosts(robot1=[HOSTS["robot1"]])
+        hosts.call_hosts("laptop", robot1=[HOSTS["robot1"]])
         profile = os.path.join(around.top, "named.rtsys")
         with open(profile, "w") as file:
             file.write(PROFILE.format(path=where[1:] + "/robot1.host_cxt/ConsoleIn0.rtc"))
