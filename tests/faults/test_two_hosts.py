@@ -613,7 +613,7 @@ class TwoHosts(unittest.TestCase):
             counts[FAULTS[numbers[name]].is_named] += not wrong
             with self.subTest(name):
                 self.assertFalse(wrong, "\n".join(wrong) + "\n" + said)
-        print("%d faults: %d named, %d cannot be told from here" % (len(chosen), counts[True], counts[False]))
+        print("figures: %d faults: %d named, %d cannot be told from here" % (len(chosen), counts[True], counts[False]))
 
     def test_a_robot_that_is_well(self):
         """Nothing is found, wherever one sits, whatever is asked for."""
@@ -628,7 +628,7 @@ class TwoHosts(unittest.TestCase):
         ]
         found = running.together(lambda variant: robot.run(variant[0], PATIENT, *variant[1]), variants, 2)
         false = [str(each) for each in found if each.out or each.err or each.status]
-        print("%d false alarms of %d" % (len(false), len(variants)))
+        print("figures: %d false alarms of %d" % (len(false), len(variants)))
         self.assertFalse(false, "\n".join(false))
 
 
