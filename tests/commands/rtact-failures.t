@@ -170,7 +170,7 @@ Several paths: all are tried, each failure is reported, and the status is 5 when
   $ rtreset ConsoleIn0.rtc Dead0.rtc
   rtreset: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [5]
-  $ resume these2
+  $ wake these2
 
 A component that breaks down while it is asked:
 

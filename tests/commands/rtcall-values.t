@@ -33,14 +33,14 @@ world: these Robot
 
 On a terminal, JSON that is too long for a line has several, with numbers side by side; a text keeps its lines:
 
-  $ tty 60 rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0
+  $ terminal 60 rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0
   {"result": {"x": 3.0, "y": 4.0}, "distance": 5.0}
-  $ tty 40 rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0
+  $ terminal 40 rtcall Robot0.rtc:svc move_to 'Point(3, 4)' 0
   {
     "result": {"x": 3.0, "y": 4.0},
     "distance": 5.0
   }
-  $ tty 40 rtcall Robot0.rtc:svc turn "[$(seq -s, 10)]" true
+  $ terminal 40 rtcall Robot0.rtc:svc turn "[$(seq -s, 10)]" true
   {
     "joints": [
       -1.0, -2.0, -3.0, -4.0, -5.0, -6.0,
@@ -48,7 +48,7 @@ On a terminal, JSON that is too long for a line has several, with numbers side b
     ],
     "now": "MOVING"
   }
-  $ tty 40 rtcall Robot0.rtc:svc follow '[{"name": "日本", "goal": {"x": 1, "y": 2}, "mode": "MOVING"}]'
+  $ terminal 40 rtcall Robot0.rtc:svc follow '[{"name": "日本", "goal": {"x": 1, "y": 2}, "mode": "MOVING"}]'
   [
     {
       "name": "日本",
@@ -56,8 +56,8 @@ On a terminal, JSON that is too long for a line has several, with numbers side b
       "mode": "MOVING"
     }
   ]
-  $ tty 80 rtcall Robot0.rtc:svc move_to -t
+  $ terminal 80 rtcall Robot0.rtc:svc move_to -t
   {"goal": {"x": 0.0, "y": 0.0}, "seconds": 0.0}
-  $ tty 80 rtcall Robot0.rtc:svc say "$(printf 'a\nb\033[31m')"
+  $ terminal 80 rtcall Robot0.rtc:svc say "$(printf 'a\nb\033[31m')"
   a
   b\x1b[31m

@@ -137,7 +137,7 @@ What is connected is shown even if it does not say what it is, is bound nowhere,
   $ hang these; within 0.5-1 rtcat -l --timeout 0.5 ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
   rtcat: /localhost:$PORT/many.host_cxt/Mock0.rtc: no answer within 0.5s
   [1]
-  $ resume these; kill-mock these; rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
+  $ wake these; kill-mock these; rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
    +Connected to  /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
   $ rtcat -ll ../many.host_cxt/Mock0.rtc:out | grep -c '^ *ID '
   1

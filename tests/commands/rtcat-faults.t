@@ -201,6 +201,6 @@ Name servers:
   [4]
   $ interrupt 0.3 rtcat ConsoleIn0.rtc
   [130]
-  $ resume names
+  $ wake names
   $ RTCSH_CWD= interrupt 0.3 rtcat localhost:$PORT/test.host_cxt/HungMock0.rtc
   [130]

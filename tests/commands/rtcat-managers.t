@@ -114,7 +114,7 @@ Failures:
   $ within 0.5-1.5 rtcat --timeout 0.5 ../cpp2.host_cxt/manager.mgr
   rtcat: /localhost:$PORT/cpp2.host_cxt/manager.mgr: no answer within 0.5s
   [4]
-  $ resume manager2
+  $ wake manager2
   $ kill-mock manager2
   $ rtcat ../cpp2.host_cxt/manager.mgr
   rtcat: /localhost:$PORT/cpp2.host_cxt/manager.mgr: connection refused; its process is gone (zombie)

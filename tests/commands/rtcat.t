@@ -320,14 +320,14 @@ The common options:
 
 On a terminal the state, the handle of a context, names of ports and of what they are connected to stand out:
 
-  $ tty 80 rtcat -l ConsoleOut0.rtc | grep '\['
+  $ terminal 80 rtcat -l ConsoleOut0.rtc | grep '\['
   ConsoleOut0.rtc  \x1b[01;34mInactive\x1b[00m (esc)
   -Execution Context \x1b[01m0\x1b[00m (esc)
   -DataInPort: \x1b[01min\x1b[00m (esc)
    +Connected to  \x1b[01m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out\x1b[00m (esc)
-  $ NO_COLOR=1 tty 80 rtcat ConsoleOut0.rtc | head -n 1
+  $ NO_COLOR=1 terminal 80 rtcat ConsoleOut0.rtc | head -n 1
   ConsoleOut0.rtc  Inactive
-  $ tty 80 rtcat --json ConsoleOut0.rtc:in | grep -c '\['
+  $ terminal 80 rtcat --json ConsoleOut0.rtc:in | grep -c '\['
   1
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

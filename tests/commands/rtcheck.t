@@ -16,11 +16,11 @@ Save a system, with service connections, a connection of three ends, and configu
 
 Without a file it reads standard input, and says so on a terminal, unless that is not wanted:
 
-  $ printf '\004' | tty 80 rtcheck
+  $ printf '\004' | terminal 80 rtcheck
   rtcheck: reading an RtsProfile from standard input; Ctrl-D ends it
   rtcheck: -:1:1: the file is empty
   [1]
-  $ printf '\004' | tty 80 rtcheck -q
+  $ printf '\004' | terminal 80 rtcheck -q
   rtcheck: -:1:1: the file is empty
   [1]
 
@@ -198,7 +198,7 @@ What cannot be asked is reported once, and is no difference:
   rtcheck: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [5]
-  $ resume linked; kill-mock linked; rtcheck a.xml
+  $ wake linked; kill-mock linked; rtcheck a.xml
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc

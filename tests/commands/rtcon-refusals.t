@@ -122,7 +122,7 @@ Dead and silent peers:
   [5]
   $ interrupt 0.5 rtcon ConsoleIn0.rtc:out Hung0.rtc:in
   [130]
-  $ resume these3
+  $ wake these3
   $ rtdis ConsoleIn0.rtc
   $ ctl fail connect 1 UNKNOWN; rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: CORBA.UNKNOWN

@@ -138,7 +138,7 @@ What get prints is what set takes; only on a terminal it is escaped, as far as i
   >   sample set -- str_param0 "$value"; x=$(sample get str_param0); [ "$x" = "$value" ] || echo changed
   >   sample set -- str_param0 "$x"; [ "$(sample get str_param0)" = "$value" ] || echo "changed again"
   > done
-  $ sample set str_param0 "$(printf 'C:\\new \033[31m')"; tty 80 rtconf ConfigSample0.rtc get str_param0
+  $ sample set str_param0 "$(printf 'C:\\new \033[31m')"; terminal 80 rtconf ConfigSample0.rtc get str_param0
   C:\new \x1b[31m
   $ sample set str_param0 ''
 

@@ -51,7 +51,7 @@ Options and questions go to the program:
   /localhost:$PORT/test.host_cxt
   $ rtcwd -q a.cxt; rtcwd; rtpwd
   /
-  $ rtcwd /localhost:$PORT/test.host_cxt; tty 80 sh -c 'eval "$(rtcwd --shell)"; rtcwd a.cxt; rtpwd'
+  $ rtcwd /localhost:$PORT/test.host_cxt; terminal 80 sh -c 'eval "$(rtcwd --shell)"; rtcwd a.cxt; rtpwd'
   /localhost:$PORT/test.host_cxt/a.cxt
 
 Names that shells might trip over: each is gone to and come back from, and nothing is executed (rtshell's rtcwd

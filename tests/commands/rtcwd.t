@@ -176,10 +176,10 @@ The common options:
 
 Typed on a terminal without the function, it says what is missing; -q does not.
 
-  $ tty 120 rtcwd ..
+  $ terminal 120 rtcwd ..
   /localhost:$PORT
   rtcwd: this shell has not changed; put  eval "$(rtcwd --shell)"  in your profile
-  $ tty 120 rtcwd -q ..
+  $ terminal 120 rtcwd -q ..
   /localhost:$PORT
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

@@ -15,7 +15,7 @@ Where nobody can be asked, it deletes the name, and reports what is lost; -q and
 
 On a terminal it asks:
 
-  $ printf 'n\n' | tty 400 rtdel ConsoleOut1.rtc
+  $ printf 'n\n' | terminal 400 rtdel ConsoleOut1.rtc
   n
   /localhost:*ConsoleOut1.rtc: alive, * (glob)
   Delete the name? [y/N]
@@ -23,7 +23,7 @@ On a terminal it asks:
   [1]
   $ rtls | grep -c ConsoleOut1
   1
-  $ printf 'y\n' | tty 400 rtdel ConsoleOut1.rtc
+  $ printf 'y\n' | terminal 400 rtdel ConsoleOut1.rtc
   y
   /localhost:*ConsoleOut1.rtc: alive, * (glob)
   Delete the name? [y/N]

@@ -52,7 +52,7 @@ A component that does not answer is no zombie, nor is one that says that it has 
   $ within 0.4-1.4 rtdel --timeout 0.5 -z Hung0.rtc
   rtdel: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
   [4]
-  $ resume these2
+  $ wake these2
   $ ctl @fragile fail _non_existent 1 TRANSIENT; rtdel -z Fragile0.rtc 2>&1 | cat
   rtdel: /localhost:\$PORT/test.host_cxt/Fragile0.rtc: (not a zombie \(it is a component\)|cannot be reached now \(TRANSIENT_ConnectFailed\)) (re)
   $ rtls Fragile0.rtc

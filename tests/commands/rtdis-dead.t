@@ -32,7 +32,7 @@ While a far end hangs, the near component waits for it when it is asked anything
   $ within 0.4-1.4 rtdis --timeout 0.5 ConsoleIn0.rtc:out Far0.rtc:in
   rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
   [4]
-  $ resume these
+  $ wake these
   $ ctl connectors ConsoleIn0:out
   behind outin
 

@@ -214,7 +214,7 @@ A component that is hung, and one that is dead:
   $ hang these; rtdoc --timeout 0.5 Motor0.rtc
   rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: no answer within 0.5s
   [4]
-  $ resume these; kill-mock these; rtdoc Motor0.rtc
+  $ wake these; kill-mock these; rtdoc Motor0.rtc
   rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: connection refused; its process is gone (zombie)
   [4]
 

@@ -70,14 +70,14 @@ A far end that is not below the path is asked all the same, and may be gone when
 
 A far end whose process hangs makes the near one hang, too, for it looks whether its far ends are there:
 
-  $ hang these2; within 2-6 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt | grep rtc; resume these2
+  $ hang these2; within 2-6 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt | grep rtc; wake these2
   fail  /localhost:$PORT/far.host_cxt/Far0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 2s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
 
 Of several that hang, it waits for the one that its process calls:
 
   $ mock these Mock:Alien0 --context alien.host_cxt/%n.rtc; hang these2 these3
-  $ within 2-7 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near; resume these2 these3
+  $ within 2-7 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near; wake these2 these3
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
 
 It is found, wherever it is bound, or bound nowhere; an inactive component keeps a connection that the other end has forgotten:

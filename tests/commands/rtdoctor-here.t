@@ -136,7 +136,7 @@ What is worse comes first:
   fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
   [1]
-  $ resume these; kill-mock these; doctor -q /127.0.0.1:$PORT/gone.host_cxt | grep Gone0
+  $ wake these; kill-mock these; doctor -q /127.0.0.1:$PORT/gone.host_cxt | grep Gone0
   fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc (glob)
   warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
   $ rtdel -f /localhost:$PORT/gone.host_cxt/Gone0.rtc /localhost:$PORT/gone.host_cxt

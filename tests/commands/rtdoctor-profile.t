@@ -41,5 +41,5 @@ Unusable references, and processes that hang, do not make it slower than its lim
 
   $ cp plain.rtsys bad.rtsys; add dataport.corba_cdr.inport_ior IOR:00ff bad.rtsys; doctor bad.rtsys . | grep -c missing
   2
-  $ hang manager11; within 0.5-4 rtdoctor -q --timeout 1 --profile made.rtsys . | grep -c missing; resume manager11
+  $ hang manager11; within 0.5-4 rtdoctor -q --timeout 1 --profile made.rtsys . | grep -c missing; wake manager11
   1

@@ -113,7 +113,7 @@ One JSON object a line, whatever -q leaves:
 
 On a terminal the levels have colours:
 
-  $ NO_COLOR= tty 80 rtdoctor -q nobody.rtc | grep nobody
+  $ NO_COLOR= terminal 80 rtdoctor -q nobody.rtc | grep nobody
   \x1b[01;37;41mfail\x1b[00m  /localhost:$PORT/test.host_cxt/nobody.rtc: no such path; try: see what is there: rtls /localhost:$PORT/test.host_cxt (esc)
 
 With a profile, all that rtcheck finds:
@@ -162,7 +162,7 @@ Ctrl-C ends it, whatever hangs:
 
   $ rtact --wait Clusterer0.rtc; hang robot; interrupt 0.5 rtdoctor -q > out
   [130]
-  $ within 0.5-2.5 rtdoctor -qv --timeout 0.5 --profile robot.rtsys > out; grep -c hung out; resume robot
+  $ within 0.5-2.5 rtdoctor -qv --timeout 0.5 --profile robot.rtsys > out; grep -c hung out; wake robot
   4
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

@@ -28,7 +28,7 @@ its owner, who else takes part:
 
 A head says so on a terminal only:
 
-  $ NO_COLOR=1 tty 80 rtec Multi0.rtc
+  $ NO_COLOR=1 terminal 80 rtec Multi0.rtc
   N  HANDLE  KIND      RATE  RUNS     STATE     OWNER    PARTICIPANTS
   0  0       Periodic  1000  Running  Inactive  Multi0   -
   1  1       Periodic  1000  Running  Inactive  Multi0   -

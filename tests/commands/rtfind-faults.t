@@ -131,4 +131,4 @@ Name servers:
   $ within 0.3-0.8 rtfind --timeout 0.3 -q ConsoleIn0.rtc
   rtfind: /localhost:$PORT: no answer within 0.3s
   [4]
-  $ resume names
+  $ wake names

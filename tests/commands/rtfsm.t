@@ -70,7 +70,7 @@ A terminal is not harmed, whatever the machine says:
   $ rtfsm Microwave0.rtc getstate
   a\x1b[2J\\b
   $ printf '<a>\033[2J\t\\<\n</a>\n' > hostile.scxml; rtfsm Microwave0.rtc setstructure hostile.scxml
-  $ tty 80 rtfsm Microwave0.rtc getstructure
+  $ terminal 80 rtfsm Microwave0.rtc getstructure
   <a>\x1b[2J \<
   </a>
   $ rtfsm Microwave0.rtc getstructure | cmp - hostile.scxml

@@ -46,7 +46,7 @@ It stays, and mends: a connection, an Error, a component that was killed and is 
   $ ctl error Motor0; soon 'grep Motor0.*Active out'
   $ kill-mock these2; soon 'grep gone out'; mock these ConsoleOut:Plain0 --flavour cpp2
   $ soon 'grep Plain0.*Active out'; soon 'grep "connection two" out'; rtcheck a.xml
-  $ hang these3; soon 'grep "left alone" out'; resume these3; soon 'grep again out'; soon 'rtcheck a.xml'
+  $ hang these3; soon 'grep "left alone" out'; wake these3; soon 'grep again out'; soon 'rtcheck a.xml'
   $ said out | grep -v -e 'waits for Plain0' -e 'no answer within 3s$' | sort  # of what was looked at just then
   ConsoleIn0.rtc: restored connection one
   ConsoleIn0.rtc: restored connection two

@@ -93,7 +93,7 @@ A component that hangs is reported, and does not hold up the others, or the end:
   rtlog: Recording for 5.0s.
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Source0.rtc:number
-  $ resume senders; rtlog -d --json -f g.rtlog | grep -o 'closed": [a-z]*'
+  $ wake senders; rtlog -d --json -f g.rtlog | grep -o 'closed": [a-z]*'
   closed": true
 
 A component that dies ends its part of the recording; when none is left, recording ends:

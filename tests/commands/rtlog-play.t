@@ -88,7 +88,7 @@ To the terminal, at their pace; --json and --csv, too:
   5
   $ within 0.3-10 rtlog -p --csv --ns -f b.rtlog > paced; rtlog --csv --ns -f b.rtlog | cmp - paced; wc -l < paced
   6
-  $ tty 100 rtlog -p -f a.rtlog -i -s 10 -e 10 | sed 's/\[[0-9.]*\] <.. ../[TIME] <NN NN/'
+  $ terminal 100 rtlog -p -f a.rtlog -i -s 10 -e 10 | sed 's/\[[0-9.]*\] <.. ../[TIME] <NN NN/'
   blocks: [TIME] <NN NN 00 00 00 00 00 00 … 992 more>
   $ rtlog -p -f a.rtlog | head -n 1 | wc -l
   1

@@ -121,7 +121,7 @@ Ctrl-C does not wait for it.
 
 It may come back:
 
-  $ resume hung
+  $ wake hung
   $ rtls -l HungMock0.rtc
   Inactive  2/0  1/0  1/0  0/0  HungMock0.rtc
 
@@ -223,4 +223,4 @@ The names of name servers are known without asking anyone; what is in them is no
   localhost:$PORT/
   $ interrupt 0.5 rtls
   [130]
-  $ resume names
+  $ wake names

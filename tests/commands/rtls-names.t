@@ -83,7 +83,7 @@ More ways to type a name: a backslash before any punctuation, codes of character
 
 Wide characters take two columns of a terminal:
 
-  $ NO_COLOR=1 tty 36 rtls '日本語.rtc' './sp ace.rtc' './-l.rtc' do.t.rtc 'co\:lon.rtc' '日本語.rtc'
+  $ NO_COLOR=1 terminal 36 rtls '日本語.rtc' './sp ace.rtc' './-l.rtc' do.t.rtc 'co\:lon.rtc' '日本語.rtc'
   日本語.rtc  sp ace.rtc   -l.rtc
   do.t.rtc    co\:lon.rtc  日本語.rtc
 

@@ -61,7 +61,7 @@ A process that hangs itself: four of its components were asked. What was not ask
   $ rttop -n 1 --timeout 1 $near | awk '/^[?~]/ {print $1}' | sort | uniq -c | awk '{print $1, $2}'
   2 ?
   8 ~
-  $ rtcat --timeout 1 $near/In9.rtc; resume these
+  $ rtcat --timeout 1 $near/In9.rtc; wake these
   rtcat: /localhost:$PORT/near.host_cxt/In9.rtc: no answer within 1s
 
 rtdoctor finds the component that hangs, and the one in Error beside those that wait. What one process explains is one line, but with -v:
@@ -76,4 +76,4 @@ rtdoctor finds the component that hangs, and the one in Error beside those that 
   [1]
   $ rtdoctor --json -q --timeout 1 $near $far | grep -v here | grep -v In9 | sed 's/.*cause": "\([^:]*\):.*/\1/' | sort -u
   127.0.0.1
-  $ resume these2
+  $ wake these2

@@ -317,7 +317,7 @@ A hung manager, a manager whose process is gone:
   $ within 0.5-1.5 rtls --timeout 0.5 manager.mgr
   rtls: /localhost:$PORT/test.host_cxt/manager.mgr: no answer within 0.5s
   [4]
-  $ resume manager
+  $ wake manager
   $ kill-mock manager
   $ rtmgr -r manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: connection refused; its process is gone (zombie)

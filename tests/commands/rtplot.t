@@ -155,7 +155,7 @@ Live; not on a terminal, the plot is printed at the end:
   $ interrupt 1.5 rtplot --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
   /localhost:N/testNhost_cxt/SourceNrtc:number
   * data  min N  max N  last N
-  $ tty 60 rtplot -t 1 Source0.rtc:number >page; [ $(grep -c 'data  min' page) -gt 3 ]
+  $ terminal 60 rtplot -t 1 Source0.rtc:number >page; [ $(grep -c 'data  min' page) -gt 3 ]
   $ ctl connectors Source0:number
   $ rtplot -t 0.5 Source0.rtc:nothing
   rtplot: /localhost:$PORT/test.host_cxt/Source0.rtc: no such port: nothing (its ports: number, block)

@@ -78,7 +78,7 @@ Hung for a while: that is reported, and it continues:
 
   $ export RTSHELL_TIMEOUT=0.5
   $ rtprint Source0.rtc:number >lines 2>told & pid=$!; until [ -s lines ]; do :; done
-  $ hang senders; told answer; resume senders; told again; kill $pid; wait $pid
+  $ hang senders; told answer; wake senders; told again; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: answers again
@@ -90,7 +90,7 @@ Hung when it ends:
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 0.5s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
-  $ resume two; ctl write ConsoleIn0:out 1; while connected; do :; done
+  $ wake two; ctl write ConsoleIn0:out 1; while connected; do :; done
 
 Killed in the middle of its stream:
 

@@ -75,7 +75,7 @@ One that falls silent costs one timeout, and one look after it:
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc: no answer within 0.5s
   rtresurrect: 1 done, 6 already done, 3 failed, 13 not tried
   [5]
-  $ resume these3; rtresurrect -v a.xml
+  $ wake these3; rtresurrect -v a.xml
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
   rtresurrect: 2 done, 21 already done

@@ -55,7 +55,7 @@ The name server is started again, empty (here: the names are deleted): what live
 
 What hangs is not made again, either; what has ended is:
 
-  $ hang these; rtresurrect --timeout 1 --create --manager manager.mgr a.xml 2>&1 | grep ConsoleOut0.rtc:; resume these
+  $ hang these; rtresurrect --timeout 1 --create --manager manager.mgr a.xml 2>&1 | grep ConsoleOut0.rtc:; wake these
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: 127.0.0.1:*, where it was, does not answer (no answer within 1s): it hangs, or is out of reach (REFERENCE in the file) (glob)
   $ kill-mock these; rtresurrect --create --manager manager.mgr a.xml 2>&1 | grep -c 'ConsoleOut0.rtc: not created'
   0

@@ -192,7 +192,7 @@ Composites are boxes around their members; a port that a composite exports belon
 
 Without a file, and with a terminal for stdin, what is running is drawn, too:
 
-  $ tty 200 rtstodot | tail -4
+  $ terminal 200 rtstodot | tail -4
     ConsoleIn1:out -> ConsoleOut1:in;
     ConsoleIn1:out -> ConsoleOut0:in;
     MyServiceConsumer0:MyService -> MyServiceProvider0:MyService [arrowhead="odot"];
@@ -221,7 +221,7 @@ Not there any more, or not answering: grey, and told.
   rtstodot: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
   rtstodot: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   [5]
-  $ resume linked
+  $ wake linked
   $ RTCTREE_NAMESERVERS=localhost:1 rtstodot --live
   rtstodot: /localhost:1: connection refused; is the name server running?
   [4]

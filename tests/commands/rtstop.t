@@ -151,7 +151,7 @@ A process that hangs keeps the others waiting no longer than the timeout:
   Inactive Motor0.rtc
   Inactive Multi0.rtc
   Inactive Sensor0.rtc
-  $ resume these; rtstop -q all.xml
+  $ wake these; rtstop -q all.xml
 
   $ rtstop nofile
   rtstop: nofile: No such file or directory

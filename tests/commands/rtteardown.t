@@ -99,7 +99,7 @@ What is silent cannot be freed:
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc
   rtteardown: 1 done, 1 already done, 2 failed, 1 not tried
   [5]
-  $ resume services; rtteardown -qv a.xml
+  $ wake services; rtteardown -qv a.xml
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 1 done, 2 already done
 

@@ -71,7 +71,7 @@ Two components of one name: all have their paths, so that they can be compared:
   STATE         RATE  CONN  COMPONENT
   Inactive      1000     0  /localhost:$PORT/b.host_cxt/Motor0.rtc
   Active        1000     2  /localhost:$PORT/test.host_cxt/Motor0.rtc
-  $ NO_COLOR=1 tty 80 rttop -n 1 --timeout 1 -f tor0 && end-mock these
+  $ NO_COLOR=1 terminal 80 rttop -n 1 --timeout 1 -f tor0 && end-mock these
   STATE         RATE  CONN  COMPONENT  below /localhost:$PORT/
   Inactive      1000     0  b.host_cxt/Motor0.rtc
   Active        1000     2  test.host_cxt/Motor0.rtc
@@ -123,7 +123,7 @@ Pages follow one another, -r times a second, or without end:
 
 Where a terminal knows no pages, they are printed:
 
-  $ page() { tty 80 timeout -s INT --foreground 4 rttop Motor0.rtc | uniq | head -3; }
+  $ page() { terminal 80 timeout -s INT --foreground 4 rttop Motor0.rtc | uniq | head -3; }
   $ mkdir lib; echo 'raise ImportError("no")' > lib/curses.py
   $ (export TERM=dumb; page) > dumb & (export TERM=nonsense; page) > nonsense & (export PYTHONPATH=lib:$PYTHONPATH; page) > without &
   $ wait; cat dumb; head -1 nonsense; head -1 without

@@ -110,7 +110,7 @@ What stops it; rtdoctor has the last word:
   /localhost:$PORT/test.host_cxt/Link2.rtc:out, values per second
   ⠤⠤ rate  min 0  max 0  last 0
   $ rtec Link2.rtc start; rtact --wait 2 Link2.rtc
-  $ rtcon Link2.rtc:out Apart0.rtc:in; hang these; trace Link0.rtc:out -t 8 2> err | sed 's/within.*/within …/' | grep -v doctor; resume these
+  $ rtcon Link2.rtc:out Apart0.rtc:in; hang these; trace Link0.rtc:out -t 8 2> err | sed 's/within.*/within …/' | grep -v doctor; wake these
   Active Link0.rtc:out
   Active Link1.rtc:out
   ?         /localhost:$PORT/test.host_cxt/Link2.rtc: it waits for /localhost:$PORT/test.host_cxt/Apart0.rtc, which does not answer

@@ -39,10 +39,10 @@ within the timeout, although nothing can be taken back:
 
   $ rtwatch -f RTC_STATUS --timeout 0.5 Dies0.rtc > out 2> err & watch=$!
   $ soon 'ctl @these4 observers Dies0 | grep Obs'; hang these4; soon 'grep answer err'
-  $ resume these4; soon 'grep again err'; rtdeact Dies0.rtc; soon 'grep INACTIVE out'
+  $ wake these4; soon 'grep again err'; rtdeact Dies0.rtc; soon 'grep INACTIVE out'
   $ hang these4; soon '[ $(grep -c "no answer" err) = 2 ]'; begun=$(date +%s); kill -TERM $watch; wait $watch
   [143]
-  $ echo $(($(date +%s) - begun < 3)); resume these4; plain out; cat err
+  $ echo $(($(date +%s) - begun < 3)); wake these4; plain out; cat err
   1
   [T] 0 INACTIVE
   rtwatch: /localhost:$PORT/test.host_cxt/Dies0.rtc: no answer within 0.5s

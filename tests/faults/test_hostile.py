@@ -22,11 +22,10 @@ try:
 except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "what is printed does not depend on the Python"
 BOTH = "each ORB reads names in its own way"
 
-ON_TERMINAL = [sys.executable, "-I", "-S", tools.__file__, "tty", "80"]
+ON_TERMINAL = [sys.executable, "-I", "-S", tools.__file__, "terminal", "80"]
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
 USAGE = {"rtinject": {70}}   # the value does not fit the type of these ports

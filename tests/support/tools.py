@@ -1,7 +1,8 @@
 """The commands that exist only inside a session: `tools.py NAME WORD…` runs the function play_NAME.
 
 They are called a thousand times in a run of the tests, so they import little and start with `python -I -S`,
-which saves half of their time.
+which saves half of their time. None has the name of an applet of BusyBox: Debian's busybox-static plays those
+rather than what is in PATH.
 """
 import os
 import signal
@@ -61,7 +62,7 @@ SIGNALS = {
     "kill-mock": (signal.SIGKILL, "gone"),  # its names stay bound
     "end-mock": (signal.SIGTERM, "gone"),
     "hang": (signal.SIGSTOP, "stopped"),  # it accepts connections and never answers
-    "resume": (signal.SIGCONT, "running"),
+    "wake": (signal.SIGCONT, "running"),
 }
 
 
@@ -146,9 +147,9 @@ def play_interrupt(words):
     return shell_status(os.waitpid(process, 0)[1])
 
 
-def play_tty(words):
-    """tty COLUMNS COMMAND...: run the command on a terminal that wide, type what comes through a pipe, show
-    what is written there.
+def play_terminal(words):
+    """terminal COLUMNS COMMAND...: run the command on a terminal that wide, type what comes through a pipe,
+    show what is written there.
     """
     import fcntl
     import pty

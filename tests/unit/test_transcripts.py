@@ -149,7 +149,7 @@ class Running(unittest.TestCase):
     def test_deadline_ctrl_c_and_terminal(self):
         text = "  $ within 0-9 true\n\n  $ within 5-9 true\n  took 0* s (*), not 5-9 (glob)\n  [99]\n\n" \
                "  $ interrupt 0.1 sleep 600\n  [130]\n\n" \
-               "  $ tty 50 sh -c 'stty size; test -t 1'\n  24 50\n"
+               "  $ terminal 50 sh -c 'stty size; test -t 1'\n  24 50\n"
         self.assertEqual(run(text)[:2], ("pass", ""))
 
 
@@ -184,7 +184,7 @@ Worlds come and go:
 
   $ mock two --context b/%n.rtc && ctl @two2 pid | sed 's/[0-9]*/a number/'
   a number
-  $ hang two two2; resume two; end-mock two; kill-mock two2; kill-mock three
+  $ hang two two2; wake two; end-mock two; kill-mock two2; kill-mock three
   kill-mock: no world named three
   [99]
 
