@@ -234,12 +234,12 @@ def imported(path):
 
 
 def covering(path):
-    """Test modules of tests/unit that import a file, the nearest first: `unit/test_path` …; and the tests of
-    the nearest commands, by turns: `commands/rtls.t` …
+    """Test modules of tests/unit and tests/waiting that import a file, the nearest first: `unit/test_path` …;
+    and the tests of the nearest commands, by turns: `commands/rtls.t` …
     """
     files = [
         file
-        for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/unit/test_*.py", "bin/rt*")
+        for pattern in ("rtshell_lite/**/*.py", "tests/support/*.py", "tests/[uw]*/test_*.py", "bin/rt*")
         for file in sorted(glob.glob(os.path.join(glob.escape(ROOT), pattern), recursive=True))
         if "/idl_stubs/" not in file and os.path.isfile(file)
     ]
@@ -249,7 +249,8 @@ def covering(path):
     for file in near:
         near += [other for other in files if file in arrows[other] and other not in reached]
         reached.update(near)
-    modules = ["unit/" + os.path.basename(file)[:-3] for file in near if "/tests/unit/" in file]
+    tests = os.path.join(ROOT, "tests")
+    modules = [os.path.relpath(file, tests)[:-3] for file in near if "/test_" in file]
     # the one of its name comes first
     modules.sort(key="unit/test_{}".format(os.path.basename(path)[:-3]).__ne__)
     commands = [os.path.basename(file) for file in near if os.path.dirname(file) == os.path.join(ROOT, "bin")]

@@ -1,4 +1,4 @@
-rtstodot --html writes a page for a browser. What a browser makes of it is in tests/unit/test_page_browser.py.
+rtstodot --html writes a page for a browser. What a browser makes of it is in tests/waiting/test_page_browser.py.
 
 world: linked
 world: these ConfigSample

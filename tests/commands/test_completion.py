@@ -37,7 +37,6 @@ HOSTILE = [
     "e\x1b[31m",
     "two words\\",
 ]
-PART = 8  # a short run takes one in PART of its tests
 ONCE = "three shells are tried: one Python is enough"
 
 # How each shell starts, without the user's own files; the key Ctrl-G writes down the line as it is then.

@@ -30,7 +30,6 @@ from worlds import Server, World
 from rtshell_lite.corba import orb
 from rtshell_lite.data import datatypes, values
 
-PART = 16  # a short run takes one in PART of its tests
 ONCE = "each example is run by the tests of its command on all Pythons, in other words"
 
 ROBOT = [

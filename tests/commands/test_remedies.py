@@ -29,7 +29,6 @@ from rtshell_lite.doctor import finding, remedies
 from rtshell_lite.robot import tree
 from rtshell_lite.system import capture
 
-PART = 10  # a short run takes one in PART of its tests
 ONCE = "what commands do is the same for every Python"
 PROGRAMS = set(os.listdir(worlds.COMMANDS)) & {
     name for name in os.listdir(worlds.COMMANDS) if name.startswith("rt")

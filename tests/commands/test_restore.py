@@ -13,7 +13,6 @@ from rtshell_lite.robot import composites, configuration, connectors, contexts, 
 from rtshell_lite.system import apply, capture, restore
 from rtshell_lite.xmlprofile import model, rtsprofile
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "what becomes of a system does not depend on the Python"
 BOTH = "each ORB fails in its own way"
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]

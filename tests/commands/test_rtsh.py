@@ -16,7 +16,6 @@ import worlds
 from worlds import Server, World
 
 COMMANDS = os.path.dirname(shutil.which("rtsh") or os.path.join(processes.ROOT, "bin", "rtsh"))
-PART = 3  # a short run takes one in PART of its tests
 BOTH = "each ORB keeps its connections in its own way"
 UP, CTRL_C, CTRL_D = "\x1b[A", "\x03", "\x04"
 

@@ -15,7 +15,6 @@ import running
 import worlds
 from worlds import Server, World, eventually
 
-PART = 8  # a short run takes one in PART of its tests
 ONCE = "a terminal is the same for every Python"
 COMMANDS = os.path.dirname(shutil.which("rttop") or os.path.join(processes.ROOT, "bin", "rttop"))
 

@@ -19,7 +19,6 @@ import worlds
 
 import rtshell_lite
 
-PART = 3  # a short run takes one in PART of its tests
 ONCE = "it runs commands that other tests run on all Pythons"
 
 # A Python whose installation of packages does nothing, and one that cannot make environments

@@ -8,7 +8,6 @@ import unittest
 import invocations
 import running
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "what is asked of whom does not depend on the Python"
 BOTH = "each ORB has crowds of its own"
 ALONE = "it measures times"

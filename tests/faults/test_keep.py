@@ -26,7 +26,6 @@ from rtshell_lite import errors, path
 from rtshell_lite.robot import connectors, ports
 from rtshell_lite.system import compare, relocate
 
-PART = 4  # a short run takes one in PART of its tests
 ONCE = "what rtkeep does does not depend on the Python"
 
 PROCESSES = 10

@@ -16,7 +16,6 @@ import unittest
 
 import running
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "what grows does so under every Python"
 BOTH = "each ORB keeps things of its own"
 

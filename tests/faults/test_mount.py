@@ -21,7 +21,6 @@ import tools
 import worlds
 from mock_components import faulty
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "it is about the kernel and the peers"
 BOTH = "each ORB waits in its own way"
 

@@ -16,7 +16,6 @@ import hosts
 import running
 import tools
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "what a network does is the same for every Python"
 BOTH = "each ORB connects in its own way"
 ALONE = "it measures times"

@@ -14,7 +14,6 @@ import proxy
 import running
 from mock_components import faulty
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "what is reported does not depend on the Python"
 BOTH = "each ORB fails in its own way"
 

@@ -10,7 +10,6 @@ import invocations
 import running
 from mock_components import faulty, malice
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "how long a peer is waited for does not depend on the Python"
 BOTH = "each ORB reads answers in its own way"
 ALONE = "it measures times"

@@ -27,7 +27,6 @@ from rtshell_lite import errors
 from rtshell_lite.datalog import logfile
 from rtshell_lite.xmlprofile import rtsprofile
 
-PART = 12  # one in this many of its tests in a short run
 ONCE = "signals are the same for every Python"
 BOTH = "each ORB is interrupted in its own way"
 ALONE = "it measures times"

@@ -6,7 +6,6 @@ import unittest
 
 import fuzz
 
-PART = 3  # a short run takes one in PART of its tests
 ONCE = True  # one Python of the matrix is enough
 CASES = {
     "paths": 3000,

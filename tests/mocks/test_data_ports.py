@@ -13,7 +13,6 @@ from answers import outcome, raised, value
 from worlds import connector, eventually, nvlist
 
 OVER = 0.1  # seconds after which a get() of a moment ago is certainly over
-PART = 8  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import omniORB

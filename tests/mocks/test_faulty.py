@@ -10,7 +10,6 @@ import threading
 import time
 import unittest
 
-PART = 5  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(ROOT)
 
@@ -117,7 +116,7 @@ class ModesTest(WithDeadline):
     """omniORB's own conduct with each peer: all that the commands build on."""
 
     def test_every_mode_has_an_expectation(self):
-        """But those that omniORB itself does not survive: see tests/unit/test_answers.py."""
+        """But those that omniORB itself does not survive: see tests/waiting/test_answers.py."""
         self.assertEqual(set(EXPECTED) | set(malice.CHANGES), set(faulty.MODES) | set(faulty.UNREACHABLE))
 
     def test_failures_and_their_times(self):

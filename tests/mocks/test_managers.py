@@ -10,7 +10,6 @@ import worlds
 from answers import outcome, raised, value
 from worlds import eventually
 
-PART = 5  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     from mock_components.idl import RTC, RTM

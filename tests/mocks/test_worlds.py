@@ -14,7 +14,6 @@ import worlds
 from answers import outcome, raised, value
 from worlds import connector, eventually
 
-PART = 8  # a short run takes one in PART of its tests
 ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming

@@ -99,6 +99,8 @@ def start_faulty(words):
 
 def start(name, command):
     """Start a process that ends when this one does; its words go to a file, its number to another."""
+    if "RTSHELL_PURE" in os.environ:
+        raise Failed("a module of tests/unit/ starts no peers; those of tests/waiting/ may")
     path = os.environ.get("PYTHONPATH") or ROOT
     environment = dict(os.environ, PYTHONPATH=path, PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1")
     with open(session_file("alive")) as alive, open(session_file(name + ".out"), "wb") as out:

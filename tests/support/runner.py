@@ -2,10 +2,12 @@
 
 Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a test failed or none ran.
 
-  tests/run                       on the Python that runs this: transcripts under one shell with one ORB and
-                                  test modules, of those of failures and long ones a part, always the same
+  tests/run unit                  what is true or false without waiting, in less than a minute: the modules of
+                                  tests/unit/, which ask no other process and wait for no clock
+  tests/run                       that, the packaging, and each command's own transcript, under one shell with
+                                  one ORB: in 5 minutes; the last lines say what was not run
   tests/run rtls test_path        those whose name holds one of these words: tests/commands/rtls.t,
-                                  tests/unit/test_path.py
+                                  tests/unit/test_path.py; a word that names a folder is all that is in it
   tests/run 'rtls.t (dash)'       one transcript under one shell
   tests/run --python 3.7 rtls     on another Python
   tests/run --compat              profiles against PyYAML and the real rtsprofile, logs against MCAP's readers
@@ -13,6 +15,7 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
                                   OpenRTM-aist, of C++ or Python; --rounds N of each loop (100), a word of a
                                   test's name for a part; with the ORB that RTSHELL_ORB names
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
+  tests/run --seed 7 faults       with other samples, random values and storms than those of every day
   tests/run --accept rtls.t       take what the commands print now as what is expected; then read `git diff`
   tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6 by our
                                   own ORB, and by omniORB by turns on 3.7 under ash, on 3.13 under dash, and
@@ -25,6 +28,7 @@ import collections
 import concurrent.futures
 import glob
 import os
+import re
 import signal
 import sys
 import time
@@ -33,7 +37,6 @@ import zlib
 import environments
 import jobs
 import processes
-import short
 import transcripts
 
 TESTS = os.path.dirname(jobs.HERE)
@@ -53,8 +56,14 @@ SHARE = 5
 MODULE_LIMIT = 900.0  # seconds for one test module, on a busy machine
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
-DIRECTORIES = ("unit", "mocks", "commands", "faults", "fuzz")  # with what is run always
-PACKAGING = ["commands/test_packaging", "commands/test_unpack", "commands/test_bytecode"]
+# What stands in unit/ asks no other process and waits for no clock, which processes.py enforces; what does is
+# in waiting/.
+PURE_ONES = "unit"
+EVERY_DAY = (PURE_ONES, "packaging")  # all of these without a word
+DIRECTORIES = EVERY_DAY + ("waiting", "mocks", "commands", "faults", "fuzz")
+OF_OMNIORB = 4  # every fourth transcript is played with omniORB then, the others with our own ORB
+USERS_ORB = os.environ.get("RTSHELL_ORB")
+SEED = os.environ.get("RTSHELL_SEED", "1")
 COMPAT = ["compat/test_rtsprofile", "compat/test_mcap"]
 REAL = ["compat/test_real", "compat/test_real_keep"]
 
@@ -75,33 +84,42 @@ def test_modules():
     return sorted(os.path.relpath(path, TESTS)[:-3] for path in paths)
 
 
+def words_for(folder, args):
+    """The words that choose among the tests of a folder: [] if all of them are run, None if none is."""
+    words = [word for word in args.pattern if word not in DIRECTORIES]
+    if folder in args.pattern or not args.pattern and (not args.daily or folder in EVERY_DAY):
+        return []
+    return words or None
+
+
 def source(module):
     return os.path.join(TESTS, module + ".py")
 
 
 def says(module, word):
     """What a module says of ALONE (it measures times), ONCE (one Python of the matrix is enough), BOTH (each
-    ORB has its turn), PART (a short run takes one test in PART); "" if it does not.
+    ORB has its turn); "" if it does not.
     """
     with open(source(module), encoding="utf-8") as file:
         return next((line[len(word):].split()[1] for line in file if line.startswith(word + " =")), "")
 
 
-def module_jobs(label, interpreter, modules, patterns, **more):
-    """Jobs that run modules with more in their environment."""
+def module_jobs(label, interpreter, modules, args, **more):
+    """Jobs that run modules, those of them that are asked for, with more in their environment."""
     environment = dict(os.environ, **more)
 
-    def job(module):
+    def job(module, patterns):
         def run():
             return run_module(module, interpreter, environment, patterns)
 
-        at_once = 1 if says(module, "ALONE") else short.at_once(PROCESSORS)
-        return Job("%s %s" % (label, module), run, at_once, os.path.getsize(source(module)))
+        some = at_once(says(module, "ALONE"), 1)
+        return Job("%s %s" % (label, module), run, some, os.path.getsize(source(module)))
 
-    return [job(module) for module in modules]
+    chosen = [(module, words_for(os.path.dirname(module), args)) for module in modules]
+    return [job(module, patterns) for module, patterns in chosen if patterns is not None]
 
 
-def wheel_jobs(python, interpreter, wheel, patterns, modules, orb=None):
+def wheel_jobs(python, interpreter, wheel, args, modules, orb=None):
     """Jobs that run modules on an interpreter, of a Python, in which the wheel is installed, or not."""
     more = {"RTSHELL_WHEEL": wheel, "PYTHONPATH": mocks_alone()}
     if orb:
@@ -111,16 +129,16 @@ def wheel_jobs(python, interpreter, wheel, patterns, modules, orb=None):
         more["RTSHELL_OMNIORB_WHEEL"] = omniorb
     if interpreter != python.path:
         more["PATH"] = os.path.dirname(interpreter) + os.pathsep + os.environ["PATH"]
-    return module_jobs(" ".join(filter(None, (python.version, orb))), interpreter, modules, patterns, **more)
+    return module_jobs(" ".join(filter(None, (python.version, orb))), interpreter, modules, args, **more)
 
 
 def run_module(module, python, environment, patterns, limit=MODULE_LIMIT):
     """The outcomes of a test module: [[name, "pass", "fail", "skip" or "figures", explanation]]."""
-    part = says(module, "PART") if short.is_chosen() else ""
+    if os.path.dirname(module) == PURE_ONES:
+        environment = dict(environment, RTSHELL_PURE="1")
     if os.environ.get("RTSHELL_FAULTS"):
         limit = LONG_LIMIT
-    words = [module, part or "1"] + patterns
-    outcomes, why, said = jobs.run_job(python, "report.py", words, limit, environment)
+    outcomes, why, said = jobs.run_job(python, "report.py", [module] + patterns, limit, environment)
     if outcomes is None:
         return [(module, "fail", "%s\n%s" % (why, said))]
     if said and outcomes and outcomes[-1][1] == "fail":
@@ -143,10 +161,13 @@ def mocks_alone():
 # ---- transcripts ----
 
 
-def transcript_jobs(python, interpreter, wheel, orb, patterns, shell=None, in_matrix=False, accept=False):
-    """Jobs for the transcripts under a shell (None: all); `in_matrix`: those that have their turn. The mocks
+def transcript_jobs(python, interpreter, wheel, orb, args, shell=None):
+    """Jobs for the transcripts under a shell (None: all) that are asked for, and have their turn. The mocks
     of a Python that has no omniORBpy run on another.
     """
+    words = [] if args.daily else words_for("commands", args)
+    if words is None:
+        return []
     missing = transcripts.missing_shells()
     commands = os.path.dirname(interpreter)
     environment = dict(os.environ, PYTHONPATH=mocks_alone())
@@ -162,19 +183,27 @@ def transcript_jobs(python, interpreter, wheel, orb, patterns, shell=None, in_ma
         def run():
             if shell in missing:
                 return [(name, "skip", "%s is not installed" % transcripts.SHELLS[shell][0])]
-            how = peers, commands, orb, accept, environment
+            how = peers, commands, orb, args.accept, environment
             return [(name,) + transcripts.run_case(path, shell, *how)]
 
-        at_once = short.at_once(PROCESSORS, transcripts.says(path, "alone"))
-        return Job("%s %s" % (label, name), run, at_once, os.path.getsize(path))
+        some = at_once(transcripts.says(path, "alone"), PROCESSORS)
+        return Job("%s %s" % (label, name), run, some, os.path.getsize(path))
 
     return [
         job(path, shell)
-        for path, shell in transcripts.cases(patterns, shell and [shell])
-        if short.has_turn(path, shell, orb)
-        and not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
-        and not (in_matrix and not has_turn(python.version, shell, orb, path))
+        for path, shell in transcripts.cases(words, shell and [shell])
+        if not (lacks_omniorb and transcripts.says(path, "orb: omniorb"))
+        and not (args.daily and not has_its_day(path, shell, orb))
+        and not (args.all and not has_turn(python.version, shell, orb, path))
     ]
+
+
+def has_its_day(path, shell, orb):
+    """Is a transcript played so without a word? A command's own one is, under one shell and with one ORB."""
+    number, shell_number = divmod(zlib.crc32(os.path.basename(path).encode()), len(transcripts.SHELLS))
+    takes_omniorb = number % OF_OMNIORB == 0 or bool(USERS_ORB)
+    is_own = "-" not in os.path.basename(path)
+    return is_own and shell == sorted(transcripts.SHELLS)[shell_number] and bool(orb) == takes_omniorb
 
 
 def has_turn(version, shell, orb, path):
@@ -194,6 +223,14 @@ def has_turn(version, shell, orb, path):
 
 
 # ---- running them ----
+
+
+def at_once(measures, few):
+    """How many jobs run at once, for they wait more than they compute: `few` of those that measure times.
+
+    With more jobs everything takes longer, as many of them wait in busy loops.
+    """
+    return few if measures else 2 * PROCESSORS
 
 
 class Score:
@@ -227,11 +264,14 @@ class Score:
             what = "ok  " if "pass" in kinds else "skip"
             print("%s %s: %d in %.1f s" % (what, label, len(kinds), seconds), flush=True)
 
-    def close(self):
+    def close(self, not_run=""):
+        """Print the last lines; returns the exit status."""
         if not self.counts:
             print("no test has such a name")
         for reason, names in sorted(self.reasons.items()):
             print("skipped %d: %s" % (len(names), reason))
+        if not_run:
+            print("not run: %s; tests/run --all runs them" % not_run)
         skipped = ", %(skip)d skipped" % self.counts if self.counts["skip"] else ""
         print("%(pass)d passed, %(fail)d failed" % self.counts + skipped, flush=True)
         return 1 if self.counts["fail"] or not self.counts["pass"] else 0
@@ -239,9 +279,9 @@ class Score:
 
 def run_jobs(some, score):
     """Run jobs, those first of which most may run at once; each once, whatever the outcome."""
-    for at_once in sorted({job.at_once for job in some}, reverse=True):
-        pool = concurrent.futures.ThreadPoolExecutor(at_once)
-        now = [job for job in some if job.at_once == at_once]
+    for most in sorted({job.at_once for job in some}, reverse=True):
+        pool = concurrent.futures.ThreadPoolExecutor(most)
+        now = [job for job in some if job.at_once == most]
         score.left = len(now)
         started = [pool.submit(timed, job) for job in sorted(now, key=lambda job: job.size, reverse=True)]
         for future in concurrent.futures.as_completed(started):
@@ -277,7 +317,7 @@ def compat_jobs(args):
     npm = environments.prepare_npm()
     if npm:
         more["RTSHELL_NPM"] = npm
-    return module_jobs(python.version, interpreter, COMPAT, args.pattern, **more)
+    return module_jobs(python.version, interpreter, COMPAT, args, **more)
 
 
 def jobs_for(version, wheel, args):
@@ -286,23 +326,22 @@ def jobs_for(version, wheel, args):
     interpreter = environments.prepare(python, wheel)
 
     def of_modules(modules, orb=None):
-        return wheel_jobs(python, interpreter, wheel, args.pattern, modules, orb)
+        return wheel_jobs(python, interpreter, wheel, args, modules, orb)
 
-    def of_transcripts(orb, *which):
-        return transcript_jobs(python, interpreter, wheel, orb, args.pattern, *which)
+    def of_transcripts(orb, shell=None):
+        return transcript_jobs(python, interpreter, wheel, orb, args, shell)
 
     if args.real:
         return of_modules(REAL)
     if args.accept:
-        return of_transcripts(os.environ.get("RTSHELL_ORB"), "dash", False, True)
+        return of_transcripts(USERS_ORB, "dash")
     all_of_them = not args.all or version == FULL[0]
     found = of_modules([module for module in test_modules() if all_of_them or not says(module, "ONCE")])
     if not args.all:
-        for orb in short.orbs():
-            found += of_transcripts(orb)
-        return found
+        orbs = [None, "omniorb"] if args.daily and not USERS_ORB else [USERS_ORB]
+        return found + [job for orb in orbs for job in of_transcripts(orb)]
     for shell, orb in MATRIX[version]:
-        found += of_transcripts(orb, shell, True)
+        found += of_transcripts(orb, shell)
         if orb and version == TURNS[-1]:
             found += of_modules([module for module in test_modules() if says(module, "BOTH")], orb)
     return found
@@ -311,7 +350,12 @@ def jobs_for(version, wheel, args):
 def packaging_jobs(version, wheel, args):
     """The packaging tests on a Python as it is, with nothing installed for them."""
     python = environments.find_python(version)
-    return wheel_jobs(python, python.path, wheel, args.pattern, PACKAGING)
+    packaging = [
+        module
+        for module in test_modules()
+        if module.startswith("packaging/") and not says(module, "ONCE")
+    ]
+    return wheel_jobs(python, python.path, wheel, args, packaging)
 
 
 def gather_jobs(args, wheel, score):
@@ -333,6 +377,17 @@ def gather_jobs(args, wheel, score):
 
     with concurrent.futures.ThreadPoolExecutor(PROCESSORS) as pool:  # environments take their time to make
         return [job for some in pool.map(gather, *zip(*wanted)) for job in some]
+
+
+def left_out():
+    """What a run without a word leaves out, in words."""
+    sides = [path for path, _ in transcripts.cases(shells=["dash"]) if "-" in os.path.basename(path)]
+    tests = collections.Counter()
+    for module in test_modules():
+        with open(source(module), encoding="utf-8") as file:
+            tests[os.path.dirname(module)] += len(re.findall(r"^ +def test_", file.read(), re.MULTILINE))
+    others = ["%d tests of %s/" % (tests[folder], folder) for folder in DIRECTORIES[len(EVERY_DAY):]]
+    return "%d transcripts, %s, other Pythons, shells and ORBs" % (len(sides), ", ".join(others))
 
 
 def builder():
@@ -358,6 +413,7 @@ def options():
     add("--real", action="append", metavar="DIR", help="try built examples of OpenRTM-aist; may be repeated")
     add("--rounds", type=int, default=100, metavar="N", help="with --real: how often each loop goes round")
     add("--all", action="store_true", help="the matrix")
+    add("--seed", type=int, default=int(SEED), metavar="N", help="draw other samples than those of %s" % SEED)
     add("--long", action="store_true", help="all cases of the tests of faults, and long runs of 10 minutes")
     add("--accept", action="store_true", help="rewrite transcripts from what is printed")
     return parser.parse_args()
@@ -380,7 +436,8 @@ def main():
     if args.real:
         os.environ["RTSHELL_REAL"] = os.pathsep.join(map(os.path.abspath, args.real))
         os.environ["RTSHELL_ROUNDS"] = str(args.rounds)
-    short.choose(args.pattern or args.all or args.long or args.real or args.compat or args.accept)
+    os.environ["RTSHELL_SEED"] = str(args.seed)
+    args.daily = not (args.pattern or args.all or args.long or args.real or args.compat or args.accept)
     try:
         processes.nameserver.try_loopback()
     except processes.nameserver.Failed as e:
@@ -393,12 +450,12 @@ def main():
     except environments.Failed as e:
         score.add("wheel", [("build", "fail", str(e))])
         return score.close()
-    print("wheel: %s, %d kB" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000))
+    print("wheel: %s, %d kB; seed: %d" % (os.path.basename(wheel), os.path.getsize(wheel) // 1000, args.seed))
     run_jobs(gather_jobs(args, wheel, score), score)
     for line in jobs.left_behind(marker):
         score.add("processes", [("left behind", "fail", line)])
     held.close()
-    return score.close()
+    return score.close(left_out() if args.daily else "")
 
 
 if __name__ == "__main__":

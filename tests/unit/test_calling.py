@@ -15,7 +15,6 @@ from rtshell_lite.giop.operations import Schema
 from rtshell_lite.net import loop
 from rtshell_lite.views import services
 
-PART = 2  # a short run has every second of its tests
 MOVE = Schema("move", [descriptors.DOUBLE], [descriptors.LONG], {})
 STOP = Schema("stop", [(descriptors.STRING, 0)], None, {})
 LONG = struct.pack("<i", 42)

@@ -11,7 +11,6 @@ from unittest import mock
 
 from rtshell_lite import cli, notes, options
 
-PART = 3  # a short run takes one in PART of its tests
 COMMAND = '''\
 """Do something for a test.
 

@@ -18,7 +18,6 @@ from rtshell_lite import __version__, errors
 from rtshell_lite.data import datatypes
 from rtshell_lite.datalog import logfile, mcap, mend, records, textlog, writer
 
-PART = 6  # a short run takes one in PART of its tests
 LONG = "IDL:RTC/TimedLong:1.0"
 CHANNELS = [records.Channel("a", LONG, datatypes.Types().named("TimedLong").to_bytes(), ("/x:a",)),
             records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y:b"))]

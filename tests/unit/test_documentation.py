@@ -12,7 +12,6 @@ import unittest
 import transcripts
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PART = 3  # a short run takes one in PART of its tests
 ONCE = "what is written does not depend on the Python"
 
 

@@ -15,7 +15,6 @@ from rtshell_lite.corba import orb
 from rtshell_lite.giop import descriptors
 from rtshell_lite.data import call_values, datatypes, defaults, values
 
-PART = 2  # a short run has every second of its tests
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 IDL = os.path.join(TESTS, "data", "idl", "valid", "echoes.idl")
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")

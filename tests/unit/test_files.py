@@ -20,7 +20,6 @@ from rtshell_lite.datalog.records import Channel
 from rtshell_lite.shell import unpack
 from rtshell_lite.system import happening, output
 
-PART = 3  # a short run takes one in PART of its tests
 CHANNELS = [Channel("input0", "IDL:RTC/TimedLong:1.0", b"", ("/a.rtc:out",))]
 STRANGER = 12345        # a user that nobody here is
 

@@ -15,7 +15,6 @@ import test_xmlprofile
 from rtshell_lite.views import graph, graph_svg, graph_text, layout
 from rtshell_lite.xmlprofile import model, rtsprofile
 
-PART = 6  # a short run takes one in PART of its tests
 SVG = "{http://www.w3.org/2000/svg}"
 
 

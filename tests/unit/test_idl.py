@@ -19,7 +19,6 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.data import type_json
 from rtshell_lite.data.idl import parser
 
-PART = 12  # one in this many of its tests in a short run
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 DATA = os.path.join(TESTS, "data", "idl")
 OMNIIDL = os.path.join(os.path.dirname(sys.executable), "omniidl")

@@ -8,21 +8,14 @@ import struct
 import time
 import unittest
 
-import worlds
 import giop_peers
 from giop_client import answer
 from giop_peers import CLOSE, Peer
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.giop import descriptors, fixed_size, idl
+from rtshell_lite.giop import descriptors, fixed_size
 from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import marshal, messages, operations, references
-
-try:
-    import omniORB
-    from rtshell_lite.corba import omniorb
-except ImportError:
-    omniORB = None
 
 
 class Messages(unittest.TestCase):
@@ -316,47 +309,6 @@ class Calls(giop_peers.Calls):
             ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % bound.getsockname()[1])
             with self.assertRaises(errors.ConnectionRefused):
                 self.wait_for(orb.call("w", ref, "_non_existent"))
-
-
-@unittest.skipIf(omniORB is None, "needs omniORBpy")
-class Beside(giop_peers.Calls):
-    """The same answers of mocks by both ORBs."""
-
-    @classmethod
-    def setUpClass(cls):
-        worlds.start_name_server()
-
-    @classmethod
-    def tearDownClass(cls):
-        worlds.Server.stop()
-
-    def test_profiles(self):
-        world = worlds.World("two")
-        self.addCleanup(world.close)
-        ref = references.from_text(worlds.Server.orb.object_to_string(world.component("ConsoleIn0")))
-        component = client.narrow(ref, "OpenRTM.DataFlowComponent")
-        ours = self.wait_for(orb.call("w", component, "get_component_profile"))
-        theirs = world.component("ConsoleIn0").get_component_profile()
-        for name in ("instance_name", "type_name", "vendor", "category"):
-            self.assertEqual(getattr(ours, name), getattr(theirs, name))
-        self.assertEqual(client.properties(ours.properties), omniorb.properties(theirs.properties))
-        port = ours.port_profiles[0]
-        self.assertEqual(
-            client.properties(port.properties), omniorb.properties(theirs.port_profiles[0].properties)
-        )
-        self.assertEqual(client.address(port.port_ref), omniorb.address(theirs.port_profiles[0].port_ref))
-
-    def test_user_exceptions(self):
-        world = worlds.World("two")
-        self.addCleanup(world.close)
-        root = client.narrow(
-            client.from_url("w", "corbaloc::127.0.0.1:%d/NameService" % worlds.Server.port),
-            "CosNaming.NamingContext",
-        )
-        name = [idl.struct("CosNaming.NameComponent")("nobody", "")]
-        with self.assertRaises(errors.Refused) as caught:
-            self.wait_for(orb.call("w", root, "resolve", name))
-        self.assertEqual(caught.exception.name, "NotFound")
 
 
 if __name__ == "__main__":

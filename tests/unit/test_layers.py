@@ -9,7 +9,6 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-PART = 5  # a short run takes one in PART of its tests
 ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.

@@ -13,7 +13,6 @@ import random_profiles
 from rtshell_lite.system import page_file
 from rtshell_lite.views import graph, page, part
 
-PART = 6  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WEB = os.path.join(ROOT, "rtshell_lite", "views", "web")
 LONGEST = 700  # lines of the scripts

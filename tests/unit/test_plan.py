@@ -13,8 +13,6 @@ from rtshell_lite import errors  # noqa: E402
 from rtshell_lite.system import capture, plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
-PART = 2  # a short run takes one in PART of its tests
-
 
 def component(name, required=True, contexts=("0",), members=(), type_name="T"):
     return model.Component(

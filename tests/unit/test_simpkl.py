@@ -14,7 +14,6 @@ import simpkl_files as files
 from rtshell_lite import errors
 from rtshell_lite.datalog import logfile, pickles, records
 
-PART = 3  # a short run takes one in PART of its tests
 FIRST = 1795247464750000000
 
 

@@ -19,7 +19,6 @@ from rtshell_lite.giop import descriptors, idl
 from rtshell_lite.data import type_json
 from rtshell_lite.data.idl import parser, standard
 
-PART = 3  # a short run takes one in PART of its tests
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STUBS = os.path.join(ROOT, "rtshell_lite", "idl_stubs")
 OWN = os.path.join(STUBS, "idl")

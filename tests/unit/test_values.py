@@ -17,7 +17,6 @@ import random_values
 from rtshell_lite import errors
 from rtshell_lite.data import call_values, datatypes, values
 
-PART = 8  # a short run takes one in PART of its tests
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 OWN = os.path.join(os.path.dirname(TESTS), "rtshell_lite", "idl_stubs", "idl")
 TRICKY = os.path.join(TESTS, "data", "idl", "valid")

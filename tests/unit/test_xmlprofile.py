@@ -18,7 +18,6 @@ import random_profiles
 from rtshell_lite import errors
 from rtshell_lite.xmlprofile import escape, fields, model, names, rtsprofile
 
-PART = 4  # a short run takes one in PART of its tests
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 DATA = os.path.join(TESTS, "data")
 FORMS = (rtsprofile.XML, rtsprofile.YAML)

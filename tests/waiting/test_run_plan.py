@@ -13,7 +13,6 @@ from rtshell_lite.robot import transitions, tree  # noqa: E402
 from rtshell_lite.system import capture, plan, run_plan  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
-PART = 8  # a short run takes one in PART of its tests
 ONCE = "plans are the same for every Python"
 NAMES = ["Clusterer0", "Controller0", "Hokuyo_AIST0", "Motor0", "Sensor0"]
 ASKED = ["get_ports", "get_component_profile", "get_owned_contexts", "get_context_handle",

@@ -26,7 +26,6 @@ except ImportError:
 TYPE = b"IDL:RTC/X:1.0\0"
 TIMEOUT = "3"
 
-PART = 6  # a short run takes one in PART of its tests
 ALONE = "it measures times"
 BOTH = "each ORB reads answers in its own way"
 IS_BUILTIN = os.environ.get("RTSHELL_ORB") != "omniorb"

@@ -11,8 +11,6 @@ import zipfile
 
 from robots import OMNIORB_WHEEL, ROOT, TOOLS, Robot, files, names, run
 
-PART = 6  # a short run takes one in PART of its tests
-
 
 class Unpacked(Robot):
     """--unpack, for robots without pip."""

@@ -7,8 +7,6 @@ import zlib
 
 from robots import WHEEL, Robot, files, run
 
-PART = 3  # a short run takes one in PART of its tests
-
 
 class KeptBytecode(Robot):
     """What is run from the wheel file is compiled once, where that is safe."""

@@ -5,7 +5,6 @@ import subprocess
 import sys
 import unittest
 
-PART = 12  # one in this many of its tests in a short run
 ALONE = True  # it measures
 ONCE = "the bounds are the same for every Python"
 MIB = 1 << 20

@@ -13,7 +13,6 @@ import environments
 import rtshell_lite
 
 ROOT = environments.ROOT
-PART = 5  # a short run takes one in PART of its tests
 ONCE = "one Python builds the wheel"
 BUILDERS = glob.glob(os.path.join(environments.STORE, "build-*", "bin", "python"))
 

@@ -11,7 +11,6 @@ import invocations
 import processes
 import worlds
 
-PART = 3  # a short run takes one in PART of its tests
 BIN = os.path.join(processes.ROOT, "bin")
 
 # What such a Python lacks; then the command that is named, in the same process

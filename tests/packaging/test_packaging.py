@@ -7,21 +7,13 @@ import platform
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 import zipfile
 
 import environments
-import invocations
 from robots import ROOT, TOOLS, WHEEL, Robot, names, read, run
 
-PART = 7  # a short run takes one in PART of its tests
 LARGEST = 900 * 1000  # octets
-
-
-def chosen(commands):
-    """All; in a short run (see tests/support/short.py) one in four."""
-    return commands[::4] if "RTSHELL_SHORT" in os.environ else commands
 
 
 def dumped(source):
@@ -41,54 +33,6 @@ def manual_pages(top):
         os.path.relpath(path, top)
         for path in glob.glob(os.path.join(glob.escape(top), "**", "*.*"), recursive=True)
     )
-
-
-class Checkout(unittest.TestCase):
-    """bin/ and tests/commands/ have the same commands; each command has the required parts."""
-
-    def test_every_command_has_a_transcript(self):
-        """rtls.t, and rtls-names.t for a topic of its own."""
-        self.assertEqual(
-            sorted({name.partition("-")[0] for name in names("tests/commands", ".t")}),
-            names("bin"),
-            "a command NAME has a transcript tests/commands/NAME.t",
-        )
-
-    def test_every_command_says_how_it_is_run(self):
-        """By the tests that run all commands."""
-        stated = set(invocations.stated("invocation")) | set(invocations.stated("local"))
-        self.assertEqual(
-            sorted(set(names("bin")) - stated),
-            [],
-            "to be stated in tests/commands/NAME.t by a line such as "
-            "'invocation: A' or 'local: it contacts nobody': see tests/support/invocations.py",
-        )
-
-    def test_commands_of_a_clone_know_where_they_are(self):
-        """Without PYTHONPATH, and by a link."""
-        with tempfile.TemporaryDirectory() as directory:
-            link = os.path.join(directory, "mine")
-            os.symlink(os.path.join(ROOT, "bin", "rtpwd"), link)
-            for command in os.path.join(ROOT, "bin", "rtpwd"), link:
-                done = run([sys.executable, "-SB", command], cwd=directory)
-                self.assertEqual(done, (0, "/\n", ""))
-
-    def test_commands_can_be_read_and_run(self):
-        for name in names("bin"):
-            with self.subTest(name):
-                text = read("bin", name)
-                self.assertTrue(text.startswith("#!/usr/bin/env python3\n"))
-                self.assertTrue(os.access(os.path.join(ROOT, "bin", name), os.X_OK))
-                tree = ast.parse(text)
-                summary, _, details = ast.get_docstring(tree).partition("\n\n")
-                self.assertRegex(summary, r"^[A-Z].*\.$")
-                self.assertIn("examples:\n  " + name, details)
-                self.assertTrue(
-                    text.endswith('\n\nif __name__ == "__main__":\n    cli.main(arguments, run, __doc__)\n')
-                )
-                self.assertEqual(
-                    [f.name for f in tree.body if isinstance(f, ast.FunctionDef)][:1], ["arguments"]
-                )
 
 
 @unittest.skipUnless(WHEEL, "no wheel was given in RTSHELL_WHEEL")
@@ -175,7 +119,7 @@ class Installed(Robot):
         programs = os.path.join(environment, "bin")
         pip = [os.path.join(programs, "python"), "-m", "pip", "--disable-pip-version-check", "-q"]
         self.assertEqual(run(pip + ["install", "--no-index", WHEEL])[0], 0)
-        self.check_without_omniorb(lambda name: [os.path.join(programs, name)], chosen(names("bin")))
+        self.check_without_omniorb(lambda name: [os.path.join(programs, name)], names("bin"))
         self.assertEqual(
             manual_pages(os.path.join(environment, "share", "man")), manual_pages(os.path.join(ROOT, "man"))
         )

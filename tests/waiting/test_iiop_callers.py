@@ -15,8 +15,6 @@ from rtshell_lite.giop import messages, requests
 
 whole = messages.whole
 
-PART = 3  # a short run takes one in PART of its tests
-
 
 class Hostile(Served):
     def assertRefused(self, *messages):

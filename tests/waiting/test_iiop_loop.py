@@ -18,8 +18,6 @@ from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import descriptors, messages, operations
 from rtshell_lite.net import real
 
-PART = 3  # a short run takes one in PART of its tests
-
 
 class Loop(Calls):
     """Many calls at once on this thread."""

@@ -15,8 +15,6 @@ from rtshell_lite.giop import descriptors
 from rtshell_lite.net import loop
 from rtshell_lite.giop import marshal, messages
 
-PART = 3  # a short run takes one in PART of its tests
-
 
 class Silence(Calls):
     """Many calls at once on this thread, of which some stay without an answer."""

@@ -19,7 +19,6 @@ from rtshell_lite.doctor.finding import Finding
 from rtshell_lite.system import page_file
 from rtshell_lite.views import graph, page, part
 
-PART = 6  # a short run takes one in PART of its tests
 ONCE = "a browser is the same for every Python"
 
 LIST = "[...document.querySelectorAll('#list button')].map(each => each.textContent)"
