@@ -128,7 +128,7 @@ activation when something wakes it up, such as another one:
   $ rtec ../stopped.host_cxt/ConsoleIn0.rtc start; rtec ../stopped.host_cxt/ConsoleOut0.rtc stop
   $ rtdeact -q ../stopped.host_cxt/ConsoleOut0.rtc; rtec ../stopped.host_cxt/ConsoleOut0.rtc start
   rtdeact: /localhost:$PORT/stopped.host_cxt/ConsoleOut0.rtc: cannot deactivate: its execution context is stopped; once started, it may still do so
-  $ until [ "$(ctl @stopped state ConsoleOut0)" = INACTIVE ]; do sleep 0.05; done; ctl @stopped state ConsoleIn0
+  $ soon '[ "$(ctl @stopped state ConsoleOut0)" = INACTIVE ]'; ctl @stopped state ConsoleIn0
   INACTIVE
   $ rtact --wait ../stopped.host_cxt/ConsoleIn0.rtc
 

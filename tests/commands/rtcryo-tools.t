@@ -10,7 +10,7 @@ A running rtprint, and a service port that somebody has connected alone:
   $ rtcryo -q -o plain.rtsys
   $ rtprint -q ConsoleIn0.rtc:out >/dev/null & printing=$!
   $ rtcon -i alone MyServiceProvider0.rtc:MyService
-  $ until ctl connectors ConsoleIn0:out | grep -q rtprint; do sleep .1; done
+  $ soon 'ctl connectors ConsoleIn0:out | grep -q rtprint'
 
 rtcat shows them, no other command does:
 

@@ -6,8 +6,7 @@ world: these ConsoleOut --flavour cpp2
 
 A component of C++ ends when such a connection is removed while a value waits for room in the buffer of its in port.
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }; export XDG_RUNTIME_DIR=$PWD
+  $ export XDG_RUNTIME_DIR=$PWD
   $ rtcon -i one -p dataport.inport.buffer.write.full_policy=block Source0.rtc:number ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/Source0.rtc:number to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: writers wait while its buffer is full (full_policy=block): remove it only while its source is Inactive, as rtdis does
   $ rtcryo --all -o a.xml localhost:$PORT; soon '[ $(ctl @these blocked ConsoleOut0:in) = 1 ]'; rtdis Source0.rtc:number

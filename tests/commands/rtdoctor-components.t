@@ -95,7 +95,7 @@ A context that claims more than it keeps: with --measure an out port of each act
 
 Nothing of that is left, whether it ends by itself or not, also where the values do not come:
 
-  $ rtdoctor -q --measure 60 ../rates.host_cxt > out & until ctl @these3 connectors Calm0:out | grep -q lite; do :; done
+  $ rtdoctor -q --measure 60 ../rates.host_cxt > out & soon 'ctl @these3 connectors Calm0:out | grep -q lite'
   $ kill -TERM $!; wait $!
   [143]
   $ ctl @these2 connectors Fast0:out; ctl @these3 connectors Calm0:out

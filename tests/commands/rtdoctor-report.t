@@ -7,7 +7,6 @@ world: managers --context m.host_cxt/%n.rtc
 world: zombie 1 --context z.host_cxt/%n.rtc
 faulty: bad-profiles
 
-  $ has() { for word; do grep -q -e "$word" a.html || echo "no $word"; done; }
   $ rtact --wait Sensor0.rtc Motor0.rtc
 
 The findings are printed as ever, and are in the file:
@@ -18,10 +17,10 @@ The findings are printed as ever, and are in the file:
   1
   $ rtdoctor --from a.html -q --json | grep -c zombie
   1
-  $ has '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' 'Configuration set mode1 (active)' 'manager of 2'
+  $ has a.html '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' 'Configuration set mode1 (active)' 'manager of 2'
   $ grep -o '"name":"Mock0","path":"[^"]*","state":"[A-Za-z]*"' a.html
   "name":"Mock0","path":"/localhost:$PORT/z.host_cxt/Mock0.rtc","state":"Unknown"
-  $ has 'RTCTREE_NAMESERVERS=' '/etc/hosts' 'mock_components' 'It contains the findings' 'Max open files'
+  $ has a.html 'RTCTREE_NAMESERVERS=' '/etc/hosts' 'mock_components' 'It contains the findings' 'Max open files'
 
 The profile in it is one for other commands. The dead one is on the map, and not in the profile:
 
@@ -68,17 +67,17 @@ What others are not to see:
   $ grep -c -e mode1 -e RTCTREE_NAMESERVERS= -e 'open files' -e 'Interfaces' a.html
   0
   [1]
-  $ has '"name":"ConfigSample0"' 'dead (zombie)'
+  $ has a.html '"name":"ConfigSample0"' 'dead (zombie)'
 
 To stdout; nothing that a component says is markup:
 
-  $ rtdoctor --report - > a.html; grep -c '<script' a.html; has u003cscript
+  $ rtdoctor --report - > a.html; grep -c '<script' a.html; has a.html u003cscript
   2
 
 The last values of a log, and what happened, as a plot:
 
   $ rtlog -q -i -e 5 -f run.mcap Sensor0.rtc:out
-  $ rtdoctor -q --report a.html --log run.mcap > now; has '"plots":.."The last 30 s of run.mcap"'
+  $ rtdoctor -q --report a.html --log run.mcap > now; has a.html '"plots":.."The last 30 s of run.mcap"'
   $ rtdoctor -q --report a.html --log gone.mcap > now
   rtdoctor: gone.mcap: No such file or directory
   [1]
@@ -86,19 +85,19 @@ The last values of a log, and what happened, as a plot:
 As what a trigger of a recording starts, which adds the name of its file:
 
   $ rtlog -q --ring 4 --after 0.5 --then 'rtdoctor -q --report b.html --log' -f c.mcap Sensor0.rtc:out > told 2>&1 & pid=$!
-  $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; until [ -e b.html ]; do :; done; kill $pid; wait $pid
+  $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; soon '[ -e b.html ]'; kill $pid; wait $pid
   [143]
   $ grep -c '"plots":.."The last 30 s of c-[-0-9]*now.mcap"' b.html
   1
 
 Where nothing can be looked at, the file says so:
 
-  $ rtdoctor -q --report a.html localhost:1 > now; echo $?; has 'connection refused'
+  $ rtdoctor -q --report a.html localhost:1 > now; echo $?; has a.html 'connection refused'
   1
 
 A name that is bound to nothing usable:
 
-  $ rtdoctor -q --report a.html localhost:$BAD_PROFILES > now; echo $?; has 'Evil0.rtc.*garbled answer'
+  $ rtdoctor -q --report a.html localhost:$BAD_PROFILES > now; echo $?; has a.html 'Evil0.rtc.*garbled answer'
   1
 
 Files that are no report, wrong usage:

@@ -4,8 +4,6 @@ world: these Mock:Near0 Mock:Other0
 world: these Mock:Far0 --context far.host_cxt/%n.rtc
 world: chain 3
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-
 A component that something starts again and again is alive at each look:
 
   $ rtdoctor -q --twice 20 ../far.host_cxt > out & doctor=$!

@@ -2,7 +2,7 @@ The connectors of tools are no part of a system; rtdoctor reports those whose to
 
 world: linked
 
-  $ rtprint -q ConsoleIn0.rtc:out & until ctl connectors ConsoleIn0:out | grep -q rtprint; do sleep 0.1; done; rtdoctor -q . | grep rtprint
+  $ rtprint -q ConsoleIn0.rtc:out & soon 'ctl connectors ConsoleIn0:out | grep -q rtprint'; rtdoctor -q . | grep rtprint
   [1]
   $ kill -9 $!; until rtdoctor -q . | grep 'gone'; do sleep 0.1; done | sed 's/^.* \(warn\|fail\)/\1/; s/-i [^ ]*/-i ID/'
   warn  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection rtprint was left by a tool that is gone; try: rtdis -i ID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out

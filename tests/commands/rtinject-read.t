@@ -90,7 +90,7 @@ A member of a composite reads in the composite's context, and is activated there
 Who stops reading meanwhile gets no more:
 
   $ rtec ConsoleOut0.rtc rate 100; rtdeact --wait=30 ConsoleOut0.rtc; rtact --wait=30 ConsoleOut0.rtc  # a period that has begun lasts
-  $ rtinject -q -n -1 -r 50 -c 9 ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
+  $ rtinject -q -n -1 -r 50 -c 9 ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ rtdeact ConsoleOut0.rtc; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about * of * values; the rest is dropped (glob)
   [5]
@@ -104,7 +104,7 @@ Values from stdin that come all at once wait as well, and what a buffer refuses 
 
 Who stops reading is not waited for any longer:
 
-  $ rtec ConsoleOut0.rtc rate 1; seq 1 40 | within 0.1-15 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!; until ctl waiting ConsoleOut0:in | grep -q 4; do :; done
+  $ rtec ConsoleOut0.rtc rate 1; seq 1 40 | within 0.1-15 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!; soon 'ctl waiting ConsoleOut0:in | grep -q 4'
   $ rtdeact ConsoleOut0.rtc; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about ? of ? values; the rest is dropped (glob)
   [5]
@@ -131,7 +131,7 @@ elsewhere:
   [5]
   $ rtdis ConsoleOut0.rtc:in; rtcon -p dataflow_type=pull ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtinject -c 1 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it has probably read the value: others are connected, and share its buffer
-  $ rtdis ConsoleOut0.rtc:in; rtinject -q -c 1 -n -1 -r 20 ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
+  $ rtdis ConsoleOut0.rtc:in; rtinject -q -c 1 -n -1 -r 20 ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ rtinject -c 1 ConsoleOut0.rtc:in; kill $pid; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: sent; others write to this port, so whether it was read is not known
   [143]
@@ -145,7 +145,7 @@ One that the user asks for is reckoned with:
 
 A buffer that somebody else asks for meanwhile stays as it is:
 
-  $ rtdeact ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 1; rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!; until ctl buffer ConsoleOut0:in | grep -q '^4 '; do :; done
+  $ rtdeact ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 1; rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!; soon "ctl buffer ConsoleOut0:in | grep -q '^4 '"
   $ rtcon -p dataport.buffer.length=64 ConsoleIn0.rtc:out ConsoleOut0.rtc:in; wait $pid
   [5]
   $ ctl buffer ConsoleOut0:in; rtdis ConsoleOut0.rtc:in; rtact ConsoleIn0.rtc

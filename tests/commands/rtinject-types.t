@@ -49,7 +49,7 @@ world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 A log has the description of its types, if there was one:
 
   $ rtdeact --wait Arm0.rtc ../cpp11.host_cxt/Arm0.rtc
-  $ recorded() { w=$1; shift; rtlog -i -e 1 "$@" & pid=$!; until ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-; do :; done
+  $ recorded() { w=$1; shift; rtlog -i -e 1 "$@" & pid=$!; soon 'ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-'
   >   ctl @$w write Arm0:status 3; wait $pid; }
   $ recorded custom2 -f known.rtlog ../cpp11.host_cxt/Arm0.rtc:status.arm; rtlog -p -f known.rtlog
   rtlog: Recording 1 entries.

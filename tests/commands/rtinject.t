@@ -160,11 +160,11 @@ Refused, dead, silent:
   $ ctl refuse ConsoleOut0:in RTC_OK; ctl fail put 1 UNKNOWN; rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: CORBA.UNKNOWN
   [6]
-  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
+  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ rtdis ConsoleOut0.rtc:in; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: the connection has been removed
   [4]
-  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; until ctl connectors ConsoleOut0:in | grep -q .; do :; done
+  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ kill-mock two; wait $pid
   rtinject: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection (lost|refused) (re)
   [4]

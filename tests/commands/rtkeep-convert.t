@@ -3,7 +3,7 @@ rtkeep convert makes an RtsProfile from a launch file of rtmlaunch.
 world: these ConsoleIn ConsoleOut Motor Sensor Controller
 world: services
 
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/,,g' "$@"; }
+  $ bare() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/,,g' "$@"; }
   $ cat > robot.launch <<'EOF'
   > <launch>
   >   <arg name="WALKING" default="false"/>
@@ -47,7 +47,7 @@ world: services
 Of these names components are kept, whatever their ids; those that the file does not activate stay as they are.
 
   $ sed "s,localhost:$PORT/,&test.host_cxt/," still.rtsys > still.here; sed "s,localhost:$PORT/,&test.host_cxt/," walking.rtsys > walking.here
-  $ rtkeep --once --within 20 still.here | said | sort; rtls -l | awk '{print $1, $2, $6}'
+  $ rtkeep --once --within 20 still.here | bare | sort; rtls -l | awk '{print $1, $2, $6}'
   test.host_cxt/ConsoleIn0.rtc: Active
   test.host_cxt/ConsoleIn0.rtc: restored connection ConsoleIn0.out_ConsoleOut0.in
   test.host_cxt/ConsoleOut0.rtc: Active
@@ -59,7 +59,7 @@ Of these names components are kept, whatever their ids; those that the file does
   Inactive 1/0 MyServiceConsumer0.rtc
   Inactive 1/0 MyServiceProvider0.rtc
   Active 2/0 Sensor0.rtc
-  $ rtkeep --once --within 20 walking.here | said | sort
+  $ rtkeep --once --within 20 walking.here | bare | sort
   test.host_cxt/Controller0.rtc: restored connection Controller0.out_Motor0.in
   test.host_cxt/Motor0.rtc: Active
   $ rtcat -ll Controller0.rtc:out | grep -e rate -e buffer.length -e policy

@@ -3,8 +3,6 @@ rtkeep lets managers create components that are gone, and gives composites back 
 world: manager
 world: composite
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }
   $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT
   $ rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck a.xml'

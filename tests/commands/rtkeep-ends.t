@@ -3,8 +3,6 @@ rtkeep leaves a system as it is when it is ended; it ends what it has started. A
 world: these ConsoleIn ConsoleOut Motor --flavour cpp2
 world: sources 1 100 8
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g; s/pid [0-9]*/pid N/; s/20[-0-9]* [0-9:]*/T/g' "$@"; }
   $ states() { rtls -l | awk '{print $1, $2, $6}'; }
   $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT
 

@@ -6,8 +6,7 @@ world: these ConsoleOut ConsoleOut:ConsoleOut1
 
 An observer of its ports would, in C++ 2.1, see docs/protocol.md 5.4.
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }; export XDG_RUNTIME_DIR=$PWD
+  $ export XDG_RUNTIME_DIR=$PWD
   $ for n in 0 1; do rtcon -i to-$n Source0.rtc:number ConsoleOut$n.rtc:in; done; rtcryo --all -o a.xml localhost:$PORT
   $ rtkeep a.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; ctl observers Source0; kill -9 $keep; wait $keep 2> nul
   IDL:OpenRTM/ComponentObserver:1.0

@@ -2,8 +2,6 @@ rtkeep --processes starts the processes of a robot, each when what it needs is r
 
 world: these ConsoleIn
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g; s/pid [0-9]*/pid N/; s/20[-0-9]* [0-9:]*/T/g' "$@"; }
   $ export XDG_RUNTIME_DIR=$PWD
   $ mocks() { echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/$1.control'"; }
   $ mkfifo fifo; cat > Procfile <<EOF

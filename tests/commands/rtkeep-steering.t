@@ -2,8 +2,6 @@ rtkeep is asked and steered by others: status, pause, resume, stop, reload, adop
 
 world: these ConsoleIn ConsoleOut Motor ConfigSample
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g; s/pid [0-9]*/pid N/; s/20[-0-9]* [0-9:]*/T/g' "$@"; }
   $ export XDG_RUNTIME_DIR=$PWD; mkdir -p rtkeep; chmod 700 rtkeep
   $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT; rtcryo --all -o b.xml localhost:$PORT
   $ rtkeep status

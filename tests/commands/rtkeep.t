@@ -3,8 +3,6 @@ rtkeep brings a system to what its RtsProfile says, stays, and mends what change
 world: these ConsoleIn ConsoleOut Motor ConfigSample
 world: these ConsoleOut:Plain0 --flavour cpp2
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ said() { sed 's/^\[[0-9:]*\] //; s,/localhost:[0-9]*/test.host_cxt/,,g' "$@"; }
   $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i two ConsoleIn0.rtc:out Plain0.rtc:in
   $ rtcryo --all -o a.xml localhost:$PORT; rtdis ConsoleIn0.rtc; rtconf ConfigSample0.rtc set int_param0 7
 

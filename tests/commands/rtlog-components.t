@@ -4,7 +4,6 @@ world: these ConsoleIn ConsoleOut Motor
 server: other
 orb: builtin
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ rtcon -q -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtact ConsoleOut0.rtc
   $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep components-1.json'; soon 'ctl observers ConsoleOut0 | grep Observer'
   $ for i in 1 2 3 4 5 6 7 8 9; do ctl write ConsoleIn0:out $i; done; rtdeact ConsoleOut0.rtc; soon 'rtlog --json -f a.mcap | grep INACTIVE'; ctl write ConsoleIn0:out 10

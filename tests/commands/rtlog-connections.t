@@ -6,7 +6,6 @@ world: these ConsoleIn:Dead0
 world: manager
 alone: kills
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ events() { rtlog --json -f a.mcap | grep 'PORT_\|DIED' | sed 's/.*"event": "//; s/".*_cxt\/\(.*\)", "subject": "\(.*\)".*/ \1 \2/; s/ $//'; }
   $ rtcomp -q -a Dead0.rtc:out -a Fine0.rtc:out $(rtfind /localhost:$PORT -t m | head -n 1):A0
   $ rtlog -q --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1'; kill-mock these2; soon 'events | grep DIED'

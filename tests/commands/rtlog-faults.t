@@ -8,12 +8,12 @@ once: it is the peers that differ here
 
 Ended by a signal, in every way but one:
 
-  $ rtlog -q -f t.rtlog Source0.rtc:number & until rtlog --json -f t.rtlog 2>/dev/null | grep -q number; do :; done
+  $ rtlog -q -f t.rtlog Source0.rtc:number & soon 'rtlog --json -f t.rtlog 2>/dev/null | grep -q number'
   $ kill -TERM $!; wait $!
   [143]
   $ rtlog -d --json -f t.rtlog | grep -o 'closed": [a-z]*'
   closed": true
-  $ rtlog -q -f h.rtlog Source0.rtc:number & until rtlog --json -f h.rtlog 2>/dev/null | grep -q number; do :; done
+  $ rtlog -q -f h.rtlog Source0.rtc:number & soon 'rtlog --json -f h.rtlog 2>/dev/null | grep -q number'
   $ kill -HUP $!; wait $!
   [129]
   $ rtlog -d --json -f h.rtlog | grep -o 'closed": [a-z]*'
@@ -22,7 +22,7 @@ Ended by a signal, in every way but one:
 
 kill -9 costs what was on its way; the file can be read, played, appended to:
 
-  $ rtlog -q -f k.rtlog Source0.rtc:number & until [ $(rtlog --json -f k.rtlog 2>/dev/null | wc -l) -gt 20 ]; do :; done
+  $ rtlog -q -f k.rtlog Source0.rtc:number & soon '[ $(rtlog --json -f k.rtlog 2>/dev/null | wc -l) -gt 20 ]'
   $ kill -KILL $!; wait $! 2>/dev/null
   [137]
   $ [ $(rtlog --json -f k.rtlog | wc -l) -gt 20 ]
@@ -34,15 +34,15 @@ kill -9 costs what was on its way; the file can be read, played, appended to:
 
 The component drops the connection of the killed one when it sends next:
 
-  $ until [ -z "$(ctl connectors Source0:number)" ]; do :; done
+  $ soon '[ -z "$(ctl connectors Source0:number)" ]'
 
 It leaves nothing that can hang a component when it drops these connections. (An observer of its ports would, in C++ 2.1.)
 
   $ cd() { RTCSH_CWD=/localhost:$PORT/$1; export RTCSH_CWD; }; observed() { ctl @sources observers Source0 | grep -c Observer; }
-  $ cd cpp2.host_cxt; rtlog -q -f o.mcap --events . & pid=$!; until [ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number; do :; done
+  $ cd cpp2.host_cxt; rtlog -q -f o.mcap --events . & pid=$!; soon '[ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number'
   $ kill -KILL $pid; wait $pid 2>/dev/null
   [137]
-  $ until [ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]; do :; done; rtls -l; cd test.host_cxt
+  $ soon '[ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]'; rtls -l; cd test.host_cxt
   Active  2/0  0/0  2/0  0/0  Source0.rtc
   Active  2/0  0/0  2/0  0/0  Source1.rtc
 
@@ -86,7 +86,7 @@ A pipe is no place for a log to be read from, but one to write to:
 
 A component that hangs is reported, and does not hold up the others, or the end:
 
-  $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out 2> told & until rtlog --json -f g.rtlog 2>/dev/null | grep -q number; do :; done
+  $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out 2> told & soon 'rtlog --json -f g.rtlog 2>/dev/null | grep -q number'
   $ hang senders; wait $!
   [5]
   $ cat told
@@ -100,7 +100,7 @@ A component that dies ends its part of the recording; when none is left, recordi
 
   $ rtlog -f d.rtlog -t 4 Source0.rtc:number.a ConsoleIn0.rtc:out 2> two & two=$!
   $ rtlog -f e.rtlog Source0.rtc:number 2> one & one=$!
-  $ for log in d e; do until rtlog --json -f $log.rtlog 2>/dev/null | grep -q number; do :; done; done; kill-mock senders
+  $ for log in d e; do soon 'rtlog --json -f $log.rtlog 2>/dev/null | grep -q number'; done; kill-mock senders
   $ wait $one
   [4]
   $ cat one

@@ -4,7 +4,6 @@ world: these ConsoleIn ConsoleOut --context lab.host_cxt/My%n.rtc
 server: other
 orb: builtin
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ export RTCSH_CWD=/localhost:$PORT/lab.host_cxt; rtcon -q MyConsoleIn0.rtc:out MyConsoleOut0.rtc:in; rtact MyConsoleOut0.rtc
   $ rtlog -q --events -f m.mcap . & pid=$!; soon 'rtlog -d -f m.mcap | grep components-1.json'; ctl write ConsoleIn0:out 7
   $ soon 'rtlog --json -f m.mcap | grep "data.: 7"'; kill $pid; wait $pid

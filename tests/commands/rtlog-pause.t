@@ -8,7 +8,7 @@ world: senders 2000 8 --context fast.host_cxt/%n.rtc
 
 Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times:
 
-  $ rtlog -q -f a.rtlog Source0.rtc:block.blocks & pid=$!; until [ "$(wc -c 2>/dev/null <a.rtlog || echo 0)" -gt 10000 ]; do :; done
+  $ rtlog -q -f a.rtlog Source0.rtc:block.blocks & pid=$!; soon '[ "$(wc -c 2>/dev/null <a.rtlog || echo 0)" -gt 10000 ]'
   $ for i in 1 2 3 4; do kill -STOP $pid; sleep 0.2; kill -CONT $pid; sleep 0.3; done; kill $pid; wait $pid
   [143]
   $ rtlog --json -f a.rtlog | python3 -c 'import base64, json, sys
@@ -29,7 +29,7 @@ when they come: then the port gets a shorter one:
 A recorder that stood still lets components go: it connects anew before it leaves, and records each value once, with a time or
 without one:
 
-  $ entries() { rtlog --json -f $1 2>nul | grep -c "\"port\".*$2"; }; soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
+  $ entries() { rtlog --json -f $1 2>nul | grep -c "\"port\".*$2"; }
   $ numbers() { rtlog --json -f $1 | python3 -c 'import json, sys
   > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if entry["port"].endswith(":number")]
   > print([(n, m) for n, m in zip(numbers, numbers[1:]) if m != n + 1])'; }

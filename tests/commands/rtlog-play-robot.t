@@ -4,7 +4,6 @@ world: these ConsoleIn:Left ConsoleIn:Right ConsoleOut:One ConsoleOut:Two Consol
 server: other
 world: these ConsoleOut:Uno --nameserver localhost:$PORT2 --context new.host_cxt/%n.rtc
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ got() { for one in "$@"; do echo $one $(ctl @these received $one:in | cut -d' ' -f1); done; }
   $ rtcon -q Left.rtc:out One.rtc:in; rtcon -q Left.rtc:out Two.rtc:in; rtcon -q Right.rtc:out Two.rtc:in; rtact One.rtc Two.rtc Three.rtc
   $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1.rtsys'

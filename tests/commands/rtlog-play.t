@@ -125,10 +125,10 @@ Ctrl-C, and a component that dies or hangs meanwhile:
   $ interrupt 0.7 rtlog -p -f c.rtlog ConsoleOut0.rtc:in.n
   [130]
   $ ctl @these connectors ConsoleOut0:in
-  $ for s in TERM HUP; do rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n & until [ -n "$(ctl @these connectors ConsoleOut0:in)" ]; do :; done
+  $ for s in TERM HUP; do rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n & soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'
   > kill -$s $!; wait $!; echo $?; ctl @these connectors ConsoleOut0:in; done
   143
   129
-  $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & until [ -n "$(ctl @these connectors ConsoleOut0:in)" ]; do :; done; kill-mock these; wait $!
+  $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'; kill-mock these; wait $!
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: the component is gone, and its process too
   [4]

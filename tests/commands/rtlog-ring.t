@@ -5,7 +5,6 @@ world: senders 100 100
 alone: time
 once: it is the clock that counts here
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ span() { rtlog -d --json -f "$1" | python3 -c 'import json, sys; log = json.load(sys.stdin); print(round(log["last"] - log["first"]))'; }
 
 An error, with what came before it and after it; the ring is bounded, and goes on. (With `new` no port is let go where the

@@ -4,7 +4,6 @@ world: observed
 world: senders 100 100
 alone: kills and time
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ entries() { rtlog -d --json -f $1 2>/dev/null | python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
 
 A directory with events. A component that dies and comes back goes on in its channel; no port has two connectors. (With `new` none

@@ -3,7 +3,6 @@ rtlog --as-components --serve needs no other name server.
 world: these ConsoleIn Motor
 orb: builtin
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 600 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ play() { rm -f told; rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; W=$(sed 's/.*bound in //' told); }
   $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep components-1.json'; for i in 1 2 3 4 5 6 7 8 9 10; do ctl write ConsoleIn0:out $i; done
   $ soon 'rtlog --json -f a.mcap | grep "data.: 10"'; kill $pid; wait $pid
@@ -57,7 +56,6 @@ Everything can be asked:
 
 Only this host can ask, unless an address is given:
 
-  $ listens() { awk -v port=":$(printf %04X $1)" '$4 == "0A" && index($2, port) {print substr($2, 1, 8)}' /proc/net/tcp /proc/net/tcp6 | sort -u; }
   $ play --serve 0 --loop; echo $W; listens ${W##*:}; kill $pid; wait $pid
   /127.0.0.1:* (glob)
   0100007F

@@ -126,7 +126,7 @@ A file that was cut off is read up to its last whole record, and can be appended
 
 While somebody records to it nobody else does; reading it is fine:
 
-  $ rtlog -q -f busy.rtlog Source0.rtc:number & until rtlog --json -f busy.rtlog 2>/dev/null | grep -q number; do :; done
+  $ rtlog -q -f busy.rtlog Source0.rtc:number & soon 'rtlog --json -f busy.rtlog 2>/dev/null | grep -q number'
   $ rtlog -t 1 -f busy.rtlog Source0.rtc:number
   rtlog: busy.rtlog: another rtlog is recording to it
   [1]
@@ -140,7 +140,7 @@ While somebody records to it nobody else does; reading it is fine:
 
 Who removes the log meanwhile is told what has become of it:
 
-  $ rtlog -q -f gone.rtlog Source0.rtc:number & until rtlog --json -f gone.rtlog 2>/dev/null | grep -q number; do :; done
+  $ rtlog -q -f gone.rtlog Source0.rtc:number & soon 'rtlog --json -f gone.rtlog 2>/dev/null | grep -q number'
   $ rm gone.rtlog; kill $!; wait $!
   rtlog: gone.rtlog: was moved or removed while it was recorded
   [143]

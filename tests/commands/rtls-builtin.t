@@ -86,7 +86,7 @@ world: manager --context managed.host_cxt/%n.rtc
   [1]
   $ rtact --wait ConsoleOut0.rtc; rtinject -c 3 ConsoleOut0.rtc:in; ctl @two received ConsoleOut0:in 1
   1 3
-  $ rtprint -q -n 1 ConsoleIn0.rtc:out & until ctl @two connectors ConsoleIn0:out | grep -q .; do :; done
+  $ rtprint -q -n 1 ConsoleIn0.rtc:out & soon 'ctl @two connectors ConsoleIn0:out | grep -q .'
   $ ctl @two write ConsoleIn0:out 42; wait
   [0.000000000] 42
   $ rtvlog ConsoleIn0.rtc

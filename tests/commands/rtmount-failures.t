@@ -58,7 +58,7 @@ A name server that is not there, and one that goes and comes back:
   $ cat test.host_cxt/ConsoleIn0.rtc/state || why
   cat: test.host_cxt/ConsoleIn0.rtc/state: Connection refused
   /localhost:$PORT: connection refused; is the name server running?
-  $ start-again names; until ls . >/dev/null 2>&1; do sleep 0.1; done; ls
+  $ start-again names; soon 'ls . >/dev/null 2>&1'; ls
   fragile.host_cxt
   hung.host_cxt
   test.host_cxt
@@ -86,7 +86,7 @@ A component that dies is out of reach; when it is started again, even those whos
 
 The name of one that has died is a link that leads nowhere:
 
-  $ kill-mock two2; until [ -L ConsoleIn0.rtc ]; do sleep 0.1; done
+  $ kill-mock two2; soon '[ -L ConsoleIn0.rtc ]'
   $ readlink ConsoleIn0.rtc
   zombie: its object is gone
   $ rm ConsoleIn0.rtc ConsoleOut0.rtc; ls
@@ -110,12 +110,12 @@ What is mounted there meanwhile is another tree, and stays when the last file of
 
 Unmounting waits for the end of its process, even where another mount namespace, as of a container, keeps a copy:
 
-  $ rtmount $PWD/m; unshare --mount sleep 1000 & one=$!; until [ -e /proc/$one/exe ]; do sleep 0.1; done
+  $ rtmount $PWD/m; unshare --mount sleep 1000 & one=$!; soon '[ -e /proc/$one/exe ]'
   $ rtmount -u m; pgrep -f "rtmount $PWD/m"; kill $one
 
 One whose rtmount is stopped answers nobody, but can be taken away:
 
-  $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill -STOP $pid; rtmount --timeout 0.5 m
+  $ rtmount -f m & pid=$!; soon '[ -e m/README ]'; kill -STOP $pid; rtmount --timeout 0.5 m
   rtmount: $TMP/m: an RTC Tree is mounted there already
   [1]
   $ rtmount -u m/; ls m; kill -CONT $pid; wait $pid
@@ -123,11 +123,11 @@ One whose rtmount is stopped answers nobody, but can be taken away:
 
 In front, SIGTERM and Ctrl-C unmount:
 
-  $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill $pid; wait $pid; ls m
+  $ rtmount -f m & pid=$!; soon '[ -e m/README ]'; kill $pid; wait $pid; ls m
 
 If rtmount is killed, its mount is stale: rtdoctor says so, and the next rtmount takes it away:
 
-  $ rtmount -f m & pid=$!; until [ -e m/README ]; do sleep 0.1; done; kill -9 $pid; wait $pid 2>/dev/null; ls m
+  $ rtmount -f m & pid=$!; soon '[ -e m/README ]'; kill -9 $pid; wait $pid 2>/dev/null; ls m
   ls: cannot open directory 'm': Transport endpoint is not connected
   [2]
   $ rtdoctor -q | grep $TMP

@@ -48,7 +48,7 @@ All readers of a port share a connection, which ends with the last of them:
   $ head -n 1 Source0.rtc/ports/number/values >/dev/null
   $ PATH=$tools ctl connectors Source0:number | wc -l
   1
-  $ kill $one $two; until [ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]; do sleep 0.1; done
+  $ kill $one $two; soon '[ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]'
 
 An in port: what is written to it has been read when the write returns, or the write fails:
 
@@ -61,7 +61,7 @@ An in port: what is written to it has been read when the write returns, or the w
   $ printf '%300s\n%212s\n' 47 48 >$TMP/lines; dd if=$TMP/lines of=ConsoleOut0.rtc/ports/in/value bs=512 2>&-
   $ PATH=$tools ctl @these received ConsoleOut0:in
   7 48
-  $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value; until [ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]; do sleep 0.1; done
+  $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value; soon '[ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]'
   $ echo nonsense 2>&- >ConsoleOut0.rtc/ports/in/value || why
   RTC.TimedLong: data: not a long: nonsense
   $ echo 9999999999 2>&- >ConsoleOut0.rtc/ports/in/value || why
@@ -83,8 +83,8 @@ A type that is not known:
 Events and logs:
 
   $ cd ../seen.host_cxt; cat ConsoleIn0.rtc/events >$TMP/events & one=$!
-  $ until grep -qs BEAT $TMP/events; do sleep 0.1; done; echo Active >ConsoleIn0.rtc/state
-  $ until grep -q ' ACTIVE$' $TMP/events; do sleep 0.1; done; kill $one; grep ' ACTIVE' $TMP/events
+  $ soon 'grep -qs BEAT $TMP/events'; echo Active >ConsoleIn0.rtc/state
+  $ soon "grep -q ' ACTIVE\$' $TMP/events"; kill $one; grep ' ACTIVE' $TMP/events
   \[\d+\.\d+\] 0 ACTIVE (re)
   $ cat ConsoleIn0.rtc/log || why
   cat: read error: Operation not permitted
@@ -98,9 +98,9 @@ Unmounting disconnects:
   $ PATH=$tools rtmount -u m; PATH=$tools ctl connectors Source0:number | wc -l; kill $one
   rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
   1
-  $ until [ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]; do sleep 0.1; done
+  $ soon '[ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]'
 
 So it does right after a value has been written:
 
   $ PATH=$tools rtmount m; echo 50 >m/localhost:$PORT/test.host_cxt/ConsoleOut0.rtc/ports/in/value; PATH=$tools fusermount3 -u m
-  $ until [ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]; do sleep 0.1; done
+  $ soon '[ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]'

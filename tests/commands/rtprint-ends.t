@@ -5,8 +5,8 @@ world: senders 50 12
 world: these Mock:Quiet0
 
   $ connected() { [ -n "$(ctl connectors ConsoleIn0:out 2>&-)$(ctl @these connectors Quiet0:out 2>&-)" ]; }
-  $ told() { until grep -q "$1" told || ! kill -0 $pid 2>&-; do sleep 0.1; done; cat told; }
-  $ start() { "$@" & pid=$!; until connected || ! kill -0 $pid 2>&-; do :; done; }
+  $ told() { soon "grep -q '$1' told || ! kill -0 $pid"; cat told; }
+  $ start() { "$@" & pid=$!; soon 'connected || ! kill -0 $pid 2>&-'; }
   $ none() { if connected; then echo "a connector is left"; fi; }
 
 Signals, also two at a time:
@@ -77,7 +77,7 @@ Where components cannot reach us, they drop the connection at their first value;
 Hung for a while: that is reported, and it continues:
 
   $ export RTSHELL_TIMEOUT=0.5
-  $ rtprint Source0.rtc:number >lines 2>told & pid=$!; until [ -s lines ]; do :; done
+  $ rtprint Source0.rtc:number >lines 2>told & pid=$!; soon '[ -s lines ]'
   $ hang senders; told answer; wake senders; told again; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
@@ -94,7 +94,7 @@ Hung when it ends:
 
 Killed in the middle of its stream:
 
-  $ rm lines; rtprint Source0.rtc:number >lines & pid=$!; until [ -s lines ]; do :; done; kill-mock senders; wait $pid
+  $ rm lines; rtprint Source0.rtc:number >lines & pid=$!; soon '[ -s lines ]'; kill-mock senders; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
   [4]
   $ start rtprint --pull ConsoleIn0.rtc:out; kill-mock two; wait $pid

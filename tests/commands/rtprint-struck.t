@@ -21,7 +21,7 @@ While they are made, which takes its time here:
 
 While they are removed, at the command's own end; at most four are being removed at one time:
 
-  $ rtprint -q -n 1 $six & pid=$!; until connected 6; do :; done; ctl delay disconnect 0.5; ctl write ConsoleIn0:out 1
+  $ rtprint -q -n 1 $six & pid=$!; soon 'connected 6'; ctl delay disconnect 0.5; ctl write ConsoleIn0:out 1
   > until called disconnect; do :; done; kill $pid; wait $pid
   ConsoleIn0.rtc:out: [0.000000000] 1
   [143]
@@ -30,12 +30,12 @@ While they are removed, at the command's own end; at most four are being removed
 
 Where the component does not answer then, or refuses, the connection stays, and that is said:
 
-  $ export RTSHELL_TIMEOUT=1; ctl reset; rtprint -q ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  $ export RTSHELL_TIMEOUT=1; ctl reset; rtprint -q ConsoleIn0.rtc:out & pid=$!; soon 'connected 1'
   > ctl fail disconnect 1 HANG; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
-  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtprint -q ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtprint -q ConsoleIn0.rtc:out & pid=$!; soon 'connected 1'
   > ctl fail disconnect 1 UNKNOWN; ctl fail notify_disconnect 1 UNKNOWN; kill $pid; wait $pid
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: CORBA.UNKNOWN
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component refused to remove it; to try again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
@@ -49,7 +49,7 @@ Where the component does not answer then, or refuses, the connection stays, and 
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [143]
-  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtlog -q -f log ConsoleIn0.rtc:out & pid=$!; until connected 1; do :; done
+  $ ctl reset; rtdis ConsoleIn0.rtc:out; rtlog -q -f log ConsoleIn0.rtc:out & pid=$!; soon 'connected 1'
   > ctl fail disconnect 1 HANG; kill $pid; wait $pid
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
@@ -58,8 +58,8 @@ Where the component does not answer then, or refuses, the connection stays, and 
 
 One that hangs does not keep the others of its process connected:
 
-  $ rtprint -q Hangs0.rtc:out Lives0.rtc:out 2>said & pid=$!; until [ -n "$(ctl @these connectors Lives0:out)" ]; do :; done
-  > ctl @these hang Hangs0 60; until grep -q answer said; do :; done; kill $pid; wait $pid
+  $ rtprint -q Hangs0.rtc:out Lives0.rtc:out 2>said & pid=$!; soon '[ -n "$(ctl @these connectors Lives0:out)" ]'
+  > ctl @these hang Hangs0 60; soon 'grep -q answer said'; kill $pid; wait $pid
   [143]
   $ cat said; ctl @these connectors Lives0:out; ctl @these reset
   rtprint: /localhost:$PORT/test.host_cxt/Hangs0.rtc:out: no answer within 1s
@@ -69,8 +69,8 @@ One that hangs does not keep the others of its process connected:
 While the reader of the output takes nothing:
 
   $ mkfifo pipe; sleep 30 < pipe & reader=$!; rtprint --json Source0.rtc:number > pipe & pid=$!
-  $ until [ -n "$(ctl @senders connectors Source0:number)" ]; do :; done; n=$(ctl @senders sent Source0:number)
-  $ until [ $(ctl @senders sent Source0:number) -gt $((n + 999)) ]; do :; done; kill $pid; within 0-9 tail --pid=$pid -f /dev/null; wait $pid
+  $ soon '[ -n "$(ctl @senders connectors Source0:number)" ]'; n=$(ctl @senders sent Source0:number)
+  $ soon '[ $(ctl @senders sent Source0:number) -gt $((n + 999)) ]'; kill $pid; within 0-9 tail --pid=$pid -f /dev/null; wait $pid
   [143]
   $ kill $reader; ctl @senders connectors Source0:number
 

@@ -6,7 +6,7 @@ world: custom
 world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: custom --flavour java --context java.host_cxt/%n.rtc
 
-  $ printing() { w=$1; shift; "$@" & pid=$!; until ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-; do :; done
+  $ printing() { w=$1; shift; "$@" & pid=$!; soon 'ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-'
   >   ctl @$w write Arm0:status 3; wait $pid; }
 
 Nobody knows it:

@@ -5,7 +5,7 @@ world: senders 100 12
 
 A mock sends a value made of a number on command; its time is 0 then:
 
-  $ printing() { "$@" & pid=$!; until ctl connectors ConsoleIn0:out | grep -q . || ! kill -0 $pid 2>&-; do :; done; }
+  $ printing() { "$@" & pid=$!; soon 'ctl connectors ConsoleIn0:out | grep -q . || ! kill -0 $pid 2>&-'; }
   $ printing rtprint -n 2 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 42; ctl write ConsoleIn0:out -1; wait $pid
   [0.000000000] 42
   [0.000000000] -1
@@ -33,7 +33,7 @@ Others stamp their values. They are printed as they come, all of them:
 Several ports; NAME is another name for the port before it:
 
   $ rtprint -q -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines & pid=$!
-  $ until [ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]; do :; done; ctl write ConsoleIn0:out 5; wait $pid; sort lines
+  $ soon '[ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]'; ctl write ConsoleIn0:out 5; wait $pid; sort lines
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
   console: [0.000000000] 5
   $ rtprint -t 0.3 Source0.rtc:number.n Source0.rtc:block | cut -d: -f1 | sort | uniq -c | awk '$1 > 10 { print $2 }'

@@ -88,7 +88,7 @@ At Ctrl-C it reports what has been done, and what may have been:
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
   rtresurrect: 1 done, 20 already done, 1 uncertain, 1 not tried
   [130]
-  $ until [ -n "$(ctl @these3 connectors ConsoleOut1:in)" ]; do sleep 0.1; done
+  $ soon '[ -n "$(ctl @these3 connectors ConsoleOut1:in)" ]'
   $ ctl @these3 reset; rtresurrect a.xml; rtcheck -s inactive a.xml
 
 With --rollback it undoes all, what was being done, too, as soon as that has come to its end:

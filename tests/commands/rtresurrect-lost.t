@@ -4,8 +4,6 @@ server: another
 world: manager Sensor Motor --flavour cpp2
 world: these ConsoleOut
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-
 The file has the address of each component, when it was saved:
 
   $ rtcryo --all > a.xml; grep -o '"REFERENCE".*' a.xml | sed 's/\(iiop:127.0.0.1:\)[^"]*/\1…/'

@@ -171,7 +171,7 @@ The connections stay open, so a second command asks no more than the first:
 Its connections may be old ones: what has ended meanwhile is reported as ever, and is no failure where it would be none:
 
   $ mock these ConsoleIn:Doomed0 ConsoleIn:Doomed1
-  $ { echo 'ls -l Doomed0.rtc Doomed1.rtc'; until [ -s said ]; do sleep 0.1; done; kill-mock these; echo "cryo --all -o a.xml $RTCSH_CWD; ls -l Doomed0.rtc"; } | rtsh > said; cat said
+  $ { echo 'ls -l Doomed0.rtc Doomed1.rtc'; soon '[ -s said ]'; kill-mock these; echo "cryo --all -o a.xml $RTCSH_CWD; ls -l Doomed0.rtc"; } | rtsh > said; cat said
   rtcryo: /localhost:$PORT/test.host_cxt/Doomed0.rtc: zombie, left out
   rtcryo: /localhost:$PORT/test.host_cxt/Doomed1.rtc: zombie, left out
   Inactive  1/0  0/0  1/0  0/0  Doomed0.rtc

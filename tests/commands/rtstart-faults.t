@@ -6,10 +6,6 @@ world: these Motor Sensor --flavour cpp11 --rate 50
 
   $ states() { rtls -l 2> said | awk '{print $1, $6}'; }
   $ rtcryo --all -o all.xml
-  $ when() { echo "<rts:targets rts:sequence=\"$1\">$3<rts:TargetComponent rts:componentId=\"$2\" rts:instanceName=\"$2\" rts:id=\"0\"/></rts:targets>"; }
-  $ waiting() { echo "<rts:WaitTime rts:waitTime=\"$1\"/>"; }
-  $ preceding() { echo "<rts:Preceding rts:sendingTiming=\"$1\" rts:timeout=\"$2\"><rts:PrecedingComponents rts:componentId=\"$3\" rts:instanceName=\"$3\" rts:id=\"0\"/></rts:Preceding>"; }
-  $ plan() { sed "s|</rts:RtsProfile>|<rts:Activation>$*</rts:Activation></rts:RtsProfile>|"; }
 
 What takes longer than the timeout failed, --wait gives it more; what answers before it has changed is waited for:
 
@@ -81,7 +77,7 @@ A call whose answer is lost may have been heard: the state shows it, and where i
   rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   [5]
-  $ until [ "$(ctl @two state ConsoleIn0)" = ACTIVE ]; do sleep 0.1; done
+  $ soon '[ "$(ctl @two state ConsoleIn0)" = ACTIVE ]'
   $ ctl @two reset; rtstop -q all.xml; ctl @two fail activate_component 1 DIE; rtstart -q d.xml 2> said
   [5]
   $ sed 's/lost.*/lost/; s/refused.*/lost/' said; states; rtdel -z; mock two; rtstart -q d.xml; states

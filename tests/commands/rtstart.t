@@ -63,10 +63,6 @@ Without that section, all start at once. What is Active already counts as done:
 
 Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it is active comes Hokuyo_AIST0:
 
-  $ when() { echo "<rts:targets rts:sequence=\"$1\">$3<rts:TargetComponent rts:componentId=\"$2\" rts:instanceName=\"$2\" rts:id=\"0\"/></rts:targets>"; }
-  $ waiting() { echo "<rts:WaitTime rts:waitTime=\"$1\"/>"; }
-  $ preceding() { echo "<rts:Preceding rts:sendingTiming=\"$1\" rts:timeout=\"$2\"><rts:PrecedingComponents rts:componentId=\"$3\" rts:instanceName=\"$3\" rts:id=\"0\"/></rts:Preceding>"; }
-  $ plan() { sed "s|</rts:RtsProfile>|<rts:Activation>$*</rts:Activation></rts:RtsProfile>|"; }
   $ plan $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Clusterer0 "$(waiting 300)") $(when 4 Hokuyo_AIST0 "$(preceding SYNC 2000 Clusterer0)") $(when 5 Controller0 "$(preceding ASYNC 0 Clusterer0)") < a.xml > b.xml
   $ rtstart --dry-run b.xml | tail -5
   {4} [Order 1] Activate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 (Required)

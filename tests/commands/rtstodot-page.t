@@ -4,24 +4,22 @@ world: linked
 world: these ConfigSample
 world: hostile --context h.host_cxt/%n.rtc
 
-  $ has() { for word; do grep -q -e "$word" page.html || echo "no $word"; done; }
-
 Of what is running, connected or not, with what rtcat -ll shows, and configuration sets:
 
   $ rtact ConsoleIn0.rtc
   $ rtstodot --live --html page.html .
-  $ has '"name":"ConsoleIn0"' '"state":"Active"' '"name":"ConfigSample0"' '"Owner","ConsoleIn0"' 'Configuration set mode1 (active)'
-  $ has '"port.port_type","DataOutPort"' '"dataport.interface_type","corba_cdr"' '"path":"/localhost:[0-9]*/test.host_cxt/ConsoleOut0.rtc"'
+  $ has page.html '"name":"ConsoleIn0"' '"state":"Active"' '"name":"ConfigSample0"' '"Owner","ConsoleIn0"' 'Configuration set mode1 (active)'
+  $ has page.html '"port.port_type","DataOutPort"' '"dataport.interface_type","corba_cdr"' '"path":"/localhost:[0-9]*/test.host_cxt/ConsoleOut0.rtc"'
 
 Of a file, of a part, to stdout; a page needs no terminal and no other file:
 
   $ rtcryo . > a.xml
   rtcryo: 1 component without connections left out; --all saves them, too
-  $ rtstodot --html page.html a.xml; has '"name":"ConsoleIn0"' 'Kind","PERIODIC' '<h1>a.xml</h1>'
+  $ rtstodot --html page.html a.xml; has page.html '"name":"ConsoleIn0"' 'Kind","PERIODIC' '<h1>a.xml</h1>'
   $ grep -c '"state"' page.html
   0
   [1]
-  $ rtstodot --html page.html --live a.xml; has '"state":"Active"' '"state":"Inactive"'
+  $ rtstodot --html page.html --live a.xml; has page.html '"state":"Active"' '"state":"Inactive"'
   $ rtstodot --html - a.xml --not 'ConsoleOut*' | grep -o '"name":"Console[^"]*"'
   "name":"ConsoleIn0"
   $ grep -E -c '(src|href)=' page.html
@@ -33,12 +31,12 @@ What fails is in it as failed:
   $ rtstodot --live --html page.html . ./Gone0.rtc
   rtstodot: /localhost:*/test.host_cxt/Gone0.rtc: no such path (glob)
   [5]
-  $ has '"level":"fail"' 'no such path' '"name":"ConsoleIn0"'
+  $ has page.html '"level":"fail"' 'no such path' '"name":"ConsoleIn0"'
 
 Nothing that a component says becomes markup:
 
   $ rtstodot --live --html page.html ../h.host_cxt
-  $ grep -c '<script' page.html; grep -c '</script' page.html; has 'u003cscript'
+  $ grep -c '<script' page.html; grep -c '</script' page.html; has page.html 'u003cscript'
   2
   2
 

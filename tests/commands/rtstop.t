@@ -51,10 +51,7 @@ world: contexts
 
 In order, with timeouts:
 
-  $ when() { echo "<rts:targets rts:sequence=\"$1\">$3<rts:TargetComponent rts:componentId=\"$2\" rts:instanceName=\"$2\" rts:id=\"0\"/></rts:targets>"; }
-  $ preceding() { echo "<rts:Preceding rts:sendingTiming=\"$1\" rts:timeout=\"$2\"><rts:PrecedingComponents rts:componentId=\"$3\" rts:instanceName=\"$3\" rts:id=\"0\"/></rts:Preceding>"; }
-  $ plan() { sed "s|</rts:RtsProfile>|<rts:Deactivation>$*</rts:Deactivation></rts:RtsProfile>|"; }
-  $ plan $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Controller0 "$(preceding SYNC 0 Motor0)") $(when 3 Clusterer0 "$(preceding '' 0 Motor0)") < a.xml > b.xml
+  $ plan -d $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Controller0 "$(preceding SYNC 0 Motor0)") $(when 3 Clusterer0 "$(preceding '' 0 Motor0)") < a.xml > b.xml
   $ rtstop --dry-run b.xml
   {3} Deactivate /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc in execution context 0
   {4} [Order 1] Deactivate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0
@@ -75,7 +72,7 @@ In order, with timeouts:
   Inactive Motor0.rtc
   Inactive Multi0.rtc
   Inactive Sensor0.rtc
-  $ plan $(when 1 Motor0 "$(preceding SYNC 0 Motor0)") < a.xml | rtstop
+  $ plan -d $(when 1 Motor0 "$(preceding SYNC 0 Motor0)") < a.xml | rtstop
   rtstop: -: Deactivation: these wait for each other: /localhost:$PORT/test.host_cxt/Motor0.rtc for /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
 

@@ -116,7 +116,7 @@ Pages follow one another, -r times a second, or without end:
   $ interrupt 1.5 rttop --json Motor0.rtc > out
   [130]
   $ rttop -p ../src.host_cxt/Source0.rtc:number Motor0.rtc > out & pid=$!
-  $ i=0; until grep -q '[1-9] Hz' out || [ $i = 200 ]; do sleep 0.05; i=$((i+1)); done; kill $pid; wait $pid
+  $ soon "grep -q '[1-9] Hz' out"; kill $pid; wait $pid
   [143]
   $ tail -1 out; ctl @senders connectors Source0:number
       [2-7]\d\.\d Hz     *\d+ B/s  /localhost:\$PORT/src.host_cxt/Source0.rtc:number (re)

@@ -2,9 +2,7 @@ rtvlog --listen receives the logs that OpenRTM 2 sends through Fluent Bit; nobod
 
 world: observed
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 400 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ listening() { soon 'grep -q "TCP port" told'; port=$(sed -n 's/.*TCP port //p' told); }
-  $ plain() { sed 's/[0-9]*\.[0-9]\{6\}\]/T]/; s/"time": [0-9.]*/"time": T/' "$@"; }
 
 In every form of a message; a line is a line, and harms no terminal:
 
@@ -41,7 +39,6 @@ From some addresses only; what is no log is reported once, and the port goes on:
 
 Only this host can send, unless an address is given:
 
-  $ listens() { awk -v port=":$(printf %04X $1)" '$4 == "0A" && index($2, port) {print substr($2, 1, 8)}' /proc/net/tcp; }
   $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening; listens $port; fluent $port message ERROR Motor0 hot; wait
   0100007F
   $ rm told; rtvlog --listen 0.0.0.0:0 -n 1 > out 2> told & listening; python3 -c "import socket, sys; socket.create_connection(('127.0.0.3', int(sys.argv[1]))).close()" $port; fluent $port message ERROR Motor0 hot; wait; cut -d, -f1 told

@@ -6,9 +6,7 @@ world: these Motor:Other0 --flavour cpp2 --context other.host_cxt/Motor0.rtc
 world: observed --flavour cpp2 --context cpp.host_cxt/%n.rtc
 world: hung 1 --context hung.host_cxt/%n.rtc
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
   $ logged() { soon "ctl observers Motor0 | grep Logger"; }
-  $ plain() { sed 's/[0-9]*\.[0-9]\{6\}\]/T]/; s/"time": [0-9.]*/"time": T/' "$@"; }
 
 Records up to level NORMAL, or another; of all sources, or some. The level may be written small:
 

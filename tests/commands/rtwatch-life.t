@@ -5,10 +5,6 @@ world: these ConsoleIn:Plain0 --flavour cpp2
 world: these ConsoleIn:Dies0 --flavour py2
 world: these ConsoleIn:Gone0 --flavour cpp2
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 300 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ watched() { soon "ctl observers $1 | grep Observer"; }
-  $ plain() { sed 's/[0-9]*\.[0-9]\{6\}\]/T]/; s/ at [0-9.]*:[0-9]*;/ at HOST:PORT;/' "$@"; }
-
 One that exits in good order, one that dies, observed and polled, and come back. Once back, it is observed again:
 
   $ rtwatch -f RTC_STATUS -f LIFE_EVENT Motor0.rtc Plain0.rtc Dies0.rtc Gone0.rtc > out 2>&1 & watch=$!

@@ -6,10 +6,6 @@ world: these ConsoleIn:Old0 --flavour rtorb
 world: zombie 1 --context gone.host_cxt/%n.rtc
 world: hung 1 --context hung.host_cxt/%n.rtc
 
-  $ soon() { i=0; until eval "$1" > nul 2>&1; do i=$((i+1)); [ $i -gt 200 ] && echo "never: $1" && return; sleep 0.05; done; }
-  $ watched() { soon "ctl observers $1 | grep Observer"; }
-  $ plain() { sed 's/[0-9]*\.[0-9]\{6\}\]/T]/; s/"time": [0-9.]*/"time": T/' "$@"; }
-
 An observer of OpenRTM, events of some kinds; -n ends it:
 
   $ rtwatch -n 4 -f RTC_STATUS ConsoleIn0.rtc > out 2>&1 & watched ConsoleIn0

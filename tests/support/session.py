@@ -12,7 +12,7 @@ Lines at the margin of a transcript that ask for surroundings:
     alone: it measures    run when few others run, and none that compute
     once: what peers do   on one Python of the matrix only
 
-Commands that exist only inside a session: see tools.py.
+Commands that exist only inside a session: see tools.py, and helpers.sh for what needs no more than shell.
 """  # noqa: E501
 
 import json
@@ -120,6 +120,7 @@ def play(steps, shell, environment, time_limit):
     script = tools.session_file("script")
     output = tools.session_file("output")
     with open(script, "w", encoding="utf-8") as file:
+        file.write('. "%s"\n' % os.path.join(jobs.HERE, "helpers.sh"))
         file.write(
             "_mark() { _status=$?; printf '%%s%%s %%s\\n' '%s' $1 $_status; return $_status; }\n" % MARK
         )

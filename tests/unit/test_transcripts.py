@@ -2,6 +2,7 @@
 
 How they are played is in tests/waiting/test_sessions.py.
 """
+import os
 import re
 import shutil
 import subprocess
@@ -12,16 +13,18 @@ import tools
 import transcripts
 
 
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
 class Files(unittest.TestCase):
     def test_no_number_may_be_a_port(self):
         """Where a name server happened to get it, it would be shown as $PORT."""
         for path, _ in transcripts.cases(shells=["dash"]):
-            with open(path, encoding="utf-8") as file:
-                shown = "\n".join(
-                    line
-                    for step in transcripts.steps(transcripts.parse(file.read()))
-                    for line in step.expected
-                )
+            shown = "\n".join(
+                line for step in transcripts.steps(transcripts.parse(read(path))) for line in step.expected
+            )
             numbers = {int(number) for number in re.findall(r"(?<![0-9])[0-9]{5}(?![0-9])", shown)}
             self.assertFalse(
                 [number for number in numbers if processes.nameserver.PORTS < number < 32000], path
@@ -29,6 +32,14 @@ class Files(unittest.TestCase):
 
 
 class Helpers(unittest.TestCase):
+    def test_they_stand_in_one_place(self):
+        helpers = read(os.path.join(transcripts.jobs.HERE, "helpers.sh"))
+        names = re.findall(r"^(\w+)\(\)", helpers, re.MULTILINE)
+        defined = re.compile(r"\b(%s)\(\)" % "|".join(names))
+        for path, _ in transcripts.cases(shells=["dash"]):
+            for step in transcripts.steps(transcripts.parse(read(path))):
+                self.assertIsNone(defined.search("\n".join(step.command)), "%s: %s" % (path, step.command))
+
     @unittest.skipUnless(shutil.which("busybox"), "busybox is not installed")
     def test_none_has_the_name_of_an_applet(self):
         """A BusyBox that prefers its applets, as Debian's busybox-static, would play them instead."""
