@@ -11,7 +11,8 @@ Save a system, with service connections, a connection of three ends, and configu
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
   $ rtdis ConsoleIn0.rtc; rtcon -i three -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in
   $ rtcryo --all -o a.xml; rtcryo --all -y -o a.yaml
-  $ rtcheck -s Inactive a.xml; rtcheck --state=inactive < a.yaml; rtcheck -x -s Inactive - < a.xml
+  $ rtcheck -s Inactive a.xml; rtcheck --state=inactive < a.yaml
+  $ rtcheck -x -s Inactive - < a.xml
   $ rtcheck -y -s Inactive a.yaml
 
 Without a file it reads standard input, and says so on a terminal, unless that is not wanted:
@@ -46,7 +47,8 @@ States are to be Active unless you say otherwise:
 
 Configuration: values in any set, hidden or not, and which set is active:
 
-  $ rtconf Hokuyo_AIST0.rtc set start_angle 9; rtconf -a -s __constraints__ Hokuyo_AIST0.rtc set cluster_count 'x > 2'
+  $ rtconf Hokuyo_AIST0.rtc set start_angle 9
+  $ rtconf -a -s __constraints__ Hokuyo_AIST0.rtc set cluster_count 'x > 2'
   $ rtconf Hokuyo_AIST0.rtc act fast
   $ rtcheck a.xml
   Wrong configuration set is active on /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc (Active set: fast)
@@ -62,16 +64,19 @@ Configuration: values in any set, hidden or not, and which set is active:
   Invalid configuration parameter: motor in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
   $ rtconf Hokuyo_AIST0.rtc set start_angle -0.5; rtconf Hokuyo_AIST0.rtc act default
-  $ rtconf Hokuyo_AIST0.rtc set start_angle -1.57; rtconf -a -s __constraints__ Hokuyo_AIST0.rtc set cluster_count 'x >= 1'
+  $ rtconf Hokuyo_AIST0.rtc set start_angle -1.57
+  $ rtconf -a -s __constraints__ Hokuyo_AIST0.rtc set cluster_count 'x >= 1'
   $ rtcheck a.xml
 
 Connections, of both kinds, with all their ends and all their properties:
 
-  $ sed 's/dataflowType="push"/dataflowType="pull"/; s/rtsExt:name="x" rtsExt:value="y"/rtsExt:name="x" rtsExt:value="z"/' a.xml | rtcheck
+  $ sed 's/dataflowType="push"/dataflowType="pull"/; s/rtsExt:name="x" rtsExt:value="y"/rtsExt:name="x" rtsExt:value="z"/' a.xml |
+  > rtcheck
   Property dataport.dataflow_type of connection from /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in is incorrect.
   Property x of connection from /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in is incorrect.
   [1]
-  $ rtdis ConsoleIn0.rtc; rtdis MyServiceConsumer0.rtc; rtcheck a.xml
+  $ rtdis ConsoleIn0.rtc; rtdis MyServiceConsumer0.rtc
+  $ rtcheck a.xml
   No connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in and /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in
   No connection between /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService and /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService
   [1]
@@ -89,7 +94,9 @@ Connections, of both kinds, with all their ends and all their properties:
 
 Components: missing ones, other ones. What is not required is reported, and does not count:
 
-  $ rtdis ConsoleIn0.rtc; rtcon -i three -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in; rtcheck a.xml
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -i three -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in
+  $ rtcheck a.xml
   $ rtcheck two.xml
   Connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in has 3 ends, not 2
   [1]
@@ -132,7 +139,7 @@ Components: missing ones, other ones. What is not required is reported, and does
   rtcheck: Checking state is Active for /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc in execution context 0
   rtcheck: Checking state is Active for /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc in execution context 0
   Action failed: Optional component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
-  $ ctl reset; rtcheck --dry-run a.xml; calls
+  $ ctl reset; rtcheck --dry-run a.xml
   Check for required component "RTC:Shinji Kurihara:example:ConsoleIn:1.0", "ConsoleIn0" at path /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc (Required)
   Check for required component "RTC:Shinji Kurihara:example:ConsoleOut:1.0", "ConsoleOut0" at path /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc (Required)
   Check for required component "RTC:Shinji Kurihara:example:ConsoleOut:1.0", "ConsoleOut1" at path /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc (Required)
@@ -176,11 +183,13 @@ Components: missing ones, other ones. What is not required is reported, and does
   Check state is Active for /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 (Required)
   Check state is Active for /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc in execution context 0 (Required)
   Check state is Active for /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc in execution context 0 (Required)
+  $ calls
 
 Composites and their members:
 
   $ rtcryo --all localhost:$PORT2 -o c.xml; rtcheck -s Inactive c.xml
-  $ rtcomp -r /localhost:$PORT2/test.host_cxt/Motor0.rtc /localhost:$PORT2/test.host_cxt/composite0.rtc; rtcheck -s inactive c.xml
+  $ rtcomp -r /localhost:$PORT2/test.host_cxt/Motor0.rtc /localhost:$PORT2/test.host_cxt/composite0.rtc
+  $ rtcheck -s inactive c.xml
   Configuration parameter exported_ports in set default on component /localhost:$PORT2/test.host_cxt/composite0.rtc is incorrect (value: Sensor0.in)
   Component /localhost:$PORT2/test.host_cxt/Motor0.rtc is not a member of /localhost:$PORT2/test.host_cxt/composite0.rtc
   [1]
@@ -198,7 +207,8 @@ What cannot be asked is reported once, and is no difference:
   rtcheck: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [5]
-  $ wake linked; kill-mock linked; rtcheck a.xml
+  $ wake linked; kill-mock linked
+  $ rtcheck a.xml
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
@@ -227,9 +237,11 @@ Files that are not profiles:
 
 What the components have beyond the file is reported with --extra:
 
-  $ mock robot; rtdeact --wait MyServiceConsumer0.rtc MyServiceProvider0.rtc; rtcryo -o r.xml /localhost:$PORT; rtcheck --extra -s Inactive r.xml
+  $ mock robot; rtdeact --wait MyServiceConsumer0.rtc MyServiceProvider0.rtc
+  $ rtcryo -o r.xml /localhost:$PORT
   rtcryo: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: zombie, left out
   rtcryo: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: zombie, left out
+  $ rtcheck --extra -s Inactive r.xml
   $ rtcon -i less Sensor0.rtc:out Motor0.rtc:in
   $ sed '/ConfigurationSets rts:id="fast"/,/<.rts:ConfigurationSets>/d; /rts:name="motor_id" rts:data="0"/d' r.xml > less.xml
   $ rtcheck -s Inactive less.xml
@@ -238,9 +250,11 @@ What the components have beyond the file is reported with --extra:
   Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in
   Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
-  $ rtexit --wait=5 MyServiceConsumer0.rtc; rtcryo --all -q -o all.xml /localhost:$PORT; rtcheck --extra -s Inactive all.xml
+  $ rtexit --wait=5 MyServiceConsumer0.rtc; rtcryo --all -q -o all.xml /localhost:$PORT
+  $ rtcheck --extra -s Inactive all.xml
   $ sed '/pathUri="[^"]*MyServiceProvider0.rtc"/,/<.rts:Components>/d' all.xml > one.xml
-  $ mock hung 1 --context hung.host_cxt/%n.rtc; rtcheck -s Inactive one.xml; rtcheck --extra --timeout 0.5 -s Inactive one.xml
+  $ mock hung 1 --context hung.host_cxt/%n.rtc; rtcheck -s Inactive one.xml
+  $ rtcheck --extra --timeout 0.5 -s Inactive one.xml
   rtcheck: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
   Component not in the file: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
   [5]

@@ -39,8 +39,10 @@ Members of a composite have stopped contexts of their own, and are driven by the
 
 A port that refuses its profile; the component's own profile is not asked for then. A port of a member whose process is dead:
 
-  $ ctl @these fail get_port_profile 1 NO_PERMISSION; doctor -q ../many.host_cxt/A0.rtc; calls @these | grep component
+  $ ctl @these fail get_port_profile 1 NO_PERMISSION; doctor -q ../many.host_cxt/A0.rtc
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: its port 1 refuses its profile (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  [1]
+  $ calls @these | grep component
   1 get_component_state
   $ doctor -q ../half.host_cxt/composite0.rtc
   fail  /localhost:$PORT/half.host_cxt/composite0.rtc: its port 2 is out of reach: perhaps a member of this composite is dead; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
@@ -53,8 +55,10 @@ Other questions refused; what has none of a component's operations; a context of
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: does not report its ports (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ ctl @these fail get_ports 1 BAD_OPERATION; doctor -q ../many.host_cxt/A0.rtc | grep A0
   fail  /localhost:$PORT/many.host_cxt/A0.rtc: somebody else's: it is registered as a component, but is not one; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/many.host_cxt/A0.rtc
-  $ mock these Mock:Guest0 --context guest.host_cxt/%n.rtc; mock these Mock:Host0 --context host.host_cxt/%n.rtc
-  $ rtec ../host.host_cxt/Host0.rtc attach ../guest.host_cxt/Guest0.rtc; kill-mock these5; doctor -q ../guest.host_cxt | grep context
+  $ mock these Mock:Guest0 --context guest.host_cxt/%n.rtc
+  $ mock these Mock:Host0 --context host.host_cxt/%n.rtc
+  $ rtec ../host.host_cxt/Host0.rtc attach ../guest.host_cxt/Guest0.rtc; kill-mock these5
+  $ doctor -q ../guest.host_cxt | grep context
   warn  /localhost:$PORT/guest.host_cxt/Guest0.rtc: its execution context 1 belongs to another component, which does not answer; try: look at its contexts: rtec /localhost:$PORT/guest.host_cxt/Guest0.rtc
 
 An operation that hangs, in a process that goes on; the bound is kept, however many components it has:
@@ -66,7 +70,8 @@ An operation that hangs, in a process that goes on; the bound is kept, however m
   fail  /localhost:$PORT/many.host_cxt/X.rtc: no answer within 0.5s when asked for the profile of its port 1; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/X.rtc
   fail  /localhost:$PORT/many.host_cxt/X.rtc: no answer within 0.5s when asked for the profile of its port 1; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/X.rtc
   warn  /localhost:$PORT/many.host_cxt/X.rtc: not asked for the profile of its port 1: others of its process hang when asked; the same with /localhost:$PORT/many.host_cxt/X.rtc, /localhost:$PORT/many.host_cxt/X.rtc, /localhost:$PORT/many.host_cxt/X.rtc and 1 more; try: mend those that do not answer first, then: rtdoctor /localhost:$PORT/many.host_cxt/X.rtc
-  $ ctl @these delay get_port_profile 0.5; within 2.8-6 rtdoctor -q --timeout 1 ../many.host_cxt/Ports0.rtc | grep rtc
+  $ ctl @these delay get_port_profile 0.5
+  $ within 2.8-6 rtdoctor -q --timeout 1 ../many.host_cxt/Ports0.rtc | grep rtc
   fail  /localhost:$PORT/many.host_cxt/Ports0.rtc: slow: there was no time left to ask it; try: ask it with more time: rtdoctor --timeout 30 /localhost:$PORT/many.host_cxt/Ports0.rtc
   $ ctl @these delay get_port_profile 0
 
@@ -84,7 +89,8 @@ A context that claims more than it keeps: with --measure an out port of each act
   ok    /localhost:$PORT/rates.host_cxt/Fast0.rtc: Active, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: rate not measured: it is Inactive
   ok    /localhost:$PORT/rates.host_cxt/Lazy0.rtc: Inactive, claims 10 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
-  $ rtact --wait ../many.host_cxt/Ports0.rtc; rtdoctor -q --measure ../rates.host_cxt ../many.host_cxt | grep rtc
+  $ rtact --wait ../many.host_cxt/Ports0.rtc
+  $ rtdoctor -q --measure ../rates.host_cxt ../many.host_cxt | grep rtc
   warn  /localhost:$PORT/many.host_cxt/Ports0.rtc: keeps * of 1000 Hz, or does not write to Octet in each cycle; try: look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping 127.0.0.1) (glob)
   warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping 127.0.0.1) (glob)
   $ rtdeact --wait ../many.host_cxt/Ports0.rtc; doctor ../rates.host_cxt
@@ -99,10 +105,13 @@ Nothing of that is left, whether it ends by itself or not, also where the values
   $ kill -TERM $!; wait $!
   [143]
   $ ctl @these2 connectors Fast0:out; ctl @these3 connectors Calm0:out
-  $ ctl @these3 delay get 30; within 1-5 rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc | grep rtc
+  $ ctl @these3 delay get 30
+  $ within 1-5 rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc | grep rtc
   rtdoctor: /localhost:$PORT/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a call is unanswered and removing it now could end the component; when it answers again: rtdis -i $UUID /localhost:$PORT/rates.host_cxt/Calm0.rtc:out
   warn  /localhost:$PORT/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: measure it alone: rtec --measure /localhost:$PORT/rates.host_cxt/Calm0.rtc
-  $ ctl @these3 reset; rtdis -i $(ctl @these3 connectors Calm0:out | cut -d' ' -f1) ../rates.host_cxt/Calm0.rtc:out; ctl @these3 connectors Calm0:out
+  $ ctl @these3 reset
+  $ rtdis -i $(ctl @these3 connectors Calm0:out | cut -d' ' -f1) ../rates.host_cxt/Calm0.rtc:out
+  $ ctl @these3 connectors Calm0:out
 
 Managers: what they list must be there:
 
@@ -141,7 +150,8 @@ One that is Inactive, while what it is connected with is Active:
 
 Components that get values, and write none or fewer than they execute: rttrace follows them.
 
-  $ mock chain 4 stopped@1 --context stopped.host_cxt/%n.rtc; mock chain 4 thinned@2 --context thinned.host_cxt/%n.rtc
+  $ mock chain 4 stopped@1 --context stopped.host_cxt/%n.rtc
+  $ mock chain 4 thinned@2 --context thinned.host_cxt/%n.rtc
   $ rtdoctor --measure ../stopped.host_cxt | grep Link1.rtc: | grep rttrace
   ok    /localhost:$PORT/stopped.host_cxt/Link1.rtc: rate not measured: nothing is written to out (rttrace -u /localhost:$PORT/stopped.host_cxt/Link1.rtc:out shows whether values come to it)
   $ rttrace -t 2 -u /localhost:$PORT/stopped.host_cxt/Link1.rtc:out | tail -n 1 | sed 's/([0-9.]* Hz)/(… Hz)/'
@@ -151,5 +161,6 @@ Components that get values, and write none or fewer than they execute: rttrace f
 
 The times in values:
 
-  $ MOCK_CLOCK=-864000 mock senders 20 --context clock.host_cxt/%n.rtc; rtdoctor -q --measure ../clock.host_cxt | grep days
+  $ MOCK_CLOCK=-864000 mock senders 20 --context clock.host_cxt/%n.rtc
+  $ rtdoctor -q --measure ../clock.host_cxt | grep days
   warn  /localhost:$PORT/clock.host_cxt/Source0.rtc: the times in its values are 10.0 days behind this host's clock; try: compare the clocks (date, here and there) and set the wrong one: timedatectl

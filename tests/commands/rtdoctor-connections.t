@@ -33,7 +33,8 @@ The kind of finding is in the JSON:
 
 What it says can be pasted:
 
-  $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend; doctor -q . | grep In0.rtc
+  $ doctor -q . | sed -n 's/.*one-sided.*; try: //p' > mend; sh ./mend
+  $ doctor -q . | grep In0.rtc
   [1]
 
 Far ends that are dead: a component drops such connections when it is asked for its ports, and some report it. This
@@ -53,32 +54,39 @@ ends no component of C++ 2.1, which is asked in the right order:
 
 A far end that is not below the path is asked all the same, and may be gone when it is asked, refuse, or hang:
 
-  $ rtcon -n c ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in; rtact ../near.host_cxt/Near0.rtc; ctl @these2 reset
+  $ rtcon -n c ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in
+  $ rtact ../near.host_cxt/Near0.rtc; ctl @these2 reset
   $ doctor ../near.host_cxt
   ok    /localhost:$PORT/near.host_cxt/Near0.rtc: Active, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
   $ calls @these2 | grep -v -e put
   2 _non_existent
   1 get_port_profile
-  $ for each in 1 2; do ctl @these2 fail get_port_profile $each OBJECT_NOT_EXIST; done; doctor -q ../near.host_cxt
+  $ for each in 1 2; do ctl @these2 fail get_port_profile $each OBJECT_NOT_EXIST; done
+  $ doctor -q ../near.host_cxt
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection is dead (at 127.0.0.1:*); try: rtdis -i $UUID /localhost:$PORT/near.host_cxt/Near0.rtc:out (glob)
   [1]
   $ ctl @these2 fail get_port_profile 1 NO_PERMISSION; doctor -q ../near.host_cxt
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (CORBA.NO_PERMISSION); try: restart the process of the far end; netstat -ltnp | grep :* there names it (glob)
   [1]
-  $ ctl @these2 delay get_port_profile 30; within 0.4-2 rtdoctor -q --timeout 0.5 ../near.host_cxt | grep Near; ctl @these2 delay get_port_profile 0
+  $ ctl @these2 delay get_port_profile 30
+  $ within 0.4-2 rtdoctor -q --timeout 0.5 ../near.host_cxt | grep Near
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc:out: the far end of a connection, at 127.0.0.1:*, cannot be asked (no answer within 0.5s); try: restart the process of the far end; netstat -ltnp | grep :* there names it (glob)
+  $ ctl @these2 delay get_port_profile 0
 
 A far end whose process hangs makes the near one hang, too, for it looks whether its far ends are there:
 
-  $ hang these2; within 2-6 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt | grep rtc; wake these2
+  $ hang these2
+  $ within 2-6 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt | grep rtc
   fail  /localhost:$PORT/far.host_cxt/Far0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 2s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
+  $ wake these2
 
 Of several that hang, it waits for the one that its process calls:
 
   $ mock these Mock:Alien0 --context alien.host_cxt/%n.rtc; hang these2 these3
-  $ within 2-7 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near; wake these2 these3
+  $ within 2-7 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
+  $ wake these2 these3
 
 It is found, wherever it is bound, or bound nowhere; an inactive component keeps a connection that the other end has forgotten:
 
@@ -114,18 +122,22 @@ Connections that are well, of all kinds:
 In ports that refuse values, as their full buffers do not overwrite: known where nothing reads them, probable where --measure
 finds that more is written than the component executes:
 
-  $ mock senders 100 --context flow.host_cxt/%n.rtc; mock these ConsoleOut:Slow0 --rate 10 --context flow.host_cxt/%n.rtc
+  $ mock senders 100 --context flow.host_cxt/%n.rtc
+  $ mock these ConsoleOut:Slow0 --rate 10 --context flow.host_cxt/%n.rtc
   $ full() { rtcon -p dataport.subscription_type=flush -p $1 ../flow.host_cxt/Source0.rtc:number ../flow.host_cxt/Slow0.rtc:in; }
   $ full dataport.buffer.write.full_policy=overwrite; rtdoctor -q --measure ../flow.host_cxt | grep buffer
   [1]
-  $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.buffer.write.full_policy=do_nothing; rtdoctor -q ../flow.host_cxt | grep buffer
+  $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.buffer.write.full_policy=do_nothing
+  $ rtdoctor -q ../flow.host_cxt | grep buffer
   warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: nothing reads the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number: its buffer refuses what it has no room for, once it is full (do_nothing); try: if it is to move, activate it: rtact /localhost:$PORT/flow.host_cxt/Slow0.rtc
   $ rtact --wait ../flow.host_cxt/Slow0.rtc; rtdoctor -q ../flow.host_cxt | grep buffer
   [1]
   $ rtdoctor -q --measure ../flow.host_cxt | grep buffer
   warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number probably find its buffer full (* Hz are written, it executes at 10 Hz), which refuses what it has no room for (do_nothing); try: raise the rate of its context (rtec /localhost:$PORT/flow.host_cxt/Slow0.rtc rate HZ), or, if old values may go, connect it with -p dataport.buffer.write.full_policy=overwrite (glob)
-  $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.inport.buffer.write.full_policy=block; rtdoctor -q --measure ../flow.host_cxt | grep buffer
+  $ rtdis ../flow.host_cxt/Source0.rtc
+  $ full dataport.inport.buffer.write.full_policy=block
   rtcon: /localhost:$PORT/flow.host_cxt/Source0.rtc:number to /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: writers wait while its buffer is full (full_policy=block): remove it only while its source is Inactive, as rtdis does
+  $ rtdoctor -q --measure ../flow.host_cxt | grep buffer
   warn  /localhost:$PORT/flow.host_cxt/Slow0.rtc:in: the values of /localhost:$PORT/flow.host_cxt/Source0.rtc:number probably find its buffer full (100 Hz are written, it executes at 10 Hz), which makes its writers wait (block); try: raise the rate of its context (rtec /localhost:$PORT/flow.host_cxt/Slow0.rtc rate HZ), or, if old values may go, connect it with -p dataport.buffer.write.full_policy=overwrite (glob)
   $ rtdoctor --json --measure ../flow.host_cxt | grep -c '"check": "buffer"'
   1

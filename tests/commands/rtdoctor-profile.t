@@ -12,7 +12,9 @@ Object references of data ports, as RTSystemEditor saves them with connections; 
 to be made a second time:
 
   $ add() { sed -i "s|\(<rtsExt:Properties rtsExt:name=\)\"dataport.data_type\"|\1\"$1\" rtsExt:value=\"$2\"/>&|" $3; }
-  $ cp plain.rtsys in.rtsys; add dataport.corba_cdr.inport_ior $(ctl references ConsoleOut0:in) in.rtsys; cp in.rtsys both.rtsys
+  $ cp plain.rtsys in.rtsys
+  $ add dataport.corba_cdr.inport_ior $(ctl references ConsoleOut0:in) in.rtsys
+  $ cp in.rtsys both.rtsys
   $ rtcon -p dataport.dataflow_type=pull ConsoleIn0.rtc:out Other0.rtc:in
   $ add dataport.corba_cdr.outport_ior $(ctl references ConsoleIn0:out) both.rtsys
   $ doctor both.rtsys .
@@ -39,7 +41,10 @@ Managers whose address the file has:
 
 Unusable references, and processes that hang, do not make it slower than its limit:
 
-  $ cp plain.rtsys bad.rtsys; add dataport.corba_cdr.inport_ior IOR:00ff bad.rtsys; doctor bad.rtsys . | grep -c missing
+  $ cp plain.rtsys bad.rtsys; add dataport.corba_cdr.inport_ior IOR:00ff bad.rtsys
+  $ doctor bad.rtsys . | grep -c missing
   2
-  $ hang manager11; within 0.5-4 rtdoctor -q --timeout 1 --profile made.rtsys . | grep -c missing; wake manager11
+  $ hang manager11
+  $ within 0.5-4 rtdoctor -q --timeout 1 --profile made.rtsys . | grep -c missing
   1
+  $ wake manager11

@@ -13,8 +13,9 @@ The findings are printed as ever, and are in the file:
 
   $ rtdoctor --report a.html > now; echo $?
   1
-  $ rtdoctor --from a.html > again; echo $?; cmp now again
-  1
+  $ rtdoctor --from a.html > again
+  [1]
+  $ cmp now again
   $ rtdoctor --from a.html -q --json | grep -c zombie
   1
   $ has a.html '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' 'Configuration set mode1 (active)' 'manager of 2'
@@ -36,7 +37,9 @@ The profile in it is one for other commands. The dead one is on the map, and not
 
 Each component is asked once:
 
-  $ ctl reset; rtdoctor -q --report a.html > now; ctl calls Motor0
+  $ ctl reset; rtdoctor -q --report a.html > now
+  [1]
+  $ ctl calls Motor0
   1 _non_existent
   1 get_active_configuration_set
   1 get_component_profile
@@ -57,7 +60,8 @@ With --measure, clocks are compared where values have times:
 
   $ mock senders 50 8 --context s.host_cxt/%n.rtc
   $ rtdoctor -q --measure --report a.html ../s.host_cxt > now
-  $ grep -o 'Source0.rtc  at 127.0.0.1:[0-9]*: a value of number was stamped [0-9.]* s before it came here' a.html | sed 's/1:[0-9]*/1:PORT/; s/[0-9.]* s /N s /'
+  $ grep -o 'Source0.rtc  at 127.0.0.1:[0-9]*: a value of number was stamped [0-9.]* s before it came here' a.html |
+  > sed 's/1:[0-9]*/1:PORT/; s/[0-9.]* s /N s /'
   Source0.rtc  at 127.0.0.1:PORT: a value of number was stamped N s before it came here
 
 What others are not to see:
@@ -71,8 +75,11 @@ What others are not to see:
 
 To stdout; nothing that a component says is markup:
 
-  $ rtdoctor --report - > a.html; grep -c '<script' a.html; has a.html u003cscript
+  $ rtdoctor --report - > a.html
+  [1]
+  $ grep -c '<script' a.html
   2
+  $ has a.html u003cscript
 
 The last values of a log, and what happened, as a plot:
 
@@ -85,26 +92,32 @@ The last values of a log, and what happened, as a plot:
 As what a trigger of a recording starts, which adds the name of its file:
 
   $ rtlog -q --ring 4 --after 0.5 --then 'rtdoctor -q --report b.html --log' -f c.mcap Sensor0.rtc:out > told 2>&1 & pid=$!
-  $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; soon '[ -e b.html ]'; kill $pid; wait $pid
+  $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; soon '[ -e b.html ]'
+  $ kill $pid; wait $pid
   [143]
   $ grep -c '"plots":.."The last 30 s of c-[-0-9]*now.mcap"' b.html
   1
 
 Where nothing can be looked at, the file says so:
 
-  $ rtdoctor -q --report a.html localhost:1 > now; echo $?; has a.html 'connection refused'
-  1
+  $ rtdoctor -q --report a.html localhost:1 > now
+  [1]
+  $ has a.html 'connection refused'
 
 A name that is bound to nothing usable:
 
-  $ rtdoctor -q --report a.html localhost:$BAD_PROFILES > now; echo $?; has a.html 'Evil0.rtc.*garbled answer'
-  1
+  $ rtdoctor -q --report a.html localhost:$BAD_PROFILES > now
+  [1]
+  $ has a.html 'Evil0.rtc.*garbled answer'
 
 Files that are no report, wrong usage:
 
-  $ rtstodot --html b.html a.html; rtdoctor --from b.html; rtcheck b.html
+  $ rtstodot --html b.html a.html
   rtstodot: nothing to draw: the file has no components
+  $ rtdoctor --from b.html
   rtdoctor: b.html: a page without a profile; rtdoctor --report writes one with a profile
+  [1]
+  $ rtcheck b.html
   rtcheck: b.html: a page without a profile; rtdoctor --report writes one with a profile
   [1]
   $ echo hello > c.html; rtdoctor --from c.html
@@ -114,16 +127,23 @@ Files that are no report, wrong usage:
   rtdoctor: gone.html: No such file or directory
   [1]
   $ block='<!DOCTYPE html><script type="application/json" id="system">'
-  $ echo "$block"'{"profile":"","findings":[{}]}</script>' > d.html; rtdoctor --from d.html; rtcheck d.html
+  $ echo "$block"'{"profile":"","findings":[{}]}</script>' > d.html
+  $ rtdoctor --from d.html
   rtdoctor: d.html: not a report of rtdoctor
+  [1]
+  $ rtcheck d.html
   rtcheck: d.html:1:1: the file is empty
   [1]
   $ echo "$block"'[[[</script>' > d.html; rtdoctor --from d.html
   rtdoctor: d.html: its data are damaged
   [1]
-  $ rtdoctor --from a.html --report b.html; rtdoctor --no-values; rtdoctor --report a.html --no-values --log run.mcap
+  $ rtdoctor --from a.html --report b.html
   rtdoctor: --from examines nothing: no PATH, --profile, --measure, --twice or --report goes with it (see --help)
+  [2]
+  $ rtdoctor --no-values
   rtdoctor: --log, --no-values and --no-environment are for --report (see --help)
+  [2]
+  $ rtdoctor --report a.html --no-values --log run.mcap
   rtdoctor: --log does not go with --no-values: a log has nothing but values (see --help)
   [2]
   $ rtdoctor --report nowhere/a.html > now

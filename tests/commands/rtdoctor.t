@@ -26,13 +26,16 @@ a rate for a moment):
   $ rtdoctor | grep -c '^[0-9]* failed, [0-9]* to be looked at, [0-9]* ok$'
   1
   $ doctor -q
-  $ doctor -q; rtdoctor -q --measure > out; grep -v -e "this host's name" -e " keeps " out
+  $ doctor -q; rtdoctor -q --measure > out
+  $ grep -v -e "this host's name" -e " keeps " out
   [1]
-  $ rtdoctor -q localhost:$PORT localhost:$PORT2 > out; rtdoctor -q /localhost:$PORT/test.host_cxt/Motor0.rtc > out
+  $ rtdoctor -q localhost:$PORT localhost:$PORT2 > out
+  $ rtdoctor -q /localhost:$PORT/test.host_cxt/Motor0.rtc > out
 
 It only asks. What is bound twice, or by a manager, too, is asked once:
 
-  $ ctl reset; ctl @managers slave 1 reset; rtdoctor -q > out; ctl calls Motor0
+  $ ctl reset; ctl @managers slave 1 reset
+  $ rtdoctor -q > out; ctl calls Motor0
   1 _non_existent
   1 get_component_profile
   1 get_component_state
@@ -55,7 +58,8 @@ It only asks. What is bound twice, or by a manager, too, is asked once:
   1 get_profile
   1 get_sdo_id
   1 is_running
-  $ ctl reset; rtdoctor -q --measure > out; ctl calls Motor0 | grep -v get
+  $ ctl reset; rtdoctor -q --measure > out
+  $ ctl calls Motor0 | grep -v get
   1 _non_existent
   1 connect
   1 disconnect
@@ -118,9 +122,11 @@ On a terminal the levels have colours:
 
 With a profile, all that rtcheck finds:
 
-  $ rtcryo -q -o robot.rtsys localhost:$PORT; doctor -q --profile robot.rtsys; doctor --profile robot.rtsys Motor0.rtc | tail -2 | head -1
+  $ rtcryo -q -o robot.rtsys localhost:$PORT; doctor -q --profile robot.rtsys
+  $ doctor --profile robot.rtsys Motor0.rtc | tail -2 | head -1
   ok    /: as the profile says: 5 components, 4 connections
-  $ rtconf Motor0.rtc set motor_id 7; rtdis Sensor0.rtc:out; rtdeact --wait Clusterer0.rtc
+  $ rtconf Motor0.rtc set motor_id 7; rtdis Sensor0.rtc:out
+  $ rtdeact --wait Clusterer0.rtc
   $ doctor -q --profile robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Controller0.rtc:in: No connection; try: rtresurrect robot.rtsys
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: Configuration parameter motor_id in set default is incorrect (value: 7); try: rtresurrect robot.rtsys
@@ -129,8 +135,9 @@ With a profile, all that rtcheck finds:
   $ sed 's/Motor0/Motor1/g; s/isRequired="true"/isRequired="false"/' robot.rtsys > optional.xml
   $ doctor -q --profile optional.xml | grep Motor1
   warn  /localhost:$PORT/test.host_cxt/Motor1.rtc: Optional component missing; try: start it, or have its manager make it: rtresurrect --create optional.xml
-  $ rtec Motor0.rtc rate 20; doctor -q --profile robot.rtsys | grep Hz; rtec Motor0.rtc rate 10
+  $ rtec Motor0.rtc rate 20; doctor -q --profile robot.rtsys | grep Hz
   fail  /localhost:$PORT/test.host_cxt/Motor0.rtc: its execution context has a rate of 20 Hz, in the file it is 10 Hz; try: rtec /localhost:$PORT/test.host_cxt/Motor0.rtc rate 10
+  $ rtec Motor0.rtc rate 10
   $ doctor -q -s Inactive --profile robot.rtsys | grep -c 'incorrect state'
   4
   $ doctor --profile nofile
@@ -160,10 +167,14 @@ Wrong usage:
 
 Ctrl-C ends it, whatever hangs:
 
-  $ rtact --wait Clusterer0.rtc; hang robot; interrupt 0.5 rtdoctor -q > out
+  $ rtact --wait Clusterer0.rtc; hang robot
+  $ interrupt 0.5 rtdoctor -q > out
   [130]
-  $ within 0.5-2.5 rtdoctor -qv --timeout 0.5 --profile robot.rtsys > out; grep -c hung out; wake robot
+  $ within 0.5-2.5 rtdoctor -qv --timeout 0.5 --profile robot.rtsys > out
+  [1]
+  $ grep -c hung out
   4
+  $ wake robot
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 

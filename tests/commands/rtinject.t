@@ -8,9 +8,11 @@ One value, as its constructor or as JSON:
   $ rtact ConsoleOut0.rtc Far0.rtc SequenceInComponent0.rtc
   $ rtinject -c 'RTC.TimedLong({time}, 42)' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 1
   1 42
-  $ rtinject -c 1 -n 0 ConsoleOut0.rtc:in; rtinject -c '{"data": -5}' ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 2
+  $ rtinject -c 1 -n 0 ConsoleOut0.rtc:in; rtinject -c '{"data": -5}' ConsoleOut0.rtc:in
+  $ ctl received ConsoleOut0:in 2
   2 -5
-  $ rtinject -c 'RTC.TimedLong(RTC.Time(1, 2), 43)' -n 3 -r 50 ConsoleOut0.rtc:in.name; ctl received ConsoleOut0:in 5
+  $ rtinject -c 'RTC.TimedLong(RTC.Time(1, 2), 43)' -n 3 -r 50 ConsoleOut0.rtc:in.name
+  $ ctl received ConsoleOut0:in 5
   5 43
 
 A number alone is the data:
@@ -20,31 +22,38 @@ A number alone is the data:
 
 {time} is fresh for every value; so is a time that is left out:
 
-  $ ctl times ConsoleOut0:in; rtinject -c 'RTC.TimedLong({time}, 1)' -n 3 -r 50 ConsoleOut0.rtc:in; ctl times ConsoleOut0:in
+  $ ctl times ConsoleOut0:in
   4
+  $ rtinject -c 'RTC.TimedLong({time}, 1)' -n 3 -r 50 ConsoleOut0.rtc:in
+  $ ctl times ConsoleOut0:in
   7
   $ rtinject -c '{"data": 1}' -n 3 -r 50 ConsoleOut0.rtc:in; ctl times ConsoleOut0:in
   10
 
 From stdin, a value a line:
 
-  $ printf '# a comment\n\n{"data": 6}\n  RTC.TimedLong({time}, 7)\n' | rtinject -r 0 ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 14
+  $ printf '# a comment\n\n{"data": 6}\n  RTC.TimedLong({time}, 7)\n' | rtinject -r 0 ConsoleOut0.rtc:in
+  $ ctl received ConsoleOut0:in 14
   14 7
-  $ printf '{"data": 1}\n{"data": 2}\n{"data": 3}\n' | rtinject -v -n 2 -r 20 ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 16
+  $ printf '{"data": 1}\n{"data": 2}\n{"data": 3}\n' | rtinject -v -n 2 -r 20 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected, id $UUID
   rtinject: 2 sent, [0-9.]+ Hz (re)
+  $ ctl received ConsoleOut0:in 16
   16 2
   $ printf '{"data": 1}\n{"data": 2}\n' | within 0.9-2.5 rtinject ConsoleOut0.rtc:in
-  $ (echo '{"data": 8}'; sleep 5) | within 0.4-2 rtinject -t 0.5 -r 0 ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 19
+  $ (echo '{"data": 8}'; sleep 5) | within 0.4-2 rtinject -t 0.5 -r 0 ConsoleOut0.rtc:in
+  $ ctl received ConsoleOut0:in 19
   19 8
 
 Several ports, all types of the standard:
 
   $ rtinject -c 'RTC.TimedLong({time}, 9)' ConsoleOut0.rtc:in Far0.rtc:in; ctl @these received Far0:in 1
   1 9
-  $ rtinject -c 'RTC.TimedDoubleSeq({time}, [1, 2.5])' SequenceInComponent0.rtc:DoubleSeq; ctl @these received SequenceInComponent0:DoubleSeq 1
+  $ rtinject -c 'RTC.TimedDoubleSeq({time}, [1, 2.5])' SequenceInComponent0.rtc:DoubleSeq
+  $ ctl @these received SequenceInComponent0:DoubleSeq 1
   1 [1.0, 2.5]
-  $ rtinject -c '{"data": "AQI="}' SequenceInComponent0.rtc:OctetSeq; ctl @these received SequenceInComponent0:OctetSeq 1
+  $ rtinject -c '{"data": "AQI="}' SequenceInComponent0.rtc:OctetSeq
+  $ ctl @these received SequenceInComponent0:OctetSeq 1
   1 b'\x01\x02'
 
 -t ends it, -n too; -1 is for ever, which Ctrl-C and SIGTERM end:
@@ -59,7 +68,8 @@ Several ports, all types of the standard:
 
 It leaves no connection:
 
-  $ ctl connectors ConsoleOut0:in; ctl @these connectors Far0:in; rtls
+  $ ctl connectors ConsoleOut0:in; ctl @these connectors Far0:in
+  $ rtls
   ConsoleIn0.rtc
   ConsoleOut0.rtc
   Far0.rtc
@@ -154,10 +164,12 @@ Refused, dead, silent:
   $ ctl answer ConsoleOut0:in PORT_ERROR; rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it reports an error of the port (PORT_ERROR)
   [6]
-  $ ctl answer ConsoleOut0:in PORT_OK; ctl refuse ConsoleOut0:in RTC_ERROR; rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
+  $ ctl answer ConsoleOut0:in PORT_OK; ctl refuse ConsoleOut0:in RTC_ERROR
+  $ rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: refused by the component (RTC_ERROR)
   [6]
-  $ ctl refuse ConsoleOut0:in RTC_OK; ctl fail put 1 UNKNOWN; rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
+  $ ctl refuse ConsoleOut0:in RTC_OK; ctl fail put 1 UNKNOWN
+  $ rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: CORBA.UNKNOWN
   [6]
   $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'

@@ -4,7 +4,8 @@ world: these ConsoleIn ConsoleOut Motor --flavour cpp2
 world: sources 1 100 8
 
   $ states() { rtls -l | awk '{print $1, $2, $6}'; }
-  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT
+  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcryo --all -o a.xml localhost:$PORT
 
 SIGTERM, and Ctrl-C, change nothing:
 
@@ -14,12 +15,16 @@ SIGTERM, and Ctrl-C, change nothing:
 
 With --stop-at-end, and at `rtkeep stop`, all components are deactivated, as by rtstop; not with --leave.
 
-  $ rtkeep --stop-at-end a.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; kill $keep; wait $keep; states
+  $ rtkeep --stop-at-end a.xml > out 2>&1 & keep=$!
+  $ soon 'rtkeep status | grep ";.all.is"'; kill $keep
+  $ wait $keep; states
   Inactive 1/1 ConsoleIn0.rtc
   Inactive 1/1 ConsoleOut0.rtc
   Inactive 2/0 Motor0.rtc
   Inactive 2/0 Source0.rtc
-  $ rtkeep a.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; rtkeep stop; wait $keep; states
+  $ rtkeep a.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep stop; wait $keep
+  $ states
   Inactive 1/1 ConsoleIn0.rtc
   Inactive 1/1 ConsoleOut0.rtc
   Inactive 2/0 Motor0.rtc
@@ -70,9 +75,13 @@ A closed terminal ends rtkeep; the shell and the kernel may both say that it is 
 With --processes it ends what it has started: its components are deactivated by the plan first. Others stay as they are.
 
   $ mocks() { echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/own.control'"; }
-  $ mkfifo fifo; echo "own: $(mocks Sensor Controller)" > Procfile; echo "own.ready: /localhost:$PORT/test.host_cxt/Controller0.rtc" >> Procfile
-  $ rtkeep --processes Procfile > out 2>&1 & keep=$!; soon 'grep own:.*ready out'; rtcryo --all -o b.xml localhost:$PORT; kill $keep; wait $keep
-  $ for how in '' --leave; do rtkeep $how --processes Procfile b.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; kill $keep; wait $keep; said out | grep 'Inactive$' | sort; states; done; rtdel -z
+  $ mkfifo fifo; echo "own: $(mocks Sensor Controller)" > Procfile
+  $ echo "own.ready: /localhost:$PORT/test.host_cxt/Controller0.rtc" >> Procfile
+  $ rtkeep --processes Procfile > out 2>&1 & keep=$!; soon 'grep own:.*ready out'
+  $ rtcryo --all -o b.xml localhost:$PORT; kill $keep
+  $ wait $keep
+  $ for how in '' --leave; do rtkeep $how --processes Procfile b.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; kill $keep; wait $keep; said out |
+  > grep 'Inactive$' | sort; states; done
   Controller0.rtc: Inactive
   Sensor0.rtc: Inactive
   Active 1/1 ConsoleIn0.rtc
@@ -83,21 +92,32 @@ With --processes it ends what it has started: its components are deactivated by 
   Active 1/1 ConsoleOut0.rtc
   Active 2/0 Motor0.rtc
   Active 2/0 Source0.rtc
+  $ rtdel -z
 
 Without a terminal SIGHUP means `reload`: even twice, that is no restart, and what is there stays there meanwhile.
 
-  $ rtkeep a.xml >> log 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; kill -HUP $keep; kill -HUP $keep; rtkeep reload; rtkeep reload; rtkeep status | grep absent
+  $ rtkeep a.xml >> log 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'
+  $ kill -HUP $keep; kill -HUP $keep
+  $ rtkeep reload; rtkeep reload
+  $ rtkeep status | grep absent
   [1]
-  $ soon 'rtkeep status | grep ";.all.is"'; rtkeep status --json | grep -c '"restarts": 0.*"Active"'; rtkeep status --json | grep -c '"restarts": [1-9]'
+  $ soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep status --json | grep -c '"restarts": 0.*"Active"'
   4
+  $ rtkeep status --json | grep -c '"restarts": [1-9]'
   0
   [1]
 
 What was made Inactive by hand stays Inactive after an Error, also while the file is read again; it is reset only.
 
-  $ : > log; rtdeact Motor0.rtc; soon 'grep by.hand log'; ctl error Motor0; soon 'grep Error:.reset log'; rtkeep reload
-  $ soon 'rtkeep status | grep ";.all.is.*left.alone"'; ctl error Motor0; soon '[ $(grep -c Error:.reset log) = 2 ]'; soon 'rtkeep status | grep ";.all.is"'; ctl state Motor0; said log
+  $ : > log; rtdeact Motor0.rtc
+  $ soon 'grep by.hand log'; ctl error Motor0
+  $ soon 'grep Error:.reset log'; rtkeep reload
+  $ soon 'rtkeep status | grep ";.all.is.*left.alone"'; ctl error Motor0
+  $ soon '[ $(grep -c Error:.reset log) = 2 ]'; soon 'rtkeep status | grep ";.all.is"'
+  $ ctl state Motor0
   INACTIVE
+  $ said log
   Motor0.rtc: was made Inactive by hand: left alone
   Motor0.rtc: in Error: reset
   Motor0.rtc: in Error: reset
@@ -106,7 +126,9 @@ What was made Inactive by hand stays Inactive after an Error, also while the fil
 
 A person activates it again:
 
-  $ : > log; rtact --wait Motor0.rtc; soon 'grep again log'; ctl error Motor0; soon 'rtcheck a.xml && grep Motor0.rtc:.Active log'; said log
+  $ : > log; rtact --wait Motor0.rtc
+  $ soon 'grep again log'; ctl error Motor0
+  $ soon 'rtcheck a.xml && grep Motor0.rtc:.Active log'; said log
   Motor0.rtc: is Active again
   Motor0.rtc: in Error: reset
   Motor0.rtc: Active

@@ -25,7 +25,8 @@ world: these ConsoleIn
 Each is started when those before it are ready; what they print is kept, and shown with -v.
 
   $ mkdir logs; rtkeep -v --log logs --processes Procfile > out 2> err & keep=$!
-  $ soon 'grep talk.*more out'; soon 'grep missing.*given out'; said out | grep -v -e brief -e missing -e 'ready 1'
+  $ soon 'grep talk.*more out'; soon 'grep missing.*given out'
+  $ said out | grep -v -e brief -e missing -e 'ready 1'
   motor: started, pid N
   motor: Motor0.rtc answers: ready
   out: started, pid N
@@ -51,13 +52,17 @@ Each is started when those before it are ready; what they print is kept, and sho
 
 One that is killed comes back; the system is kept, too, where there is a file.
 
-  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo -o a.xml localhost:$PORT; kill $keep; wait $keep
+  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo -o a.xml localhost:$PORT
   rtcryo: 1 component without connections left out; --all saves them, too
+  $ kill $keep; wait $keep
   $ ls | grep control; rtls
   ConsoleIn0.rtc
   $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'; kill -9 $(rtkeep status --json | sed -n 's/.*"object": "out", "pid": \([0-9]*\),.*/\1/p')
-  $ soon 'grep out:.ended.by.SIGKILL out'; soon 'rtcheck a.xml'; soon 'test $(grep -c ConsoleOut0.rtc:.Active out) = 2'; said out | grep -e out: -e Out | sort | uniq -c | sed 's/^ *//'
+  $ soon 'rtcheck a.xml'
+  $ kill -9 $(rtkeep status --json | sed -n 's/.*"object": "out", "pid": \([0-9]*\),.*/\1/p')
+  $ soon 'grep out:.ended.by.SIGKILL out'; soon 'rtcheck a.xml'
+  $ soon 'test $(grep -c ConsoleOut0.rtc:.Active out) = 2'
+  $ said out | grep -e out: -e Out | sort | uniq -c | sed 's/^ *//'
   2 ConsoleOut0.rtc: Active
   1 ConsoleOut0.rtc: its process is gone
   2 out: ConsoleOut0.rtc answers: ready
@@ -73,7 +78,8 @@ A second one for a file is refused, and named.
 
 What is stopped by name stays stopped until it is resumed.
 
-  $ rtkeep stop talk; soon 'grep talk:.*told out'; rtkeep status | grep talk | said
+  $ rtkeep stop talk; soon 'grep talk:.*told out'
+  $ rtkeep status | grep talk | said
     talk                                            stopped  stopped             T
     talk: hello from $TMP
     talk: more
@@ -81,31 +87,41 @@ What is stopped by name stays stopped until it is resumed.
 
 At the end the components of these processes are deactivated, then the processes end, the last first; others stay as they are. Nothing survives kill -9, either.
 
-  $ kill $keep; wait $keep; said out | grep -v Inactive | tail -4; ls | grep control; ctl @these state ConsoleIn0
+  $ kill $keep; wait $keep
+  $ said out | grep -v Inactive | tail -4
   talk: started, pid N
   talk: ended by SIGINT: as it was told
   out: ended with status 0: as it was told
   motor: ended with status 0: as it was told
+  $ ls | grep control
+  [1]
+  $ ctl @these state ConsoleIn0
   ACTIVE
   $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep talk.*ready'
-  $ pids=$(rtkeep status --json | grep process | sed -n 's/.*"pid": \([0-9]*\),.*/\1/p'); echo $pids | wc -w; kill -9 $keep; wait $keep 2> nul
+  $ pids=$(rtkeep status --json | grep process | sed -n 's/.*"pid": \([0-9]*\),.*/\1/p')
+  $ echo $pids | wc -w
   3
+  $ kill -9 $keep; wait $keep 2> nul
   [137]
   $ for pid in $pids; do soon "! kill -0 $pid"; done
 
 A component that lives is not started a second time.
 
-  $ rm -f *.control; : > out; mock these Motor > nul; rtkeep --processes Procfile > out 2>&1 & keep=$!
+  $ rm -f *.control; : > out
+  $ mock these Motor > nul; rtkeep --processes Procfile > out 2>&1 & keep=$!
   $ soon 'grep motor.*not.started out'; said out | grep motor
   motor: Motor0.rtc answers already: not started
   $ kill $keep; wait $keep
 
 Nor is one that hangs; when it is gone, the process is started.
 
-  $ hang these2; : > out; rtkeep --processes Procfile > out 2>&1 & keep=$!
-  $ soon 'grep motor.*not.started out'; said out | grep motor; kill-mock these2; soon 'grep motor.*ready out'; said out | grep motor
+  $ hang these2; : > out
+  $ rtkeep --processes Procfile > out 2>&1 & keep=$!
+  $ soon 'grep motor.*not.started out'; said out | grep motor
   motor: Motor0.rtc does not answer, but is not gone: not started
+  $ kill-mock these2; soon 'grep motor.*ready out'
+  $ said out | grep motor
   motor: Motor0.rtc does not answer, but is not gone: not started
   motor: started, pid N
   motor: Motor0.rtc answers: ready
@@ -114,21 +130,43 @@ Nor is one that hangs; when it is gone, the process is started.
 What is wrong with a Procfile is said before anything is started:
 
   $ try() { printf "$1\n" > p; rtkeep --processes p; }
-  $ try ''; try 'a: b\na: c'; try 'a: ""'; try 'a: b\0c'; try 'a: b\na.env: FOO'; try 'a: b\na.stop: INT -5'; try 'a: b\na.stop: SIGINT nan'
+  $ try ''
   rtkeep: p: no processes
+  [1]
+  $ try 'a: b\na: c'
   rtkeep: p:2: a is there twice
+  [1]
+  $ try 'a: ""'
   rtkeep: p: a: no command
+  [1]
+  $ try 'a: b\0c'
   rtkeep: p:1: it contains a NUL character
+  [1]
+  $ try 'a: b\na.env: FOO'
   rtkeep: p: a: env: not KEY=VALUE: FOO
+  [1]
+  $ try 'a: b\na.stop: INT -5'
   rtkeep: p: a: stop: not SIGNAL SECONDS: INT -5
+  [1]
+  $ try 'a: b\na.stop: SIGINT nan'
   rtkeep: p: a: stop: not SIGNAL SECONDS: SIGINT nan
   [1]
-  $ try 'a b c'; try 'a: b\na.after: c'; try 'a: b\na.after: c\nc: d\nc.after: a'; try 'a: "b'; try 'a: b\na.stop: NOW 5'; try 'a.cwd: /'
+  $ try 'a b c'
   rtkeep: p:1: not NAME: COMMAND, nor NAME.KEY: VALUE with KEY one of after, ready, env, cwd, stop, restart, burst, delay
+  [1]
+  $ try 'a: b\na.after: c'
   rtkeep: p: a: after c, which is not there
+  [1]
+  $ try 'a: b\na.after: c\nc: d\nc.after: a'
   rtkeep: p: these wait for each other: a, c
+  [1]
+  $ try 'a: "b'
   rtkeep: p: a: No closing quotation
+  [1]
+  $ try 'a: b\na.stop: NOW 5'
   rtkeep: p: a: stop: no such signal: NOW
+  [1]
+  $ try 'a.cwd: /'
   rtkeep: p: a: no command
   [1]
   $ rtkeep --log nowhere --processes Procfile

@@ -2,8 +2,10 @@ rtkeep is asked and steered by others: status, pause, resume, stop, reload, adop
 
 world: these ConsoleIn ConsoleOut Motor ConfigSample
 
-  $ export XDG_RUNTIME_DIR=$PWD; mkdir -p rtkeep; chmod 700 rtkeep
-  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT; rtcryo --all -o b.xml localhost:$PORT
+  $ export XDG_RUNTIME_DIR=$PWD; mkdir -p rtkeep
+  $ chmod 700 rtkeep
+  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcryo --all -o a.xml localhost:$PORT; rtcryo --all -o b.xml localhost:$PORT
   $ rtkeep status
   rtkeep: no rtkeep runs
   [1]
@@ -18,8 +20,10 @@ To systemd it says when all is as the file says, what happens, that it lives, an
   >     print(server.recv(4096).decode(), flush=True)
   > EOF
   $ python3 manager.py > told & manager=$!
-  $ soon '[ -S notify ]'; NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=400000 rtkeep --events log.json a.xml >> out 2>&1 & keep=$!
-  $ soon 'grep READY=1 told'; soon '[ $(grep -c WATCHDOG=1 told) -ge 3 ]'; grep STATUS told | said | sed 's/\[.*\] //' | sort
+  $ soon '[ -S notify ]'
+  $ NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=400000 rtkeep --events log.json a.xml >> out 2>&1 & keep=$!
+  $ soon 'grep READY=1 told'; soon '[ $(grep -c WATCHDOG=1 told) -ge 3 ]'
+  $ grep STATUS told | said | sed 's/\[.*\] //' | sort
   STATUS=ConfigSample0.rtc: Active
   STATUS=ConsoleIn0.rtc: Active
   STATUS=ConsoleOut0.rtc: Active
@@ -38,17 +42,26 @@ To systemd it says when all is as the file says, what happens, that it lives, an
 
 What is paused is not mended, until it is resumed; that takes back what a person has done, too.
 
-  $ rtkeep pause Motor0 ConsoleIn0 ConsoleOut0; ctl error Motor0; rtdis ConsoleIn0.rtc; sleep 1; ctl state Motor0; rtls -l | grep ConsoleIn0
+  $ rtkeep pause Motor0 ConsoleIn0 ConsoleOut0; ctl error Motor0
+  $ rtdis ConsoleIn0.rtc; sleep 1
+  $ ctl state Motor0
   ERROR
+  $ rtls -l | grep ConsoleIn0
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0; soon 'rtcheck a.xml'
-  $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'; rtkeep status | said | head -n 1; rtkeep status --json | grep -o '"by_hand": .".*hand"'; rtkeep resume; soon 'rtcheck a.xml'
+  $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'
+  $ rtkeep status | said | head -n 1
   a.xml: pid N, since T; all is as the file says, but for what is left alone
+  $ rtkeep status --json | grep -o '"by_hand": .".*hand"'
   "by_hand": ["was made Inactive by hand"
-  $ rtkeep stop Motor0; soon '! rtcheck a.xml'; rtkeep status | grep Motor0 | said; rtkeep resume
+  $ rtkeep resume; soon 'rtcheck a.xml'
+  $ rtkeep stop Motor0; soon '! rtcheck a.xml'
+  $ rtkeep status | grep Motor0 | said
     Motor0.rtc         paused  Inactive  T    deactivated on request
-  $ rtkeep pause Motor0.rtc; rtkeep status | grep -c paused; rtkeep resume; soon 'rtcheck a.xml && rtkeep status | grep all.is.as'
+  $ rtkeep resume
+  $ rtkeep pause Motor0.rtc; rtkeep status | grep -c paused
   1
+  $ rtkeep resume; soon 'rtcheck a.xml && rtkeep status | grep all.is.as'
   $ rtkeep pause Nothing0; rtkeep --of b.xml pause
   rtkeep: a.xml: no such component or process in it: Nothing0
   rtkeep: b.xml: no rtkeep keeps it
@@ -56,36 +69,55 @@ What is paused is not mended, until it is resumed; that takes back what a person
 
 What a person has done stays when the file is read again, and so does a pause; what the file wants otherwise than before is done.
 
-  $ : > out; rtdeact Motor0.rtc; rtconf ConfigSample0.rtc -s mode1 set int_param0=7; rtec ConfigSample0.rtc rate 250; soon '[ $(grep -c by.hand out) = 3 ]'
-  $ rtkeep pause ConsoleOut0; cp a.xml before; sed 's/\(int_param0" rts:data=\)"-999"/\1"8"/' before > a.xml; cmp -s before a.xml; echo $?; : > out; rtkeep reload
-  1
-  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = 8 ]'; soon 'grep ConfigSample0.*restored out'; cp before a.xml; rtkeep reload
-  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = -999 ]'; soon 'rtkeep status | grep Motor0.*Inactive'; rtkeep status --json | grep -o '"by_hand": .".*hand"\|"ConsoleOut0.*"\|"wanted": "paused"'
+  $ : > out; rtdeact Motor0.rtc
+  $ rtconf ConfigSample0.rtc -s mode1 set int_param0=7; rtec ConfigSample0.rtc rate 250
+  $ soon '[ $(grep -c by.hand out) = 3 ]'
+  $ rtkeep pause ConsoleOut0; cp a.xml before
+  $ sed 's/\(int_param0" rts:data=\)"-999"/\1"8"/' before > a.xml; cmp -s before a.xml
+  [1]
+  $ : > out; rtkeep reload
+  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = 8 ]'
+  $ soon 'grep ConfigSample0.*restored out'; cp before a.xml
+  $ rtkeep reload
+  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = -999 ]'
+  $ soon 'rtkeep status | grep Motor0.*Inactive'
+  $ rtkeep status --json | grep -o '"by_hand": .".*hand"\|"ConsoleOut0.*"\|"wanted": "paused"'
   "by_hand": ["rate of execution context 0 was changed by hand"
   "wanted": "paused"
   "by_hand": ["was made Inactive by hand"
-  $ said out | sort; ctl state Motor0; rtec ConfigSample0.rtc | head -3; rtkeep resume; soon 'rtcheck a.xml'
+  $ said out | sort
   ConfigSample0.rtc: restored configuration set mode1
   ConfigSample0.rtc: restored configuration set mode1
+  $ ctl state Motor0
   INACTIVE
+  $ rtec ConfigSample0.rtc | head -3
   0  0  Periodic  250  Running  Active  ConfigSample0  -
+  $ rtkeep resume; soon 'rtcheck a.xml'
 
 Its file can be read again; one that is wrong changes nothing.
 
-  $ sed 's/rts:name="outin"/rts:name="renamed"/; s/rts:connectorId="one"/rts:connectorId="new"/' b.xml > c.xml; rtdis ConsoleIn0.rtc; cp c.xml a.xml
-  $ rtkeep reload; soon 'rtcheck a.xml'; echo nonsense > a.xml; rtkeep reload
+  $ sed 's/rts:name="outin"/rts:name="renamed"/; s/rts:connectorId="one"/rts:connectorId="new"/' b.xml > c.xml
+  $ rtdis ConsoleIn0.rtc; cp c.xml a.xml
+  $ rtkeep reload; soon 'rtcheck a.xml'
+  $ echo nonsense > a.xml; rtkeep reload
   rtkeep: a.xml:1:1: not an RtsProfile: the key rtsProfile is missing
   [1]
-  $ sed 's|\(<rts:Components [^>]*Motor0[^>]*>\)|\1<rtsExt:Properties rtsExt:name="keep.burst" rtsExt:value="many"/>|' c.xml > a.xml; rtkeep reload | said
+  $ sed 's|\(<rts:Components [^>]*Motor0[^>]*>\)|\1<rtsExt:Properties rtsExt:name="keep.burst" rtsExt:value="many"/>|' c.xml > a.xml
+  $ rtkeep reload | said
   rtkeep: /localhost:$PORT/test.host_cxt/Motor0.rtc: its property keep.burst: not NUMBER/SECONDS
-  $ rm a.xml; rtkeep reload; kill -0 $keep
+  $ rm a.xml; rtkeep reload
   rtkeep: a.xml: No such file or directory
-  $ kill -HUP $keep; cp c.xml a.xml; soon 'rtcheck a.xml'
+  [1]
+  $ kill -0 $keep
+  $ kill -HUP $keep; cp c.xml a.xml
+  $ soon 'rtcheck a.xml'
 
 What a person has done can be made the file's.
 
-  $ : > out; rtconf ConfigSample0.rtc -s mode1 set int_param0=5; rtec Motor0.rtc rate 500; soon '[ $(grep -c by.hand out) = 2 ]'
-  $ rtkeep pause; rtdis ConsoleIn0.rtc; rtcon -i more ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ : > out; rtconf ConfigSample0.rtc -s mode1 set int_param0=5
+  $ rtec Motor0.rtc rate 500; soon '[ $(grep -c by.hand out) = 2 ]'
+  $ rtkeep pause; rtdis ConsoleIn0.rtc
+  $ rtcon -i more ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtkeep adopt --dry-run a.xml | grep '^[-+]' | sed 's/ *<[^ ]*//; s/rtc.*//' | head -7
   --- a.xml
   +++ now
@@ -94,7 +126,10 @@ What a person has done can be made the file's.
   - xsi:type="rtsExt:execution_context_ext" rts:id="0" rts:kind="PERIODIC" rts:rate="1000.0"/>
   + xsi:type="rtsExt:execution_context_ext" rts:id="0" rts:kind="PERIODIC" rts:rate="500.0"/>
   - xsi:type="rtsExt:dataport_connector_ext" rts:connectorId="new" rts:name="renamed" rts:dataType="IDL:RTC/TimedLong:1.0" rts:interfaceType="corba_cdr" rts:dataflowType="push" rts:subscriptionType="new">
-  $ rtkeep adopt a.xml; rtcheck a.xml; rtkeep adopt --dry-run a.xml; rtkeep reload; soon 'rtcheck a.xml'; sleep 0.5; rtcheck a.xml
+  $ rtkeep adopt a.xml; rtcheck a.xml
+  $ rtkeep adopt --dry-run a.xml; rtkeep reload
+  $ soon 'rtcheck a.xml'; sleep 0.5
+  $ rtcheck a.xml
 
 Every action is in the log; with --teardown all is deactivated, and disconnected.
 

@@ -3,8 +3,10 @@ rtkeep brings a system to what its RtsProfile says, stays, and mends what change
 world: these ConsoleIn ConsoleOut Motor ConfigSample
 world: these ConsoleOut:Plain0 --flavour cpp2
 
-  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i two ConsoleIn0.rtc:out Plain0.rtc:in
-  $ rtcryo --all -o a.xml localhost:$PORT; rtdis ConsoleIn0.rtc; rtconf ConfigSample0.rtc set int_param0 7
+  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon -i two ConsoleIn0.rtc:out Plain0.rtc:in
+  $ rtcryo --all -o a.xml localhost:$PORT; rtdis ConsoleIn0.rtc
+  $ rtconf ConfigSample0.rtc set int_param0 7
 
 At boot: the commands that would do it; then it is done once. What is not so in time is the status.
 
@@ -26,12 +28,15 @@ At boot: the commands that would do it; then it is done once. What is not so in 
   ConsoleOut0.rtc: Active
   Motor0.rtc: Active
   Plain0.rtc: Active
-  $ rtcheck a.xml; rtkeep --once a.xml; rtdeact Motor0.rtc; mkfifo fifo; rtkeep --once --events fifo a.xml
+  $ rtcheck a.xml; rtkeep --once a.xml
+  $ rtdeact Motor0.rtc; mkfifo fifo
+  $ rtkeep --once --events fifo a.xml
   rtkeep: fifo: No such device or address
   [1]
   $ rtkeep --once --events log.json a.xml > nul; grep -c Active.*Motor0 log.json
   1
-  $ rtdeact Motor0.rtc; rtsh -c 'start -q a.xml; wait a.xml; keep --once a.xml' | said; rtcheck a.xml
+  $ rtdeact Motor0.rtc; rtsh -c 'start -q a.xml; wait a.xml; keep --once a.xml' | said
+  $ rtcheck a.xml
   $ sed 's/Motor0/Motor9/' a.xml > other.xml; rtkeep --once --within 4 other.xml
   rtkeep: /localhost:$PORT/test.host_cxt/Motor9.rtc: no such path; did you mean Motor0.rtc?
   [3]
@@ -42,9 +47,13 @@ It stays, and mends: a connection, an Error, a component that was killed and is 
   $ soon 'ctl observers Motor0 | grep Obs'; soon 'ctl observers ConsoleIn0 | grep Obs'
   $ rtdis -i one ConsoleIn0.rtc:out; soon 'grep "connection one" out'
   $ ctl error Motor0; soon 'grep Motor0.*Active out'
-  $ kill-mock these2; soon 'grep gone out'; mock these ConsoleOut:Plain0 --flavour cpp2
-  $ soon 'grep Plain0.*Active out'; soon 'grep "connection two" out'; rtcheck a.xml
-  $ hang these3; soon 'grep "left alone" out'; wake these3; soon 'grep again out'; soon 'rtcheck a.xml'
+  $ kill-mock these2; soon 'grep gone out'
+  $ mock these ConsoleOut:Plain0 --flavour cpp2
+  $ soon 'grep Plain0.*Active out'; soon 'grep "connection two" out'
+  $ rtcheck a.xml
+  $ hang these3; soon 'grep "left alone" out'
+  $ wake these3; soon 'grep again out'
+  $ soon 'rtcheck a.xml'
   $ said out | grep -v -e 'waits for Plain0' -e 'no answer within 3s$' | sort  # of what was looked at just then
   ConsoleIn0.rtc: restored connection one
   ConsoleIn0.rtc: restored connection two
@@ -57,11 +66,14 @@ It stays, and mends: a connection, an Error, a component that was killed and is 
 
 What a person does is reported, and left alone.
 
-  $ : > out; rtdeact Motor0.rtc; rtconf ConfigSample0.rtc set int_param0 9; rtec Motor0.rtc rate 500
-  $ soon '[ $(grep -c "by hand" out) = 3 ]'; ctl state Motor0; rtconf ConfigSample0.rtc get int_param0
+  $ : > out; rtdeact Motor0.rtc
+  $ rtconf ConfigSample0.rtc set int_param0 9; rtec Motor0.rtc rate 500
+  $ soon '[ $(grep -c "by hand" out) = 3 ]'; ctl state Motor0
   INACTIVE
+  $ rtconf ConfigSample0.rtc get int_param0
   9
-  $ rtact Motor0.rtc; soon 'grep Active.again out'; said out | sort
+  $ rtact Motor0.rtc; soon 'grep Active.again out'
+  $ said out | sort
   ConfigSample0.rtc: configuration set mode1 was changed by hand: left alone
   Motor0.rtc: is Active again
   Motor0.rtc: rate of execution context 0 was changed by hand: left alone
@@ -70,9 +82,12 @@ What a person does is reported, and left alone.
 At rest, who reports by himself is asked for connections only, which no observer of ours reports (protocol.md 5.4), and others all
 else: a question each --look seconds (the mock asks its far ends whether they exist then). At the end no observer stays.
 
-  $ sleep 1; begun=$(date +%s); ctl reset; ctl @these3 reset; sleep 2.5; ctl calls | grep -v put | awk '{print $2, ($1 <= 2)}'
+  $ sleep 1; begun=$(date +%s)
+  $ ctl reset; ctl @these3 reset
+  $ sleep 2.5; ctl calls | grep -v put | awk '{print $2, ($1 <= 2)}'
   get_connector_profiles 1
-  $ ctl @these3 calls | awk -v end=$(date +%s) -v begun=$begun '!/put|_non_existent/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
+  $ ctl @these3 calls |
+  > awk -v end=$(date +%s) -v begun=$begun '!/put|_non_existent/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
   1
   $ kill $keep; wait $keep
   $ ctl observers Motor0; ctl observers ConsoleIn0
@@ -80,8 +95,10 @@ else: a question each --look seconds (the mock asks its far ends whether they ex
 With --strict all is as in the file.
 
   $ rtkeep --strict a.xml > out 2>&1 & keep=$!
-  $ soon 'grep rate.of out'; soon 'ctl observers Motor0 | grep Obs'; rtdeact Motor0.rtc; soon 'grep Motor0.*Active out'
-  $ soon 'rtcheck a.xml'; kill $keep; wait $keep
+  $ soon 'grep rate.of out'; soon 'ctl observers Motor0 | grep Obs'
+  $ rtdeact Motor0.rtc; soon 'grep Motor0.*Active out'
+  $ soon 'rtcheck a.xml'; kill $keep
+  $ wait $keep
 
 What cannot be meant:
 

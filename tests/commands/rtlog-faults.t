@@ -38,13 +38,16 @@ The component drops the connection of the killed one when it sends next:
 
 It leaves nothing that can hang a component when it drops these connections. (An observer of its ports would, in C++ 2.1.)
 
-  $ cd() { RTCSH_CWD=/localhost:$PORT/$1; export RTCSH_CWD; }; observed() { ctl @sources observers Source0 | grep -c Observer; }
+  $ cd() { RTCSH_CWD=/localhost:$PORT/$1; export RTCSH_CWD; }
+  $ observed() { ctl @sources observers Source0 | grep -c Observer; }
   $ cd cpp2.host_cxt; rtlog -q -f o.mcap --events . & pid=$!; soon '[ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number'
   $ kill -KILL $pid; wait $pid 2>/dev/null
   [137]
-  $ soon '[ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]'; rtls -l; cd test.host_cxt
+  $ soon '[ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]'
+  $ rtls -l
   Active  2/0  0/0  2/0  0/0  Source0.rtc
   Active  2/0  0/0  2/0  0/0  Source1.rtc
+  $ cd test.host_cxt
 
 Files that cannot be written:
 
@@ -70,9 +73,10 @@ Files that cannot be written:
   rtlog: full.rtlog: other readers may refuse it; rtlog --mend makes a copy that they open
   "closed": false, "damaged": 0
   "torn": 0}
-  $ (ulimit -f 1; rtlog --mend full.rtlog -f m.rtlog; rtlog -q --csv tables -f full.rtlog) 2>&1 | cat; ls -A tables; ls m.rtlog 2> nul
+  $ (ulimit -f 1; rtlog --mend full.rtlog -f m.rtlog; rtlog -q --csv tables -f full.rtlog) 2>&1 | cat
   rtlog: m.rtlog: File too large
   rtlog: tables/input0.csv: File too large
+  $ ls -A tables; ls m.rtlog 2> nul
   [2]
   $ ctl connectors Source0:number
 

@@ -34,7 +34,9 @@ without one:
   > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if entry["port"].endswith(":number")]
   > print([(n, m) for n, m in zip(numbers, numbers[1:]) if m != n + 1])'; }
   $ rtlog -q -f c.mcap Source0.rtc & pid=$!; soon '[ $(entries c.mcap :number) -gt 100 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
-  $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'; before=$(entries c.mcap :number); soon '[ $(entries c.mcap :number) -gt $((before + 1000)) ]'
+  $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'
+  $ before=$(entries c.mcap :number)
+  $ soon '[ $(entries c.mcap :number) -gt $((before + 1000)) ]'
   $ ctl connectors Source0:number | wc -l; kill $pid; wait $pid
   1
   [143]
@@ -45,7 +47,9 @@ without one:
 What the buffer of a port could not hold meanwhile is missing, which is in the log (about how much, only the component knows), and told at the end:
 
   $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!; soon '[ $(entries d.mcap :number) -gt 8000 ]'; kill -STOP $pid
-  $ before=$(ctl @senders3 sent Source0:number); soon '[ $(ctl @senders3 sent Source0:number) -gt $((before + 8000)) ]'; kill -CONT $pid
+  $ before=$(ctl @senders3 sent Source0:number)
+  $ soon '[ $(ctl @senders3 sent Source0:number) -gt $((before + 8000)) ]'
+  $ kill -CONT $pid
   $ soon 'rtlog --json -f d.mcap | grep MISSING.*number'; kill $pid; wait $pid
   [143]
   $ cat told; rtlog -d --json -f d.mcap > info; rtlog --json -f d.mcap 2> nul | python3 -c 'import json, sys

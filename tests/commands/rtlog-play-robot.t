@@ -5,13 +5,16 @@ server: other
 world: these ConsoleOut:Uno --nameserver localhost:$PORT2 --context new.host_cxt/%n.rtc
 
   $ got() { for one in "$@"; do echo $one $(ctl @these received $one:in | cut -d' ' -f1); done; }
-  $ rtcon -q Left.rtc:out One.rtc:in; rtcon -q Left.rtc:out Two.rtc:in; rtcon -q Right.rtc:out Two.rtc:in; rtact One.rtc Two.rtc Three.rtc
+  $ rtcon -q Left.rtc:out One.rtc:in; rtcon -q Left.rtc:out Two.rtc:in
+  $ rtcon -q Right.rtc:out Two.rtc:in; rtact One.rtc Two.rtc Three.rtc
   $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1.rtsys'
-  $ soon '[ $(ctl @these connectors Left:out | wc -l) = 3 ]'; soon '[ $(ctl @these connectors Right:out | wc -l) = 2 ]'
+  $ soon '[ $(ctl @these connectors Left:out | wc -l) = 3 ]'
+  $ soon '[ $(ctl @these connectors Right:out | wc -l) = 2 ]'
   $ for i in 1 2 3 4; do ctl write Left:out $i; done; ctl write Right:out 5; soon 'rtlog --json -f a.mcap | grep "data.: 4"'; soon 'rtlog --json -f a.mcap | grep "data.: 5"'
   $ kill $pid; wait $pid
   [143]
-  $ rtdis -q Left.rtc; rtdis -q Right.rtc; got One Two Three
+  $ rtdis -q Left.rtc; rtdis -q Right.rtc
+  $ got One Two Three
   One 4
   Two 5
   Three 0
@@ -48,7 +51,9 @@ Some of them, by either port or by type:
 
 They are elsewhere, or have other names; what is not there is reported, and the rest is played:
 
-  $ N=/localhost:$PORT2/new.host_cxt; M="--map localhost:$PORT=localhost:$PORT2 --map test.host_cxt=new.host_cxt"; rtact $N/Uno.rtc
+  $ N=/localhost:$PORT2/new.host_cxt
+  $ M="--map localhost:$PORT=localhost:$PORT2 --map test.host_cxt=new.host_cxt"
+  $ rtact $N/Uno.rtc
   $ rtlog -q -p $M --map One.rtc=Uno.rtc -f a.mcap $N
   rtlog: /localhost:$PORT2/new.host_cxt/Two.rtc: no such path
   [5]

@@ -6,7 +6,8 @@ alone: time
 once: it is the clock that counts here
 
   $ rtact ConsoleOut0.rtc ConsoleOut1.rtc
-  $ rtlog -q -i -e 10 -f a.rtlog Source0.rtc:number.numbers; rtlog -q -i -e 10 --append -f a.rtlog Source0.rtc:block.blocks
+  $ rtlog -q -i -e 10 -f a.rtlog Source0.rtc:number.numbers
+  $ rtlog -q -i -e 10 --append -f a.rtlog Source0.rtc:block.blocks
   $ rtlog --csv -f a.rtlog | grep numbers | cut -d, -f5 > numbers; last=$(tail -n 1 numbers)
 
 By NAME, or by place; as long as recording took; nothing is left behind:
@@ -16,8 +17,9 @@ By NAME, or by place; as long as recording took; nothing is left behind:
   $ [ "$(ctl @these received ConsoleOut0:in 10)" = "10 $last" ]
   $ within 0.05-10 rtlog -p -i -e 10 -f a.rtlog ConsoleOut0.rtc:in ConsoleOut1.rtc:in.numbers
   rtlog: Playing 10 entries.
-  $ ctl @these received ConsoleOut0:in 20 | cut -d' ' -f1; ctl @these received ConsoleOut1:in 10 | cut -d' ' -f1
+  $ ctl @these received ConsoleOut0:in 20 | cut -d' ' -f1
   20
+  $ ctl @these received ConsoleOut1:in 10 | cut -d' ' -f1
   10
   $ ctl @these connectors ConsoleOut0:in
 
@@ -45,9 +47,11 @@ Faster, slower, not longer than, in cycles, several a cycle:
 A part:
 
   $ ctl @these received ConsoleOut0:in | cut -d' ' -f1 > before
-  $ rtlog -p -f b.rtlog -i -e 2 ConsoleOut0.rtc:in.n; rtlog -p -f b.rtlog -i -s 1 -e 2 ConsoleOut0.rtc:in.n; rtlog -p -f b.rtlog -i -s 3 ConsoleOut0.rtc:in.n
+  $ rtlog -p -f b.rtlog -i -e 2 ConsoleOut0.rtc:in.n
   rtlog: Playing 2 entries.
+  $ rtlog -p -f b.rtlog -i -s 1 -e 2 ConsoleOut0.rtc:in.n
   rtlog: Playing from entry 1 to entry 2.
+  $ rtlog -p -f b.rtlog -i -s 3 ConsoleOut0.rtc:in.n
   rtlog: Playing from entry 3.
   rtlog: End of log reached.
   $ echo $(($(ctl @these received ConsoleOut0:in | cut -d' ' -f1) - $(cat before)))
@@ -79,14 +83,16 @@ What was recorded big-endian is played to a port that wants little-endian data:
 
 To the terminal, at their pace; --json and --csv, too:
 
-  $ rtlog -p -r 1000 -f a.rtlog | sed 's/\[[0-9.]*\] <.*/<BYTES>/; s/\[[0-9.]*\] [0-9]*/[TIME] N/' | sort | uniq -c
+  $ rtlog -p -r 1000 -f a.rtlog | sed 's/\[[0-9.]*\] <.*/<BYTES>/; s/\[[0-9.]*\] [0-9]*/[TIME] N/' | sort |
+  > uniq -c
        10 blocks: <BYTES>
        10 numbers: [TIME] N
   $ rtlog -p -f b.rtlog -i -e 1 | sed 's/[0-9]\{1,\}/N/g'
   [N.N] N
   $ within 0.3-10 rtlog -p --json -f b.rtlog | wc -l
   5
-  $ within 0.3-10 rtlog -p --csv --ns -f b.rtlog > paced; rtlog --csv --ns -f b.rtlog | cmp - paced; wc -l < paced
+  $ within 0.3-10 rtlog -p --csv --ns -f b.rtlog > paced
+  $ rtlog --csv --ns -f b.rtlog | cmp - paced; wc -l < paced
   6
   $ terminal 100 rtlog -p -f a.rtlog -i -s 10 -e 10 | sed 's/\[[0-9.]*\] <.. ../[TIME] <NN NN/'
   blocks: [TIME] <NN NN 00 00 00 00 00 00 … 992 more>

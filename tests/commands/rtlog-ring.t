@@ -5,21 +5,29 @@ world: senders 100 100
 alone: time
 once: it is the clock that counts here
 
-  $ span() { rtlog -d --json -f "$1" | python3 -c 'import json, sys; log = json.load(sys.stdin); print(round(log["last"] - log["first"]))'; }
+  $ span() { rtlog -d --json -f "$1" |
+  > python3 -c 'import json, sys; log = json.load(sys.stdin); print(round(log["last"] - log["first"]))'; }
 
 An error, with what came before it and after it; the ring is bounded, and goes on. (With `new` no port is let go where the
 machine is busy.)
 
   $ rtlog --ring 4 --after 2 --trigger error --then 'echo complete:' --property dataport.subscription_type=new -f a.mcap . > said 2> told & pid=$!
-  $ soon 'ctl observers ConsoleIn0 | grep Observer'; sleep 6; rtact ConsoleIn0.rtc; ctl error ConsoleIn0; soon 'grep complete said'
+  $ soon 'ctl observers ConsoleIn0 | grep Observer'; sleep 6
+  $ rtact ConsoleIn0.rtc; ctl error ConsoleIn0
+  $ soon 'grep complete said'
   $ sed 's/20[0-9]*-[0-9]*/DATE/' said
   complete: a-DATE-error-ConsoleIn0.rtc.mcap
-  $ [ $(span a-2*) -ge 5 ] && [ $(span a-2*) -le 7 ]; rtlog --json -f a-2*error* | grep -c 'ERROR.*RTC_STATUS\|"mark": "trigger: error ConsoleIn0.rtc'
+  $ [ $(span a-2*) -ge 5 ] && [ $(span a-2*) -le 7 ]
+  $ rtlog --json -f a-2*error* | grep -c 'ERROR.*RTC_STATUS\|"mark": "trigger: error ConsoleIn0.rtc'
   2
-  $ rtlog --csv -f a-2*error* | grep :number | cut -d, -f5 | grep . > numbers; [ $(wc -l < numbers) -gt 400 ]; seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
+  $ rtlog --csv -f a-2*error* | grep :number | cut -d, -f5 | grep . > numbers
+  $ [ $(wc -l < numbers) -gt 400 ]
+  $ seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
   $ rtlog -d --json -f a-2*error* | grep -o 'attachments": ."system-'
   attachments": ["system-
-  $ rm a-2*; for i in 1 2; do rtlog --trigger-now a.mcap; done; soon 'grep trigger:.now told'; kill -USR1 $pid; soon '[ $(ls a-2* | wc -l) = 1 ]'; soon '[ $(grep -c complete said) = 2 ]'
+  $ rm a-2*; for i in 1 2; do rtlog --trigger-now a.mcap; done
+  $ soon 'grep trigger:.now told'; kill -USR1 $pid
+  $ soon '[ $(ls a-2* | wc -l) = 1 ]'; soon '[ $(grep -c complete said) = 2 ]'
   $ [ $(ls a-0* | wc -l) -le 7 ]; kill $pid; wait $pid
   [143]
   $ sed 's/20[0-9]*-[0-9]*/DATE/' told | LC_ALL=C sort -u
@@ -49,11 +57,14 @@ A file of the user's that has the name of ours is left alone; what a killed rtlo
   q.mcap.trigger
   $ rm q*; rtlog -q --ring 4 --trigger error -f q.mcap . & pid=$!; soon 'grep -- --trigger q.mcap.trigger'; rtlog --trigger-now q.mcap; kill -KILL $pid; wait $pid 2>/dev/null
   [137]
-  $ rtlog -q -t 0.5 --ring 4 --trigger error -f q.mcap .; ls q* | grep trigger; rm -f q*
+  $ rtlog -q -t 0.5 --ring 4 --trigger error -f q.mcap .; ls q* | grep trigger
+  [1]
+  $ rm -f q*
 
 A value, in memory; only the file of the trigger is written:
 
-  $ rtlog -q -t 6 --ring 2 --in-memory --after 0.5 --trigger 'Source0.rtc:number.data > 0' -f m.mcap Source0.rtc:number; ls m* | sed 's/20[0-9]*-[0-9]*/DATE/'
+  $ rtlog -q -t 6 --ring 2 --in-memory --after 0.5 --trigger 'Source0.rtc:number.data > 0' -f m.mcap Source0.rtc:number
+  $ ls m* | sed 's/20[0-9]*-[0-9]*/DATE/'
   m-DATE-Source0.rtc-number.data-0.mcap
   $ rtlog -d --json -f m-2* | grep -o '"closed": true'
   "closed": true
@@ -73,9 +84,11 @@ Other files after some time; the last are kept:
 
 A disk that is nearly full:
 
-  $ rtlog -t 5 --leave 900000G -f l.mcap Source0.rtc:number; rtlog -d --json -f l.mcap | grep -o '"closed": true'
+  $ rtlog -t 5 --leave 900000G -f l.mcap Source0.rtc:number
   rtlog: Recording for 5.0s.
   rtlog: l.mcap: stopped, as the disk is nearly full (--leave)
+  [1]
+  $ rtlog -d --json -f l.mcap | grep -o '"closed": true'
   "closed": true
 
 kill -9 leaves what can be read:

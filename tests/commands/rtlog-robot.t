@@ -4,17 +4,21 @@ world: observed
 world: senders 100 100
 alone: kills and time
 
-  $ entries() { rtlog -d --json -f $1 2>/dev/null | python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
+  $ entries() { rtlog -d --json -f $1 2>/dev/null |
+  > python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
 
 A directory with events. A component that dies and comes back goes on in its channel; no port has two connectors. (With `new` none
 is let go where the machine is busy.)
 
   $ rtlog -f a.mcap --events --property dataport.subscription_type=new . 2> told & pid=$!; soon '[ $(entries a.mcap :number) -gt 20 ]'
-  $ soon 'ctl observers ConsoleIn0 | grep Observer'; rtact ConsoleIn0.rtc; ctl error ConsoleIn0
+  $ soon 'ctl observers ConsoleIn0 | grep Observer'; rtact ConsoleIn0.rtc
+  $ ctl error ConsoleIn0
   $ ctl @senders connectors Source0:number | wc -l
   1
-  $ kill-mock senders; soon 'rtlog --json -q -f a.mcap | grep DIED'; before=$(entries a.mcap :number)
-  $ mock senders 100 100; soon '[ $(entries a.mcap :number) -gt $((before + 50)) ]'; soon 'rtlog --json -q -f a.mcap | grep BACK'
+  $ kill-mock senders; soon 'rtlog --json -q -f a.mcap | grep DIED'
+  $ before=$(entries a.mcap :number)
+  $ mock senders 100 100; soon '[ $(entries a.mcap :number) -gt $((before + 50)) ]'
+  $ soon 'rtlog --json -q -f a.mcap | grep BACK'
   $ kill $pid; wait $pid
   [143]
   $ cat told
@@ -26,7 +30,8 @@ is let go where the machine is busy.)
   "name": "/localhost:$PORT/test.host_cxt/Source0.rtc:number"
   "name": "/localhost:$PORT/test.host_cxt/Source0.rtc:block"
   closed": true
-  $ rtlog --json -f a.mcap | grep rtlog.Event | grep 'RTC_STATUS\|DIED\|BACK' | sed 's/.*"value": //' | sort -u
+  $ rtlog --json -f a.mcap | grep rtlog.Event | grep 'RTC_STATUS\|DIED\|BACK' | sed 's/.*"value": //' |
+  > sort -u
   {"event": "ACTIVE", "kind": "RTC_STATUS", "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc", "subject": "0"}}
   {"event": "BACK", "kind": "LIFE_EVENT", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": ""}}
   {"event": "DIED", "kind": "LIFE_EVENT", "mark": "Source0.rtc: died", "path": "/localhost:$PORT/test.host_cxt/Source0.rtc", "subject": ""}}
@@ -53,11 +58,14 @@ The profile of the system can be taken out:
 
 Some ports, and some of their values:
 
-  $ rtlog -q -t 2 -f b.mcap --only '*number' --every 10 .; [ $(entries b.mcap :number) -lt 30 ]; rtlog -d -f b.mcap | grep -c Channel
+  $ rtlog -q -t 2 -f b.mcap --only '*number' --every 10 .
+  $ [ $(entries b.mcap :number) -lt 30 ]; rtlog -d -f b.mcap | grep -c Channel
   1
-  $ rtlog -q -t 2 -f b.mcap --not TimedLong --at-most '5:*block' 'Sou*'; [ $(entries b.mcap :block) -lt 15 ]; rtlog -d -f b.mcap | grep -c Channel
+  $ rtlog -q -t 2 -f b.mcap --not TimedLong --at-most '5:*block' 'Sou*'
+  $ [ $(entries b.mcap :block) -lt 15 ]; rtlog -d -f b.mcap | grep -c Channel
   1
-  $ rtlog -q -t 0.5 -f b.mcap Source0.rtc:number.x Source0.rtc; rtlog -d --json -f b.mcap | grep -o '"name": "[^"]*"'
+  $ rtlog -q -t 0.5 -f b.mcap Source0.rtc:number.x Source0.rtc
+  $ rtlog -d --json -f b.mcap | grep -o '"name": "[^"]*"'
   "name": "x"
   "name": "/localhost:$PORT/test.host_cxt/Source0.rtc:block"
 
@@ -71,7 +79,8 @@ A component that may send more than 1,000 values a second does not call us in it
 A recorder that stood still lets components go, which would have waited for it:
 
   $ rtlog -f h.mcap --events Source0.rtc 2> told & pid=$!; soon '[ $(entries h.mcap :number) -gt 1 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
-  $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'; before=$(entries h.mcap :number); soon '[ $(entries h.mcap :number) -gt $before ]'
+  $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'
+  $ before=$(entries h.mcap :number); soon '[ $(entries h.mcap :number) -gt $before ]'
   $ kill $pid; wait $pid
   [143]
   $ cat told
@@ -95,9 +104,14 @@ A recorder that stood still lets components go, which would have waited for it:
 Connections come and go, are made again under their id, with another far end, too; those of tools are no part of the system:
 
   $ rtlog -q -f j.mcap --events . 2> nul & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'; number=/localhost:$PORT/test.host_cxt/Source0.rtc:number
-  $ events() { rtlog --json -f j.mcap 2> nul | grep PORT_ | sed 's/.*"value": //'; }; seen() { [ $(events | grep -c $1) = $2 ]; }
-  $ rtprint -n 1 $number > nul; rtcon -i again $number ConsoleOut0.rtc:in; soon 'seen _CONNECT 2'; rtdis -i again $number; rtcon -i again $number ConsoleOut0.rtc:in
-  $ soon 'seen _CONNECT 4'; rtdis -i again $number; rtcon -i again $number Mock0.rtc:in; soon 'seen _CONNECT 6'; rtdis -i again $number; soon 'seen _DISCONNECT 6'
+  $ events() { rtlog --json -f j.mcap 2> nul | grep PORT_ | sed 's/.*"value": //'; }
+  $ seen() { [ $(events | grep -c $1) = $2 ]; }
+  $ rtprint -n 1 $number > nul; rtcon -i again $number ConsoleOut0.rtc:in
+  $ soon 'seen _CONNECT 2'; rtdis -i again $number
+  $ rtcon -i again $number ConsoleOut0.rtc:in
+  $ soon 'seen _CONNECT 4'; rtdis -i again $number
+  $ rtcon -i again $number Mock0.rtc:in; soon 'seen _CONNECT 6'
+  $ rtdis -i again $number; soon 'seen _DISCONNECT 6'
   $ kill $pid; wait $pid
   [143]
   $ events | sed 's/.*event": "//; s/".*subject": "/ /; s/".*//' | sort | uniq -c | sed 's/^ *//'

@@ -10,9 +10,10 @@ orb: builtin
 
 Everything can be asked:
 
-  $ play -r 50 --serve 127.0.0.1:0 --loop; rtls -l $W/test.host_cxt; rtcat -l $W/test.host_cxt/Motor0.rtc | sed 's/ *$//'
+  $ play -r 50 --serve 127.0.0.1:0 --loop; rtls -l $W/test.host_cxt
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
   Inactive  2/0  1/0  1/0  0/0  Motor0.rtc
+  $ rtcat -l $W/test.host_cxt/Motor0.rtc | sed 's/ *$//'
   Motor0.rtc  Inactive
     Category       example
     Description    Motor component
@@ -68,13 +69,19 @@ Only this host can ask, unless an address is given:
 
 What cannot be:
 
-  $ rtlog -f a.mcap --as-components; rtlog -p -f a.mcap --serve 1; rtlog -p -f a.mcap --as-components --serve x
+  $ rtlog -f a.mcap --as-components
   rtlog: --loop and --as-components are for playing (see --help)
+  [2]
+  $ rtlog -p -f a.mcap --serve 1
   rtlog: --nameserver, --serve and --when-connected need --as-components (see --help)
+  [2]
+  $ rtlog -p -f a.mcap --as-components --serve x
   rtlog: argument --serve: not [HOST:]PORT: x (see --help)
   [2]
-  $ rtlog -p -f a.mcap --as-components --serve 127.0.0.1:$PORT; rtlog -p -f a.mcap --as-components --nameserver localhost:$PORT --serve 1
+  $ rtlog -p -f a.mcap --as-components --serve 127.0.0.1:$PORT
   rtlog: 127.0.0.1:$PORT: cannot listen there; does another program?
+  [1]
+  $ rtlog -p -f a.mcap --as-components --nameserver localhost:$PORT --serve 1
   rtlog: --nameserver and --serve exclude each other (see --help)
   [2]
   $ RTSHELL_ORB=omniorb $MOCK_PYTHON -m rtshell_lite rtlog -p -f a.mcap --as-components

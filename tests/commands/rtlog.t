@@ -65,7 +65,8 @@ For some time, from several ports; without a NAME they are input0, input1 …, a
 
 All that was sent is there, in its order:
 
-  $ rtlog --csv -f b.rtlog | grep input0 | cut -d, -f5 > numbers; [ $(wc -l < numbers) -gt 20 ] && seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
+  $ rtlog --csv -f b.rtlog | grep input0 | cut -d, -f5 > numbers
+  $ [ $(wc -l < numbers) -gt 20 ] && seq $(head -n 1 numbers) $(tail -n 1 numbers) | cmp - numbers
 
 Until a time; -1, or no end at all, is until Ctrl-C, and stdin does not matter:
 
@@ -81,12 +82,17 @@ Until a time; -1, or no end at all, is until Ctrl-C, and stdin does not matter:
 
 Without a file name there is one of the time; -q does not report it:
 
-  $ mkdir here; cd here; rtlog -i -e 1 Source0.rtc:number 2>&1 | sed 's/[0-9]\{5,\}/EPOCH/'; ls | sed 's/[0-9]\{5,\}/EPOCH/'; cd ..
+  $ mkdir here; cd here
+  $ rtlog -i -e 1 Source0.rtc:number 2>&1 | sed 's/[0-9]\{5,\}/EPOCH/'
   rtlog: recording to rtlog_EPOCH.mcap
   rtlog: Recording 1 entries.
+  $ ls | sed 's/[0-9]\{5,\}/EPOCH/'
   rtlog_EPOCH.mcap
-  $ cd here; rm *; rtlog -q -i -e 1 Source0.rtc:number; ls | sed 's/[0-9]\{5,\}/EPOCH/'; cd ..
+  $ cd ..
+  $ cd here; rm *
+  $ rtlog -q -i -e 1 Source0.rtc:number; ls | sed 's/[0-9]\{5,\}/EPOCH/'
   rtlog_EPOCH.mcap
+  $ cd ..
 
 A file of that name is replaced, not before there is something to record; --append goes on with it:
 
@@ -120,7 +126,8 @@ A file that was cut off is read up to its last whole record, and can be appended
   closed": false, "damaged": 0, "entries": 3, "file": "cut.rtlog", "first": N, "form": "mcap", "gaps": [], "last": N, "size": N, "started": N, "torn": N}
   rtlog: cut.rtlog: the last N octets are not a whole record and are left out
   rtlog: cut.rtlog: other readers may refuse it; rtlog --mend makes a copy that they open
-  $ rtlog -q -i -e 1 --append -f cut.rtlog Source0.rtc:number.numbers; rtlog -d --json -f cut.rtlog | grep -o '"closed": [a-z]*\|"torn": [0-9]*'
+  $ rtlog -q -i -e 1 --append -f cut.rtlog Source0.rtc:number.numbers
+  $ rtlog -d --json -f cut.rtlog | grep -o '"closed": [a-z]*\|"torn": [0-9]*'
   "closed": true
   "torn": 0
 
@@ -147,8 +154,9 @@ Who removes the log meanwhile is told what has become of it:
 
 In the two other forms of rtshell: text, and simpkl, which is only read:
 
-  $ rtlog -l text -i -e 2 -f t.log Source0.rtc:number.numbers; tr '\t' '|' < t.log | sed 's/data=[0-9]*/data=N/g; s/[0-9]\{5,\}/N/g'
+  $ rtlog -l text -i -e 2 -f t.log Source0.rtc:number.numbers
   rtlog: Recording 2 entries.
+  $ tr '\t' '|' < t.log | sed 's/data=[0-9]*/data=N/g; s/[0-9]\{5,\}/N/g'
   N.N|('numbers', RTC.TimedLong(tm=RTC.Time(sec=N, nsec=N), data=N))
   N.N|('numbers', RTC.TimedLong(tm=RTC.Time(sec=N, nsec=N), data=N))
   $ rtlog -l text -i -e 1 --append -f t.log Source0.rtc:number; wc -l < t.log
@@ -214,10 +222,12 @@ What cannot be recorded; the others are:
   $ rtlog -t 0.1 -f x Mock0.rtc:in
   rtlog: /localhost:$PORT/test.host_cxt/Mock0.rtc:in: not a DataOutPort (it is a DataInPort)
   [3]
-  $ rtlog -t 0.1 -f x Mock0.rtc:in Gone0.rtc:out Source0.rtc:number.n; rtlog -d --json -f x | grep -o '"name": "[^"]*"'
+  $ rtlog -t 0.1 -f x Mock0.rtc:in Gone0.rtc:out Source0.rtc:number.n
   rtlog: /localhost:$PORT/test.host_cxt/Mock0.rtc:in: not a DataOutPort (it is a DataInPort)
   rtlog: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   rtlog: Recording for 0.1s.
+  [5]
+  $ rtlog -d --json -f x | grep -o '"name": "[^"]*"'
   "name": "n"
   $ rtlog -t 0.1 -f x /localhost:x
   rtlog: /localhost:x: x is not a TCP port (1 to 65535)

@@ -53,8 +53,9 @@ world: manager --context managed.host_cxt/%n.rtc
   $ rtcat nobody.rtc
   rtcat: /localhost:$PORT/test.host_cxt/nobody.rtc: no such path
   [3]
-  $ rtact --wait ConsoleIn0.rtc; rtls -l ConsoleIn0.rtc; rtdeact --wait ConsoleIn0.rtc
+  $ rtact --wait ConsoleIn0.rtc; rtls -l ConsoleIn0.rtc
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  $ rtdeact --wait ConsoleIn0.rtc
   $ rtact Broken0.rtc; rtreset Broken0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcat -l ConsoleOut0.rtc:in | grep Connected
@@ -69,22 +70,26 @@ world: manager --context managed.host_cxt/%n.rtc
   RTC:Shinji Kurihara, AIST:example:Controller:Python:1.0
   RTC:Shinji Kurihara, AIST:example:Motor:Python:1.0
   RTC:Shinji Kurihara, AIST:example:Sensor:Python:1.0
-  $ rtmgr -c ConsoleIn ../managed.host_cxt/manager.mgr; rtls ../managed.host_cxt/manager.mgr; rtmgr -d ConsoleIn1 ../managed.host_cxt/manager.mgr
+  $ rtmgr -c ConsoleIn ../managed.host_cxt/manager.mgr
+  $ rtls ../managed.host_cxt/manager.mgr
   ConsoleIn0.rtc
   ConsoleIn1.rtc
   ConsoleOut0.rtc
   manager/
+  $ rtmgr -d ConsoleIn1 ../managed.host_cxt/manager.mgr
   $ rtfind . -t c
   /localhost:$PORT/test.host_cxt/Broken0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   /localhost:$PORT/test.host_cxt/Err0.rtc
   /localhost:$PORT/test.host_cxt/ErrStart0.rtc
-  $ rtcryo -o system.xml --all .; rtcheck -s inactive system.xml; rtteardown system.xml; rtresurrect system.xml
+  $ rtcryo -o system.xml --all .; rtcheck -s inactive system.xml
+  $ rtteardown system.xml; rtresurrect system.xml
   $ rtinject -c 3 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc first, or --anyway
   [1]
-  $ rtact --wait ConsoleOut0.rtc; rtinject -c 3 ConsoleOut0.rtc:in; ctl @two received ConsoleOut0:in 1
+  $ rtact --wait ConsoleOut0.rtc; rtinject -c 3 ConsoleOut0.rtc:in
+  $ ctl @two received ConsoleOut0:in 1
   1 3
   $ rtprint -q -n 1 ConsoleIn0.rtc:out & soon 'ctl @two connectors ConsoleIn0:out | grep -q .'
   $ ctl @two write ConsoleIn0:out 42; wait
@@ -108,12 +113,13 @@ world: manager --context managed.host_cxt/%n.rtc
   1.* (glob)
   Python 3.*, builtin ORB (glob)
   1.* (glob)
-  $ kill-mock two; rtls; rtls -l
+  $ kill-mock two; rtls
   Broken0.rtc
   *ConsoleIn0.rtc
   *ConsoleOut0.rtc
   Err0.rtc
   ErrStart0.rtc
+  $ rtls -l
   Inactive  1/0  0/0  1/0  0/0  Broken0.rtc
   -         -    -    -    -    *ConsoleIn0.rtc
   -         -    -    -    -    *ConsoleOut0.rtc
@@ -126,9 +132,11 @@ world: manager --context managed.host_cxt/%n.rtc
 
 Our own ORB is the default. Where omniORBpy is asked for or needed, but cannot be imported, the error says so:
 
-  $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py; export PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH}
-  $ unset RTSHELL_ORB; rtls -l ConsoleIn0.rtc; rtls --version --verbose | tail -1
+  $ mkdir bare; echo 'raise ImportError("none here")' > bare/omniORB.py
+  $ export PYTHONPATH=$TMP/bare${PYTHONPATH:+:$PYTHONPATH}
+  $ unset RTSHELL_ORB; rtls -l ConsoleIn0.rtc
   -  -  -  -  -  *ConsoleIn0.rtc
+  $ rtls --version --verbose | tail -1
   Python 3.*, builtin ORB (glob)
   $ RTSHELL_ORB=omniorb rtls
   rtls: omniORBpy is not installed, but RTSHELL_ORB asks for it; unset that, or install it from the package index (jeteve-omniorb; salome-omniorb for Python 3.7) or from OpenRTM-aist's package repository

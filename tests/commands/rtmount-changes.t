@@ -9,15 +9,18 @@ world: services --context parts.host_cxt/%n.rtc
 world: manager --context plant.host_cxt/%n.rtc
 world: zombie
 
-  $ mkdir m bin; busybox --install -s bin; rtmount m
-  $ tools=$PATH PATH=$PWD/bin errors=$PWD/m/errors; why() { tail -n 1 $errors; }; cd m/localhost:$PORT/test.host_cxt
+  $ mkdir m bin; busybox --install -s bin
+  $ rtmount m
+  $ tools=$PATH PATH=$PWD/bin errors=$PWD/m/errors; why() { tail -n 1 $errors; }
+  $ cd m/localhost:$PORT/test.host_cxt
 
 States:
 
   $ echo Active >ConsoleIn0.rtc/state && cat ConsoleIn0.rtc/state; PATH=$tools ctl state ConsoleIn0
   Active
   ACTIVE
-  $ echo Active >ConsoleIn0.rtc/state; echo Inactive >>ConsoleIn0.rtc/state; printf Active >ConsoleOut0.rtc/state
+  $ echo Active >ConsoleIn0.rtc/state; echo Inactive >>ConsoleIn0.rtc/state
+  $ printf Active >ConsoleOut0.rtc/state
   $ cat ConsoleIn0.rtc/state ConsoleOut0.rtc/state
   Inactive
   Active
@@ -40,30 +43,38 @@ One that fails soon after its activation, and one that never is:
 
 Configuration. Names and values are written as they are read, with escapes:
 
-  $ cd ConfigSample0.rtc/configuration; echo 7 >mode0/int_param0; cat mode0/int_param0 active
+  $ cd ConfigSample0.rtc/configuration; echo 7 >mode0/int_param0
+  $ cat mode0/int_param0 active
   7
   mode1
-  $ printf '%s\n' 'a\x0ab\\c' >mode0/str_param0; cat mode0/str_param0; PATH=$tools rtconf ConfigSample0.rtc -s mode0 get str_param0
+  $ printf '%s\n' 'a\x0ab\\c' >mode0/str_param0; cat mode0/str_param0
   a\x0ab\\c
+  $ PATH=$tools rtconf ConfigSample0.rtc -s mode0 get str_param0
   a
   b\c
   $ cat mode0/str_param0 >mode0/str_param1; cmp mode0/str_param0 mode0/str_param1
-  $ head -c 200000 /dev/zero | tr '\0' a >$TMP/long; dd if=$TMP/long of=mode0/str_param0 bs=512 2>&-; wc -c <mode0/str_param0
+  $ head -c 200000 /dev/zero | tr '\0' a >$TMP/long
+  $ dd if=$TMP/long of=mode0/str_param0 bs=512 2>&-; wc -c <mode0/str_param0
   200001
-  $ truncate -s 131072 $TMP/long; cp $TMP/long mode0/str_param1; wc -c <mode0/str_param1
+  $ truncate -s 131072 $TMP/long; cp $TMP/long mode0/str_param1
+  $ wc -c <mode0/str_param1
   131073
-  $ x=$(cat $TMP/long $TMP/long); echo "$x" >mode0/str_param0; wc -c <mode0/str_param0
+  $ x=$(cat $TMP/long $TMP/long); echo "$x" >mode0/str_param0
+  $ wc -c <mode0/str_param0
   262145
-  $ cat $TMP/long $TMP/long >$TMP/longer; truncate -s 4200000 $TMP/longer; cat $TMP/longer 2>&- >mode0/str_param0 || why; wc -c <mode0/str_param0
+  $ cat $TMP/long $TMP/long >$TMP/longer; truncate -s 4200000 $TMP/longer
+  $ cat $TMP/longer 2>&- >mode0/str_param0 || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConfigSample0.rtc/configuration/mode0/str_param0: more than 4194304 bytes in one line
+  $ wc -c <mode0/str_param0
   262145
   $ echo 'a\q' 2>&- >mode0/str_param0 || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConfigSample0.rtc/configuration/mode0/str_param0: bad escape \q
   $ printf 'a\0b' 2>&- >mode0/str_param0 || why; printf '%s' 'a\x00b' 2>&- >mode0/str_param0 || why
   /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a string holds no NUL
   /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0: a string holds no NUL
-  $ echo mode0 >active; cat active; PATH=$tools rtconf ConfigSample0.rtc | grep '*'
+  $ echo mode0 >active; cat active
   mode0
+  $ PATH=$tools rtconf ConfigSample0.rtc | grep '*'
   +mode0*
   $ echo nonsense 2>&- >active || why
   /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: nonsense (there are: default, mode0, mode1)
@@ -74,41 +85,54 @@ Configuration. Names and values are written as they are read, with escapes:
 
 Execution contexts:
 
-  $ cd ConsoleIn0.rtc/contexts/0; echo 500 >rate; cat rate; echo Stopped >state; cat state; PATH=$tools rtec ConsoleIn0.rtc
+  $ cd ConsoleIn0.rtc/contexts/0; echo 500 >rate
+  $ cat rate
   500
+  $ echo Stopped >state; cat state
   Stopped
+  $ PATH=$tools rtec ConsoleIn0.rtc
   0  0  Periodic  500  Stopped  Inactive  ConsoleIn0  -
-  $ echo Running >state; cat state; echo 0 2>&- >rate || why; echo running 2>&- >state || why; cd ../../..
+  $ echo Running >state; cat state
   Running
+  $ echo 0 2>&- >rate || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc/contexts/0/rate: not a number of Hz above 0: 0
+  $ echo running 2>&- >state || why
   $TMP/m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc/contexts/0/state: not Running or Stopped
+  $ cd ../../..
 
 Connections are links: ln -s makes one, rm removes it. A relative target starts where the link is, as usual:
 
   $ ln -s ../../../../ConsoleOut0.rtc/ports/in ConsoleIn0.rtc/ports/out/connections/mine
-  $ readlink ConsoleIn0.rtc/ports/out/connections/mine; ls ConsoleOut0.rtc/ports/in/connections; readlink ConsoleOut0.rtc/ports/in/connections/mine
+  $ readlink ConsoleIn0.rtc/ports/out/connections/mine
   ../../../../ConsoleOut0.rtc/ports/in
+  $ ls ConsoleOut0.rtc/ports/in/connections
   mine
+  $ readlink ConsoleOut0.rtc/ports/in/connections/mine
   ../../../../ConsoleIn0.rtc/ports/out
 
   $ PATH=$tools rtcat -ll ConsoleIn0.rtc:out | grep -A 1 Conn
    -Connected to  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
       Name                            mine
   $ rm ConsoleIn0.rtc/ports/out/connections/mine; ls ConsoleOut0.rtc/ports/in/connections
-  $ ln -s $PWD/ConsoleIn0.rtc/ports/out ConsoleOut0.rtc/ports/in/connections/c; ls ConsoleIn0.rtc/ports/out/connections
+  $ ln -s $PWD/ConsoleIn0.rtc/ports/out ConsoleOut0.rtc/ports/in/connections/c
+  $ ls ConsoleIn0.rtc/ports/out/connections
   c
   $ rm ConsoleIn0.rtc/ports/out/connections/c
-  $ cd ../parts.host_cxt; ln -s $PWD/MyServiceProvider0.rtc/ports/MyService MyServiceConsumer0.rtc/ports/MyService/connections/s
-  $ readlink MyServiceConsumer0.rtc/ports/MyService/connections/*; rm MyServiceConsumer0.rtc/ports/MyService/connections/s
+  $ cd ../parts.host_cxt
+  $ ln -s $PWD/MyServiceProvider0.rtc/ports/MyService MyServiceConsumer0.rtc/ports/MyService/connections/s
+  $ readlink MyServiceConsumer0.rtc/ports/MyService/connections/*
   ../../../../MyServiceProvider0.rtc/ports/MyService
+  $ rm MyServiceConsumer0.rtc/ports/MyService/connections/s
 
 A connection with several ends has a link to each of the others; what cannot be connected is refused:
 
   $ cd ../test.host_cxt; PATH=$tools rtcon -n three ConsoleIn0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in
-  $ cd ConsoleIn0.rtc/ports/out/connections; ls -l | sed 's/.*[0-9] //'; rm three~2; ls; cd ../../../..
+  $ cd ConsoleIn0.rtc/ports/out/connections; ls -l | sed 's/.*[0-9] //'
   total 0
   three -> ../../../../ConsoleOut0.rtc/ports/in
   -> ../../../../ConsoleOut1.rtc/ports/in
+  $ rm three~2; ls
+  $ cd ../../../..
 
   $ link() { ln -s $1 ConsoleIn0.rtc/ports/out/connections/x || why; }
   $ link ../../../../ConsoleOut0.rtc/ports/nonsense
@@ -132,8 +156,10 @@ A connection with several ends has a link to each of the others; what cannot be 
 
 Managers make components:
 
-  $ cd ../plant.host_cxt; echo 'ConsoleIn?instance_name=New0' >manager.mgr/create; cat New0.rtc/state; ls -l manager.mgr/components | grep -c New
+  $ cd ../plant.host_cxt; echo 'ConsoleIn?instance_name=New0' >manager.mgr/create
+  $ cat New0.rtc/state
   Inactive
+  $ ls -l manager.mgr/components | grep -c New
   1
   $ echo 'ConsoleIn?instance_name=New0' 2>&- >manager.mgr/create || why
   /localhost:$PORT/plant.host_cxt/manager.mgr: has a component New0 already
@@ -144,8 +170,10 @@ Managers make components:
 
 A zombie's name can be taken away, that of what lives cannot:
 
-  $ rm Mock0.rtc; ls Mock0.rtc; PATH=$tools rtls | grep Mock
+  $ rm Mock0.rtc; ls Mock0.rtc
   ls: Mock0.rtc: No such file or directory
+  [1]
+  $ PATH=$tools rtls | grep Mock
   [1]
   $ rm -r ConsoleIn0.rtc/ports 2>&1 | head -n 1; ls ConsoleIn0.rtc/ports
   rm: can't remove 'ConsoleIn0.rtc/ports/out/type': Operation not permitted
@@ -162,11 +190,19 @@ Nothing else can be made, moved or changed:
   $ mkdir new || why
   mkdir: can't create directory 'new': Operation not permitted
   $TMP/m/localhost:$PORT/test.host_cxt/new: nothing can be made, moved or removed here but connections and zombies
-  $ touch new; mv ConsoleIn0.rtc new; ln ConsoleIn0.rtc/state new; cp $TMP/bin/ls new; mkfifo new
+  $ touch new
   touch: new: Operation not permitted
+  [1]
+  $ mv ConsoleIn0.rtc new
   mv: can't rename 'ConsoleIn0.rtc': Operation not permitted
+  [1]
+  $ ln ConsoleIn0.rtc/state new
   ln: new: Operation not permitted
+  [1]
+  $ cp $TMP/bin/ls new
   cp: can't create 'new': Operation not permitted
+  [1]
+  $ mkfifo new
   mkfifo: new: Operation not permitted
   [1]
   $ chmod 777 ConsoleIn0.rtc/state; chown 1 ConsoleIn0.rtc/state
@@ -179,12 +215,15 @@ Nothing else can be made, moved or changed:
 
 The last hundred failures are kept:
 
-  $ i=0; while [ $i -lt 200 ]; do echo nonsense >ConsoleIn0.rtc/state; i=$((i + 1)); done 2>/dev/null; wc -l <$errors
+  $ i=0
+  $ while [ $i -lt 200 ]; do echo nonsense >ConsoleIn0.rtc/state; i=$((i + 1)); done 2>/dev/null
+  $ wc -l <$errors
   100
 
 With --read-only nothing can be changed at all:
 
-  $ cd $TMP; PATH=$tools rtmount -u m; PATH=$tools rtmount --read-only m; cd m/localhost:$PORT/test.host_cxt
+  $ cd $TMP; PATH=$tools rtmount -u m
+  $ PATH=$tools rtmount --read-only m; cd m/localhost:$PORT/test.host_cxt
   $ echo Active | tee ConsoleIn0.rtc/state; echo 1 | tee ConsoleOut0.rtc/ports/in/value
   tee: ConsoleIn0.rtc/state: Read-only file system
   Active

@@ -6,8 +6,10 @@ world: these ConsoleOut ConsoleOut:Idle0 SequenceInComponent
 world: custom
 world: observed --context seen.host_cxt/%n.rtc
 
-  $ mkdir m bin; busybox --install -s bin; rtmount m
-  $ tools=$PATH PATH=$PWD/bin errors=$PWD/m/errors; why() { tail -n 1 $errors; }; cd m/localhost:$PORT/test.host_cxt
+  $ mkdir m bin; busybox --install -s bin
+  $ rtmount m
+  $ tools=$PATH PATH=$PWD/bin errors=$PWD/m/errors; why() { tail -n 1 $errors; }
+  $ cd m/localhost:$PORT/test.host_cxt
   $ ls Source0.rtc/ports/number; ls ConsoleOut0.rtc
   connections
   data_type
@@ -37,14 +39,16 @@ An out port: value is its next value, values are all, one a line:
   \[\d+\.\d+\] \d+ (re)
   $ read -r time number <Source0.rtc/ports/number/value; echo $((number > 0))
   1
-  $ while read -r time number; do echo $number; done <Source0.rtc/ports/number/values | head -n 50 | awk 'NR > 1 && $1 != last + 1 {print "gap"} {last = $1} END {print NR}'
+  $ while read -r time number; do echo $number; done <Source0.rtc/ports/number/values | head -n 50 |
+  > awk 'NR > 1 && $1 != last + 1 {print "gap"} {last = $1} END {print NR}'
   50
   $ head -c 5 Source0.rtc/ports/number/values
   \[\d{4} \(no-eol\) (re)
 
 All readers of a port share a connection, which ends with the last of them:
 
-  $ cat Source0.rtc/ports/number/values >/dev/null & one=$!; cat Source0.rtc/ports/number/values >/dev/null & two=$!
+  $ cat Source0.rtc/ports/number/values >/dev/null & one=$!
+  $ cat Source0.rtc/ports/number/values >/dev/null & two=$!
   $ head -n 1 Source0.rtc/ports/number/values >/dev/null
   $ PATH=$tools ctl connectors Source0:number | wc -l
   1
@@ -55,13 +59,15 @@ An in port: what is written to it has been read when the write returns, or the w
   $ echo Active >ConsoleOut0.rtc/state; PATH=$tools ctl @these received ConsoleOut0:in
   0 -
   $ echo 42 >ConsoleOut0.rtc/ports/in/value; echo '{"data": 43}' >ConsoleOut0.rtc/ports/in/value
-  $ echo 'RTC.TimedLong({time}, 44)' >ConsoleOut0.rtc/ports/in/value; printf '45\n46\n' >ConsoleOut0.rtc/ports/in/value
+  $ echo 'RTC.TimedLong({time}, 44)' >ConsoleOut0.rtc/ports/in/value
+  $ printf '45\n46\n' >ConsoleOut0.rtc/ports/in/value
   $ PATH=$tools ctl @these received ConsoleOut0:in
   5 46
   $ printf '%300s\n%212s\n' 47 48 >$TMP/lines; dd if=$TMP/lines of=ConsoleOut0.rtc/ports/in/value bs=512 2>&-
   $ PATH=$tools ctl @these received ConsoleOut0:in
   7 48
-  $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value; soon '[ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]'
+  $ (echo 1; echo 2; echo 3) >ConsoleOut0.rtc/ports/in/value
+  $ soon '[ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]'
   $ echo nonsense 2>&- >ConsoleOut0.rtc/ports/in/value || why
   RTC.TimedLong: data: not a long: nonsense
   $ echo 9999999999 2>&- >ConsoleOut0.rtc/ports/in/value || why
@@ -84,7 +90,8 @@ Events and logs:
 
   $ cd ../seen.host_cxt; cat ConsoleIn0.rtc/events >$TMP/events & one=$!
   $ soon 'grep -qs BEAT $TMP/events'; echo Active >ConsoleIn0.rtc/state
-  $ soon "grep -q ' ACTIVE\$' $TMP/events"; kill $one; grep ' ACTIVE' $TMP/events
+  $ soon "grep -q ' ACTIVE\$' $TMP/events"; kill $one
+  $ grep ' ACTIVE' $TMP/events
   \[\d+\.\d+\] 0 ACTIVE (re)
   $ cat ConsoleIn0.rtc/log || why
   cat: read error: Operation not permitted
@@ -92,15 +99,20 @@ Events and logs:
 
 Unmounting disconnects:
 
-  $ cd ../test.host_cxt; cat Source0.rtc/ports/number/values >/dev/null & one=$!; head -n 1 Source0.rtc/ports/number/values >/dev/null
+  $ cd ../test.host_cxt; cat Source0.rtc/ports/number/values >/dev/null & one=$!
+  $ head -n 1 Source0.rtc/ports/number/values >/dev/null
   $ PATH=$tools ctl connectors Source0:number | wc -l; cd $TMP
   1
-  $ PATH=$tools rtmount -u m; PATH=$tools ctl connectors Source0:number | wc -l; kill $one
+  $ PATH=$tools rtmount -u m
   rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
+  $ PATH=$tools ctl connectors Source0:number | wc -l
   1
+  $ kill $one
   $ soon '[ "$(PATH=$tools ctl connectors Source0:number | wc -l)" = 0 ]'
 
 So it does right after a value has been written:
 
-  $ PATH=$tools rtmount m; echo 50 >m/localhost:$PORT/test.host_cxt/ConsoleOut0.rtc/ports/in/value; PATH=$tools fusermount3 -u m
+  $ PATH=$tools rtmount m
+  $ echo 50 >m/localhost:$PORT/test.host_cxt/ConsoleOut0.rtc/ports/in/value
+  $ PATH=$tools fusermount3 -u m
   $ soon '[ -z "$(PATH=$tools ctl @these connectors ConsoleOut0:in)" ]'

@@ -18,8 +18,9 @@ It returns when the tree can be used, and goes on in the background:
   README
   errors
   localhost:$PORT
-  $ head -n 1 m/README; test $(wc -l <m/README) -le 40; wc -c m/errors
+  $ head -n 1 m/README
   This is the RTC Tree, the tree of OpenRTM-aist components, as files. One value a file.
+  $ test $(wc -l <m/README) -le 40; wc -c m/errors
   0 m/errors
   $ ls m/localhost:$PORT
   odd.host_cxt
@@ -123,8 +124,9 @@ Configuration; hidden sets are not listed, but can be opened:
   default
   mode0
   mode1
-  $ cat active; ls mode0; cat mode0/int_param0 __widget__/int_param0
+  $ cat active
   mode1
+  $ ls mode0
   double_param0
   double_param1
   int_param0
@@ -132,30 +134,36 @@ Configuration; hidden sets are not listed, but can be opened:
   str_param0
   str_param1
   vector_param0
+  $ cat mode0/int_param0 __widget__/int_param0
   12345
   slider.10
 
 Execution contexts, members of a composite:
 
-  $ cd ../../ConsoleIn0.rtc/contexts; ls; ls 0; cat 0/state 0/rate 0/kind 0/owner
+  $ cd ../../ConsoleIn0.rtc/contexts; ls
   0
+  $ ls 0
   kind
   owner
   rate
   state
+  $ cat 0/state 0/rate 0/kind 0/owner
   Running
   1000
   Periodic
   ConsoleIn0
-  $ cd $root/parts.host_cxt; ls -l composite0.rtc/members | sed 's/.*[0-9] //'; ls ../test.host_cxt/ConsoleIn0.rtc/members
+  $ cd $root/parts.host_cxt; ls -l composite0.rtc/members | sed 's/.*[0-9] //'
   total 0
   -> ../../Controller0.rtc
   -> ../../Motor0.rtc
   -> ../../Sensor0.rtc
-  $ cat composite0.rtc/members/Motor0/instance_name; ls Motor0.rtc/contexts; cat Motor0.rtc/contexts/1/owner
+  $ ls ../test.host_cxt/ConsoleIn0.rtc/members
+  $ cat composite0.rtc/members/Motor0/instance_name
   Motor0
+  $ ls Motor0.rtc/contexts
   0
   1
+  $ cat Motor0.rtc/contexts/1/owner
   composite0
 
 A manager:
@@ -169,25 +177,28 @@ A manager:
   total 0
   ConsoleIn0.rtc -> ../../ConsoleIn0.rtc
   ConsoleOut0.rtc -> ../../ConsoleOut0.rtc
-  $ cat loaded; cat factories; cat create
+  $ cat loaded
   /opt/openrtm/components/python/Composite/Controller.py
   /opt/openrtm/components/python/Composite/Motor.py
   /opt/openrtm/components/python/Composite/Sensor.py
   /opt/openrtm/components/python/SimpleIO/ConsoleIn.py
   /opt/openrtm/components/python/SimpleIO/ConsoleOut.py
+  $ cat factories
   RTC:Shinji Kurihara, AIST:example:Controller:Python:1.0
   RTC:Shinji Kurihara, AIST:example:Motor:Python:1.0
   RTC:Shinji Kurihara, AIST:example:Sensor:Python:1.0
   RTC:Shinji Kurihara:example:ConsoleIn:Python:1.0
   RTC:Shinji Kurihara:example:ConsoleOut:Python:1.0
   RTC:jp.go.aist:composite.PeriodicECShared:PeriodicECSharedComposite:Python:1.0
+  $ cat create
 
 The modules that could be loaded are in no listing: to find them, a manager runs a process a file (7 s with 7 modules of C++).
 
-  $ PATH=$tools ctl @manager reset; grep -r . . >/dev/null; PATH=$tools calls @manager | grep -c modules
+  $ PATH=$tools ctl @manager reset; grep -r . . >/dev/null
+  $ PATH=$tools calls @manager | grep -c modules
   0
   [1]
-  $ PATH=$tools ctl @manager reset; cat loadable; PATH=$tools calls @manager | grep modules
+  $ PATH=$tools ctl @manager reset; cat loadable
   RTC::example:Sensor:Python:1.0
   RTC:Geoffrey Biggs, AIST:Perception:Clusterer:Python:2.1
   RTC:Geoffrey Biggs, AIST:Sensor:Hokuyo_AIST:Python:1.0
@@ -209,12 +220,14 @@ The modules that could be loaded are in no listing: to find them, a manager runs
   RTC:Shinji Kurihara:test:Source:Python:1.0
   RTC:Shinji Kurihara:test:Stuck:Python:1.0
   RTC:Shinji Kurihara:test:Unborn:Python:1.0
+  $ PATH=$tools calls @manager | grep modules
   1 get_loadable_modules
 
 A zombie is a link that leads nowhere:
 
-  $ cd $root/test.host_cxt; readlink Mock0.rtc; cat Mock0.rtc
+  $ cd $root/test.host_cxt; readlink Mock0.rtc
   zombie: its object is gone
+  $ cat Mock0.rtc
   cat: can't open 'Mock0.rtc': No such file or directory
   [1]
 
@@ -290,9 +303,11 @@ Attributes: the owner may write what can be changed, others read.
 Whatever is listed can be read by anyone, and nothing changes, blocks or connects by it. Of one value a call, of the profile, the
 ports, the configuration and the composition their own calls, however many files they are; profile.json asks for all of it.
 
-  $ cd $TMP; PATH=$tools rtmount -u m; PATH=$tools rtmount --ttl 60 m; cd m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
-  $ PATH=$tools ctl reset; grep -r . . | wc -l; find . -type f -exec cat {} + | wc -l
+  $ cd $TMP; PATH=$tools rtmount -u m
+  $ PATH=$tools rtmount --ttl 60 m; cd m/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  $ PATH=$tools ctl reset; grep -r . . | wc -l
   59
+  $ find . -type f -exec cat {} + | wc -l
   69
   $ PATH=$tools calls ConsoleIn0
   1 get_active_configuration_set
@@ -311,14 +326,17 @@ ports, the configuration and the composition their own calls, however many files
   2 get_rate
   1 get_sdo_id
   4 is_running
-  $ cp -r ports $TMP/copy; cat $TMP/copy/out/type; cd ..
+  $ cp -r ports $TMP/copy; cat $TMP/copy/out/type
   DataOutPort
+  $ cd ..
   $ PATH=$tools rtcat -l ConsoleIn0.rtc:out | grep Conn
    +Connected to  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
 
 Polling: one call a value.
 
-  $ PATH=$tools ctl reset; i=0; while [ $i -lt 100 ]; do read -r state <ConsoleIn0.rtc/state; i=$((i + 1)); done; echo "$state"
+  $ PATH=$tools ctl reset; i=0
+  $ while [ $i -lt 100 ]; do read -r state <ConsoleIn0.rtc/state; i=$((i + 1)); done
+  $ echo "$state"
   Inactive
   $ PATH=$tools calls ConsoleIn0 | grep -v exist
   100 get_component_state
@@ -336,7 +354,8 @@ Other name servers appear when they are named; the root lists them then:
 
 The end:
 
-  $ cd $TMP; PATH=$tools rtmount -u m; ls m
+  $ cd $TMP; PATH=$tools rtmount -u m
+  $ ls m
 
 local: it contacts nobody before somebody reads
 prepared: mkdir robot; rtact Motor0.rtc

@@ -23,8 +23,10 @@ Signals, also two at a time:
 
 A component that is not Active sends nothing, which is said:
 
-  $ rtprint -t 5 Quiet0.rtc:out; rtact --wait=30 Quiet0.rtc; rtprint -t 5 Quiet0.rtc:out; rtdeact Quiet0.rtc
+  $ rtprint -t 5 Quiet0.rtc:out
   rtprint: /localhost:$PORT/test.host_cxt/Quiet0.rtc:out: no value has come: it is Inactive; rtact /localhost:$PORT/test.host_cxt/Quiet0.rtc
+  $ rtact --wait=30 Quiet0.rtc; rtprint -t 5 Quiet0.rtc:out
+  $ rtdeact Quiet0.rtc
 
 Without stdin, without stdout, without a terminal, as in cron:
 
@@ -41,10 +43,12 @@ Without stdin, without stdout, without a terminal, as in cron:
 
 The reader of the output goes away, whether anything is printed or not:
 
-  $ rtprint Source0.rtc:number | head -1 | cut -c1; none; ctl @senders connectors Source0:number
+  $ rtprint Source0.rtc:number | head -1 | cut -c1
   [
-  $ (within 0-5 rtprint Quiet0.rtc:out; echo $? >status) | true; cat status; none
+  $ none; ctl @senders connectors Source0:number
+  $ (within 0-5 rtprint Quiet0.rtc:out; echo $? >status) | true; cat status
   141
+  $ none
 
 Someone removes the connection, or the component exits:
 

@@ -8,7 +8,8 @@ once: it is the clock that counts here
   $ rtprint -q Source0.rtc:number >/dev/null & pid=$!; soon 'ctl connectors Source0:number | grep -q rtprint'
   $ rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
   subscription_type": "flush"
-  $ ctl reset; kill $pid; wait $pid
+  $ ctl reset; kill $pid
+  $ wait $pid
   [143]
   $ ctl connectors Source0:number; calls Source0 | grep -c disconnect
   0
@@ -22,7 +23,8 @@ Again and again; none of it touches a reference that is in use:
 
 What the user asks for counts:
 
-  $ rtprint -q --property dataport.subscription_type=new Source0.rtc:number >/dev/null & pid=$!; soon 'ctl connectors Source0:number | grep -q rtprint'
+  $ rtprint -q --property dataport.subscription_type=new Source0.rtc:number >/dev/null & pid=$!
+  $ soon 'ctl connectors Source0:number | grep -q rtprint'
   $ rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
   subscription_type": "new"
   $ kill $pid; wait $pid
@@ -37,8 +39,11 @@ yet, which we cannot know: most removals are in time.
 
 Nobody reads what rtprint prints; the component goes on:
 
-  $ mkfifo full; sleep 60 >/dev/null <full & reader=$!; rtprint -q Source0.rtc:number >full & pid=$!; soon 'ctl connectors Source0:number | grep -q rtprint'
-  $ before=$(ctl sent Source0:number); sleep 2; after=$(ctl sent Source0:number); test $((after - before)) -gt 800 && echo it goes on
+  $ mkfifo full; sleep 60 >/dev/null <full & reader=$!
+  $ rtprint -q Source0.rtc:number >full & pid=$!
+  $ soon 'ctl connectors Source0:number | grep -q rtprint'
+  $ before=$(ctl sent Source0:number); sleep 2
+  $ after=$(ctl sent Source0:number); test $((after - before)) -gt 800 && echo it goes on
   it goes on
   $ kill $pid; wait $pid
   [143]
@@ -47,9 +52,13 @@ Nobody reads what rtprint prints; the component goes on:
 Ctrl-Z leaves before it stops, for a stopped reader would stop the component; fg connects again:
 
   $ rtprint -q Source0.rtc:number >printed & pid=$!; soon 'test -s printed'
-  $ kill -TSTP $pid; soon "grep -q 'State:.*stopped' /proc/$pid/status"; ctl connectors Source0:number
-  $ before=$(ctl sent Source0:number); sleep 1; after=$(ctl sent Source0:number); test $((after - before)) -gt 300 && echo it goes on
+  $ kill -TSTP $pid; soon "grep -q 'State:.*stopped' /proc/$pid/status"
+  $ ctl connectors Source0:number
+  $ before=$(ctl sent Source0:number); sleep 1
+  $ after=$(ctl sent Source0:number); test $((after - before)) -gt 300 && echo it goes on
   it goes on
-  $ lines=$(wc -l <printed); kill -CONT $pid; soon 'test $(wc -l <printed) -gt $lines'; kill $pid; wait $pid
+  $ lines=$(wc -l <printed); kill -CONT $pid
+  $ soon 'test $(wc -l <printed) -gt $lines'; kill $pid
+  $ wait $pid
   [143]
   $ ctl connectors Source0:number

@@ -7,7 +7,8 @@ world: these ConsoleIn:Hangs0 ConsoleIn:Lives0
 
   $ six=$(yes ConsoleIn0.rtc:out | head -n 6)
   $ called() { [ "$(calls | grep -c " $1\$")" -gt 0 ]; }
-  $ all_removed() { calls | awk '/ connect$/ { n = $1 } / disconnect$/ { m = $1 } END { exit !(n && n == m) }'; }
+  $ all_removed() { calls |
+  > awk '/ connect$/ { n = $1 } / disconnect$/ { m = $1 } END { exit !(n && n == m) }'; }
   $ connected() { [ $(ctl connectors ConsoleIn0:out | wc -l) -ge $1 ]; }
 
 While they are made, which takes its time here:
@@ -61,14 +62,16 @@ One that hangs does not keep the others of its process connected:
   $ rtprint -q Hangs0.rtc:out Lives0.rtc:out 2>said & pid=$!; soon '[ -n "$(ctl @these connectors Lives0:out)" ]'
   > ctl @these hang Hangs0 60; soon 'grep -q answer said'; kill $pid; wait $pid
   [143]
-  $ cat said; ctl @these connectors Lives0:out; ctl @these reset
+  $ cat said
   rtprint: /localhost:$PORT/test.host_cxt/Hangs0.rtc:out: no answer within 1s
   rtprint: /localhost:$PORT/test.host_cxt/Hangs0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Hangs0.rtc:out
+  $ ctl @these connectors Lives0:out; ctl @these reset
   $ export RTSHELL_TIMEOUT=3
 
 While the reader of the output takes nothing:
 
-  $ mkfifo pipe; sleep 30 < pipe & reader=$!; rtprint --json Source0.rtc:number > pipe & pid=$!
+  $ mkfifo pipe; sleep 30 < pipe & reader=$!
+  $ rtprint --json Source0.rtc:number > pipe & pid=$!
   $ soon '[ -n "$(ctl @senders connectors Source0:number)" ]'; n=$(ctl @senders sent Source0:number)
   $ soon '[ $(ctl @senders sent Source0:number) -gt $((n + 999)) ]'; kill $pid; within 0-9 tail --pid=$pid -f /dev/null; wait $pid
   [143]
@@ -76,7 +79,8 @@ While the reader of the output takes nothing:
 
 A component that is silent when it is to connect; it may have taken the connection all the same, or may yet:
 
-  $ export RTSHELL_TIMEOUT=1; ctl reset; ctl fail connect 1 HANG; rtprint -n 1 ConsoleIn0.rtc:out
+  $ export RTSHELL_TIMEOUT=1; ctl reset
+  $ ctl fail connect 1 HANG; rtprint -n 1 ConsoleIn0.rtc:out
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: no answer within 1s
   [4]
   $ ctl fail connect 1 HANG; rtinject -c 1 ConsoleOut0.rtc:in

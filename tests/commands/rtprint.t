@@ -26,7 +26,8 @@ Others stamp their values. They are printed as they come, all of them:
 
 -r looks at times and prints the newest; -n counts looks then:
 
-  $ within 0.7-20 rtprint -r 4 -n 3 Source0.rtc:number >lines; awk '{ print ($2 - last > 4); last = $2 }' lines | sed 1d
+  $ within 0.7-20 rtprint -r 4 -n 3 Source0.rtc:number >lines
+  $ awk '{ print ($2 - last > 4); last = $2 }' lines | sed 1d
   1
   1
 
@@ -36,7 +37,8 @@ Several ports; NAME is another name for the port before it:
   $ soon '[ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]'; ctl write ConsoleIn0:out 5; wait $pid; sort lines
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
   console: [0.000000000] 5
-  $ rtprint -t 0.3 Source0.rtc:number.n Source0.rtc:block | cut -d: -f1 | sort | uniq -c | awk '$1 > 10 { print $2 }'
+  $ rtprint -t 0.3 Source0.rtc:number.n Source0.rtc:block | cut -d: -f1 | sort | uniq -c |
+  > awk '$1 > 10 { print $2 }'
   Source0.rtc
   n
 
@@ -108,7 +110,8 @@ Figures, each second and at the end. The sender is a Python process beside other
   $ MOCK_CLOCK=300 mock senders 100 12 --context ahead.host_cxt/%n.rtc
   $ rtprint -n 5 --stats ../ahead.host_cxt/Source0.rtc:number > out
   rtprint: /localhost:$PORT/ahead.host_cxt/Source0.rtc:number: the times in its values are 5 minutes ahead of this host's clock
-  $ rtprint -q -n 5 --stats ../ahead.host_cxt/Source0.rtc:number > out; rtprint -n 5 ../ahead.host_cxt/Source0.rtc:number > out
+  $ rtprint -q -n 5 --stats ../ahead.host_cxt/Source0.rtc:number > out
+  $ rtprint -n 5 ../ahead.host_cxt/Source0.rtc:number > out
   $ terminal 30 rtprint -t 1.3 --stats Source0.rtc:number | sed 's/[0-9.]* [vHg].*/…/'
   \x1b[2K… (esc)
   \x1b[1A\x1b[2Kall in all: … (esc)

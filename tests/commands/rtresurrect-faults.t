@@ -5,11 +5,14 @@ world: these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample
 world: hostile --context hostile.host_cxt/%n.rtc
 
   $ T=/localhost:$PORT/test.host_cxt
-  $ rtdis ConsoleIn0.rtc; for n in 0 1 2; do rtcon -i $n ConsoleIn0.rtc:out ConsoleOut$n.rtc:in; done; rtcryo --all -o a.xml $T
+  $ rtdis ConsoleIn0.rtc
+  $ for n in 0 1 2; do rtcon -i $n ConsoleIn0.rtc:out ConsoleOut$n.rtc:in; done
+  $ rtcryo --all -o a.xml $T
 
 What a restoration costs that has nothing to do: a look at everything, once.
 
-  $ ctl reset; rtresurrect a.xml; calls ConsoleOut0
+  $ ctl reset; rtresurrect a.xml
+  $ calls ConsoleOut0
   1 get_active_configuration_set
   1 get_component_profile
   1 get_component_state
@@ -25,7 +28,8 @@ What a restoration costs that has nothing to do: a look at everything, once.
 
 A connection that a component refuses: what else can be done is done, and the second time it is completed.
 
-  $ rtteardown a.xml; ctl @these fail notify_connect 2 UNKNOWN; rtresurrect -v a.xml
+  $ rtteardown a.xml; ctl @these fail notify_connect 2 UNKNOWN
+  $ rtresurrect -v a.xml
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: refused by the component (BAD_PARAMETER)
@@ -38,7 +42,8 @@ A connection that a component refuses: what else can be done is done, and the se
 One that dies meanwhile: nothing more is asked of it, and no half of a connection stays. It is started again; the next time all
 is completed:
 
-  $ rtteardown a.xml; rtec ConsoleOut2.rtc rate 100; ctl @these fail set_rate 1 DIE; rtresurrect -v a.xml
+  $ rtteardown a.xml; rtec ConsoleOut2.rtc rate 100
+  $ ctl @these fail set_rate 1 DIE; rtresurrect -v a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc: connection refused; its process is gone (zombie)
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried because of /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
@@ -47,21 +52,26 @@ is completed:
   [5]
   $ ctl connectors ConsoleIn0:out
   0 outin
-  $ mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample; rtresurrect -v a.xml; rtcheck -s inactive a.xml
+  $ mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample
+  $ rtresurrect -v a.xml
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
   rtresurrect: 2 done, 21 already done
+  $ rtcheck -s inactive a.xml
 
 One that has died before, whose end of the connections the others still have: it is removed first.
 
-  $ kill-mock these2; mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample; rtresurrect -v a.xml
+  $ kill-mock these2
+  $ mock these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample
+  $ rtresurrect -v a.xml
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
   rtresurrect: 2 done, 21 already done
 
 One that falls silent costs one timeout, and one look after it:
 
-  $ rtteardown a.xml; rtconf ConfigSample0.rtc set int_param0 5; ctl @these3 fail set_configuration_set_values 1 HANG
+  $ rtteardown a.xml; rtconf ConfigSample0.rtc set int_param0 5
+  $ ctl @these3 fail set_configuration_set_values 1 HANG
   $ within 0.4-3 rtresurrect --timeout 0.5 -v a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no answer within 0.5s
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
@@ -69,7 +79,8 @@ One that falls silent costs one timeout, and one look after it:
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: done
   rtresurrect: 3 done, 19 already done, 1 failed
   [5]
-  $ rtresurrect a.xml; rtteardown a.xml; hang these3; within 0.4-3 rtresurrect --timeout 0.5 a.xml
+  $ rtresurrect a.xml; rtteardown a.xml
+  $ hang these3; within 0.4-3 rtresurrect --timeout 0.5 a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no answer within 0.5s
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no answer within 0.5s
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc: no answer within 0.5s
@@ -82,31 +93,37 @@ One that falls silent costs one timeout, and one look after it:
 
 At Ctrl-C it reports what has been done, and what may have been:
 
-  $ rtteardown a.xml; ctl @these3 delay notify_connect 6; interrupt 3 rtresurrect -v a.xml
+  $ rtteardown a.xml; ctl @these3 delay notify_connect 6
+  $ interrupt 3 rtresurrect -v a.xml
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: interrupted while it was done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
   rtresurrect: 1 done, 20 already done, 1 uncertain, 1 not tried
   [130]
   $ soon '[ -n "$(ctl @these3 connectors ConsoleOut1:in)" ]'
-  $ ctl @these3 reset; rtresurrect a.xml; rtcheck -s inactive a.xml
+  $ ctl @these3 reset; rtresurrect a.xml
+  $ rtcheck -s inactive a.xml
 
 With --rollback it undoes all, what was being done, too, as soon as that has come to its end:
 
-  $ rtteardown a.xml; ctl @these3 delay notify_connect 4; timeout 3 rtresurrect --rollback --timeout 9 -v a.xml
+  $ rtteardown a.xml; ctl @these3 delay notify_connect 4
+  $ timeout 3 rtresurrect --rollback --timeout 9 -v a.xml
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
   rtresurrect: connection 1 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: undone
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried
   rtresurrect: 20 already done, 2 undone, 1 not tried
   [124]
-  $ ctl @these3 reset; rtteardown --dry-run a.xml; rtresurrect a.xml; rtcheck -s inactive a.xml
+  $ ctl @these3 reset; rtteardown --dry-run a.xml
+  $ rtresurrect a.xml; rtcheck -s inactive a.xml
 
 The configuration set that was active before is active again:
 
-  $ rtconf ConfigSample0.rtc list; rtconf ConfigSample0.rtc act mode0; rtteardown a.xml; ctl @these3 fail notify_connect 1 UNKNOWN
+  $ rtconf ConfigSample0.rtc list
   +default
   +mode0
   +mode1*
+  $ rtconf ConfigSample0.rtc act mode0; rtteardown a.xml
+  $ ctl @these3 fail notify_connect 1 UNKNOWN
   $ rtresurrect --rollback -v a.xml; rtconf ConfigSample0.rtc list
   rtresurrect: active configuration set mode1 of /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: undone
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
@@ -127,9 +144,12 @@ A name server that is not there:
 
 Hostile names and values are restored, or told, and do nothing to the terminal:
 
-  $ rtcryo -q --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.xml; rtcryo -q -y --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.yaml
-  $ rtresurrect -v h.xml 2>&1 | tail -1; rtteardown -v h.yaml 2>&1 | tail -1; rtresurrect -v h.yaml 2>&1 | LC_ALL=C grep -c '[[:cntrl:]]'
+  $ rtcryo -q --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.xml
+  $ rtcryo -q -y --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.yaml
+  $ rtresurrect -v h.xml 2>&1 | tail -1
   rtresurrect: 9 already done
+  $ rtteardown -v h.yaml 2>&1 | tail -1
   rtteardown: 1 done
+  $ rtresurrect -v h.yaml 2>&1 | LC_ALL=C grep -c '[[:cntrl:]]'
   0
   [1]

@@ -11,18 +11,22 @@ Save a system, with a connection of three ends and a composite on another name s
   $ rtcon -i one -n 'odd "name"' -p 'my key=$x' ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcon -i three Motor0.rtc:out ConsoleOut0.rtc:in ConsoleOut1.rtc:in
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
-  $ rtcryo --all localhost:$PORT localhost:$PORT2 > a.xml; rtcryo --all -y localhost:$PORT localhost:$PORT2 > a.yaml
+  $ rtcryo --all localhost:$PORT localhost:$PORT2 > a.xml
+  $ rtcryo --all -y localhost:$PORT localhost:$PORT2 > a.yaml
 
 All is already as the file says, and nothing is done:
 
-  $ rtresurrect -y a.yaml; rtresurrect --xml - < a.xml; rtresurrect < a.yaml
-  $ ctl reset; rtresurrect -v a.xml; calls | grep -E ' (connect|disconnect|notify.*|set_.*|activate_.*)$'
+  $ rtresurrect -y a.yaml; rtresurrect --xml - < a.xml
+  $ rtresurrect < a.yaml
+  $ ctl reset; rtresurrect -v a.xml
   rtresurrect: 49 already done
+  $ calls | grep -E ' (connect|disconnect|notify.*|set_.*|activate_.*)$'
   [1]
 
 Tear it down and change it; --dry-run prints the commands that restore it, and does nothing:
 
-  $ rtteardown a.xml; rtconf ConfigSample0.rtc act mode0; rtconf ConfigSample0.rtc set str_param0="it's \$5" int_param0=-5
+  $ rtteardown a.xml; rtconf ConfigSample0.rtc act mode0
+  $ rtconf ConfigSample0.rtc set str_param0="it's \$5" int_param0=-5
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but it's $5 does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -5 does not fit the component's constraint 0<=x<=150
   $ rtec Motor0.rtc rate 500; rtcomp -r $C/Motor0.rtc $C/composite0.rtc
@@ -38,12 +42,14 @@ Tear it down and change it; --dry-run prints the commands that restore it, and d
 
 They can be given to a shell, and then nothing is left to do:
 
-  $ sh -e script; rtcheck -s inactive a.xml; rtresurrect --dry-run a.xml
+  $ sh -e script
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but 12345 does not fit the component's constraint 0<=x<=150
+  $ rtcheck -s inactive a.xml; rtresurrect --dry-run a.xml
 
 What rtresurrect does, step by step:
 
-  $ rtteardown a.xml; rtconf ConfigSample0.rtc set int_param0 7; rtec Motor0.rtc rate 500; rtcomp -r $C/Motor0.rtc $C/composite0.rtc
+  $ rtteardown a.xml; rtconf ConfigSample0.rtc set int_param0 7
+  $ rtec Motor0.rtc rate 500; rtcomp -r $C/Motor0.rtc $C/composite0.rtc
   $ rtresurrect -v a.xml
   rtresurrect: members Controller0, Motor0, Sensor0 of /localhost:$PORT2/test.host_cxt/composite0.rtc: done
   rtresurrect: configuration set mode1 of /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: done
@@ -67,7 +73,8 @@ As JSON:
 Components that are missing, or are others than they should be, are reported; the rest is restored. What was not tried is reported
 with -v:
 
-  $ rtteardown a.xml; rtdel -f MyServiceProvider0.rtc; rtec Motor0.rtc rate 500
+  $ rtteardown a.xml; rtdel -f MyServiceProvider0.rtc
+  $ rtec Motor0.rtc rate 500
   $ sed 's/example:ConsoleOut:1.0" rts:pathUri/example:ConsoleOut:2.0" rts:pathUri/' a.xml > other.xml
   $ rtresurrect --rollback other.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not a RTC:Shinji Kurihara:example:ConsoleOut:2.0 (it is a RTC:Shinji Kurihara:example:ConsoleOut:1.0)
@@ -142,18 +149,21 @@ Ports that are missing or do not match, ids that are taken, other connections in
   rtresurrect: /localhost:$PORT/test.host_cxt/Motor0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: each is a DataInPort; a connection needs an in port and an out port
   rtresurrect: 1 done, 43 already done, 2 failed, 3 not tried
   [5]
-  $ rtdis ConsoleIn0.rtc; rtcon -i one ConsoleIn0.rtc:out ConsoleOut1.rtc:in; rtcon -i mine ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtdis ConsoleIn0.rtc; rtcon -i one ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  $ rtcon -i mine ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtresurrect a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection one joins other ports; rtdis removes it
   rtresurrect: 2 done, 42 already done, 2 failed, 3 not tried
   [5]
-  $ rtdis ConsoleIn0.rtc; rtcon -i one -p 'my key=$y' ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtresurrect a.xml
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -i one -p 'my key=$y' ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtresurrect a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: is connected with my key=$y, not $x; rtdis removes that
   rtresurrect: 44 already done, 2 failed, 3 not tried
   [5]
-  $ rtdis ConsoleIn0.rtc; rtcon -i mine ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtresurrect a.xml
+  $ rtdis ConsoleIn0.rtc; rtcon -i mine ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtresurrect a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected with another id (mine); rtdis removes that
   rtresurrect: 44 already done, 2 failed, 3 not tried

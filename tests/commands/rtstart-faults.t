@@ -11,9 +11,10 @@ What takes longer than the timeout failed, --wait gives it more; what answers be
 
   $ ctl @these delay activate_component 3; rtstart -q --timeout 0.4 all.xml 2> said
   [5]
-  $ ctl @these reset; sed 's/;.*//' said | sort; states | grep -v Slow0
+  $ ctl @these reset; sed 's/;.*//' said | sort
   rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: no answer within 0.4s
   rtstart: /localhost:$PORT/test.host_cxt/Stuck0.rtc: no answer within 0.4s
+  $ states | grep -v Slow0
   Active ConsoleIn0.rtc
   Active ConsoleOut0.rtc
   Active Motor0.rtc
@@ -50,7 +51,8 @@ Ctrl-C and SIGTERM, during the checks too:
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: not tried: interrupted", "number": 1, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc", "required": true, "result": "not tried"}
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: interrupted", "number": 4, "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc", "required": true, "result": "not tried"}
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Stuck0.rtc: interrupted; whether it has been done is not known", "number": 6, "path": "/localhost:$PORT/test.host_cxt/Stuck0.rtc", "required": true, "result": "uncertain"}
-  $ rtexit --wait=5 Stuck0.rtc; rtcryo --all -o all.xml; rtstop -q all.xml
+  $ rtexit --wait=5 Stuck0.rtc; rtcryo --all -o all.xml
+  $ rtstop -q all.xml
 
 Sync waits for the state, After does not:
 
@@ -67,28 +69,39 @@ Sync waits for the state, After does not:
 
 A call whose answer is lost may have been heard: the state shows it, and where it cannot, rtstart says so
 
-  $ ctl @two fail activate_component 1 HANG; rtstart -q --timeout 1 all.xml 2>&1 | sed 's/Console[InOut]*/Console/'
+  $ ctl @two fail activate_component 1 HANG
+  $ rtstart -q --timeout 1 all.xml 2>&1 | sed 's/Console[InOut]*/Console/'
   rtstart: /localhost:$PORT/test.host_cxt/Console0.rtc: no answer within 1s; it is Inactive now
-  $ ctl @two reset; rtstart -q all.xml; states | grep -v ^Active; rtstop -q all.xml
-  $ ctl @two fail activate_component 1 COMM_FAILURE; rtstart -q all.xml 2>&1 | sed 's/Console[InOut]*/Console/'
+  $ ctl @two reset; rtstart -q all.xml
+  $ states | grep -v ^Active
+  [1]
+  $ rtstop -q all.xml
+  $ ctl @two fail activate_component 1 COMM_FAILURE
+  $ rtstart -q all.xml 2>&1 | sed 's/Console[InOut]*/Console/'
   rtstart: /localhost:$PORT/test.host_cxt/Console0.rtc: connection lost; it is Inactive now
-  $ rtstop -q all.xml; ctl @two delay activate_component 2; plan $(when 1 ConsoleIn0) $(when 2 Slow0) $(when 3 ConsoleOut0) < all.xml > d.xml; rtstart -q d.xml --timeout 1
+  $ rtstop -q all.xml; ctl @two delay activate_component 2
+  $ plan $(when 1 ConsoleIn0) $(when 2 Slow0) $(when 3 ConsoleOut0) < all.xml > d.xml
+  $ rtstart -q d.xml --timeout 1
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 1s; whether it has been done is not known
   rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   [5]
   $ soon '[ "$(ctl @two state ConsoleIn0)" = ACTIVE ]'
-  $ ctl @two reset; rtstop -q all.xml; ctl @two fail activate_component 1 DIE; rtstart -q d.xml 2> said
+  $ ctl @two reset; rtstop -q all.xml
+  $ ctl @two fail activate_component 1 DIE; rtstart -q d.xml 2> said
   [5]
-  $ sed 's/lost.*/lost/; s/refused.*/lost/' said; states; rtdel -z; mock two; rtstart -q d.xml; states
+  $ sed 's/lost.*/lost/; s/refused.*/lost/' said
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection lost
   rtstart: /localhost:$PORT/test.host_cxt/Slow0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
   rtstart: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc, which failed
+  $ states
   - *ConsoleIn0.rtc
   - *ConsoleOut0.rtc
   Active Motor0.rtc
   Active Sensor0.rtc
   Inactive Slow0.rtc
+  $ rtdel -z; mock two
+  $ rtstart -q d.xml; states
   Active ConsoleIn0.rtc
   Active ConsoleOut0.rtc
   Active Motor0.rtc

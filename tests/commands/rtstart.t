@@ -43,13 +43,15 @@ Without that section, all start at once. What is Active already counts as done:
   rtstart: Checking for required component /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc with ID "RTC:Geoffrey Biggs, AIST:Sensor:Hokuyo_AIST:1.0" and instance name "Hokuyo_AIST0"
   rtstart: Checking for required component /localhost:$PORT/test.host_cxt/Motor0.rtc with ID "RTC:Shinji Kurihara, AIST:example:Motor:1.0" and instance name "Motor0"
   rtstart: Checking for required component /localhost:$PORT/test.host_cxt/Sensor0.rtc with ID "RTC:Shinji Kurihara, AIST:example:Sensor:1.0" and instance name "Sensor0"
-  $ rtstart -q -x - < a.xml; rtstart -q -y a.yaml; rtstart --json -q --wait 1 a.xml | sort
+  $ rtstart -q -x - < a.xml; rtstart -q -y a.yaml
+  $ rtstart --json -q --wait 1 a.xml | sort
   {"action": "activate", "context": "0", "error": null, "number": 1, "path": "/localhost:$PORT/test.host_cxt/Clusterer0.rtc", "required": true, "result": "already"}
   {"action": "activate", "context": "0", "error": null, "number": 2, "path": "/localhost:$PORT/test.host_cxt/Controller0.rtc", "required": true, "result": "already"}
   {"action": "activate", "context": "0", "error": null, "number": 3, "path": "/localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc", "required": true, "result": "already"}
   {"action": "activate", "context": "0", "error": null, "number": 4, "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "required": true, "result": "already"}
   {"action": "activate", "context": "0", "error": null, "number": 5, "path": "/localhost:$PORT/test.host_cxt/Sensor0.rtc", "required": true, "result": "already"}
-  $ rtstop -q a.xml; ctl reset; rtstart --dry-run a.xml; calls
+  $ rtstop -q a.xml; ctl reset
+  $ rtstart --dry-run a.xml
   Check for required component "RTC:Geoffrey Biggs, AIST:Perception:Clusterer:2.1", "Clusterer0" at path /localhost:$PORT/test.host_cxt/Clusterer0.rtc (Required)
   Check for required component "RTC:Shinji Kurihara, AIST:example:Controller:1.0", "Controller0" at path /localhost:$PORT/test.host_cxt/Controller0.rtc (Required)
   Check for required component "RTC:Geoffrey Biggs, AIST:Sensor:Hokuyo_AIST:1.0", "Hokuyo_AIST0" at path /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc (Required)
@@ -60,6 +62,7 @@ Without that section, all start at once. What is Active already counts as done:
   {3} Activate /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc in execution context 0 (Required)
   {4} Activate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 (Required)
   {5} Activate /localhost:$PORT/test.host_cxt/Sensor0.rtc in execution context 0 (Required)
+  $ calls
 
 Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it is active comes Hokuyo_AIST0:
 
@@ -70,12 +73,14 @@ Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it
   {1} [Order 3/Wait 300ms] Activate /localhost:$PORT/test.host_cxt/Clusterer0.rtc in execution context 0 (Required)
   {3} [Order 4/Sync to Clusterer0] Activate /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc in execution context 0 (Required)
   {2} [Order 5/After Clusterer0's action] Activate /localhost:$PORT/test.host_cxt/Controller0.rtc in execution context 0 (Required)
-  $ within 0.3-3 rtstart -v b.xml 2> said; grep -v Check said | head -4; grep -c Active said; states
+  $ within 0.3-3 rtstart -v b.xml 2> said; grep -v Check said | head -4
   Executing {4} Activate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 (Required)
   rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active
   Executing {5} Activate /localhost:$PORT/test.host_cxt/Sensor0.rtc in execution context 0 (Required)
   rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: Active
+  $ grep -c Active said
   5
+  $ states
   Error Broken0.rtc
   Active Clusterer0.rtc
   Inactive ConsoleIn0.rtc
@@ -104,7 +109,8 @@ Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it
 What is wrong with a plan is found before anything is asked:
 
   $ rtstop -q a.xml; ctl reset
-  $ plan $(when 1 Motor0 "$(preceding SYNC 0 Sensor0)") $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") < a.xml | rtstart
+  $ plan $(when 1 Motor0 "$(preceding SYNC 0 Sensor0)") $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") < a.xml |
+  > rtstart
   rtstart: -: Activation: these wait for each other: /localhost:$PORT/test.host_cxt/Motor0.rtc for /localhost:$PORT/test.host_cxt/Sensor0.rtc for /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
   $ plan $(when 1 Ghost0) $(when 2 Motor0) $(when 3 Motor0) < a.xml | rtstart
@@ -116,7 +122,8 @@ What is wrong with a plan is found before anything is asked:
 
 Nothing starts unless every required component is there and the one that is meant; of others it is reported:
 
-  $ sed 's/Motor0.rtc/Gone0.rtc/; s/instanceName="Sensor0"/instanceName="Sensor1"/; s/:Clusterer:2.1/:Clusterer:2.0/' a.xml | rtstart
+  $ sed 's/Motor0.rtc/Gone0.rtc/; s/instanceName="Sensor0"/instanceName="Sensor1"/; s/:Clusterer:2.1/:Clusterer:2.0/' a.xml |
+  > rtstart
   rtstart: /localhost:$PORT/test.host_cxt/Clusterer0.rtc: not a RTC:Geoffrey Biggs, AIST:Perception:Clusterer:2.0 (it is a RTC:Geoffrey Biggs, AIST:Perception:Clusterer:2.1)
   rtstart: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not a component named Sensor1 (it is a component named Sensor0)
@@ -134,7 +141,8 @@ Nothing starts unless every required component is there and the one that is mean
   Action failed: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   $ rtstart -q optional.xml
   Action failed: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
-  $ sed 's/Motor0.rtc/Gone0.rtc/; /Motor0.rtc/s/isRequired="true"/isRequired="false"/; /instanceName="Motor0"/s/isRequired="true"/isRequired="false"/' b.xml | rtstart --json -q | grep Gone0
+  $ sed 's/Motor0.rtc/Gone0.rtc/; /Motor0.rtc/s/isRequired="true"/isRequired="false"/; /instanceName="Motor0"/s/isRequired="true"/isRequired="false"/' b.xml |
+  > rtstart --json -q | grep Gone0
   Action failed: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Gone0.rtc: no such path", "number": 5, "path": "/localhost:$PORT/test.host_cxt/Gone0.rtc", "required": false, "result": "failed"}
   $ rtstop -q a.xml
@@ -145,7 +153,8 @@ A component that fails stops what depends on it, and nothing else:
   $ rtstart e.xml 2>&1 | grep -v Executing | sort
   rtstart: /localhost:$PORT/test.host_cxt/Broken0.rtc: cannot activate: it is in Error; reset it first
   rtstart: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
-  $ rtstop -q a.xml; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc; rtreset ErrStart0.rtc Broken0.rtc
+  $ rtstop -q a.xml; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc
+  $ rtreset ErrStart0.rtc Broken0.rtc
   $ plan $(when 1 ErrStart0) $(when 2 Motor0) $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") $(when 1 Controller0 "$(waiting 1)") < e.xml > f.xml
   $ rtstart -q f.xml
   rtstart: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it went to Error

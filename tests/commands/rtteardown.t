@@ -5,11 +5,14 @@ world: these ConsoleIn ConsoleOut
 world: these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2
 world: services
 
-  $ rtcon -i one -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcon -i 'two ends' ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  $ rtcon -i one -p x=y ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon -i 'two ends' ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   $ rtcon -i service MyServiceConsumer0.rtc:MyService MyServiceProvider0.rtc:MyService
-  $ rtcryo > a.xml; rtcryo -y > a.yaml; rtcon -i more ConsoleIn0.rtc:out ConsoleOut2.rtc:in
+  $ rtcryo > a.xml
   rtcryo: 1 component without connections left out; --all saves them, too
+  $ rtcryo -y > a.yaml
   rtcryo: 1 component without connections left out; --all saves them, too
+  $ rtcon -i more ConsoleIn0.rtc:out ConsoleOut2.rtc:in
 
 The commands that would do it:
 
@@ -20,12 +23,14 @@ The commands that would do it:
 
 Doing it; other connections stay, and a second time nothing is left to do:
 
-  $ rtteardown -v a.xml; rtteardown -v a.yaml; rtteardown < a.xml; rtteardown --json -x - < a.xml
+  $ rtteardown -v a.xml
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 3 done
+  $ rtteardown -v a.yaml
   rtteardown: 3 already done
+  $ rtteardown < a.xml; rtteardown --json -x - < a.xml
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "already", "step": "disconnect"}
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in", "required": true, "result": "already", "step": "disconnect"}
   {"command": null, "error": null, "path": "/localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService", "required": true, "result": "already", "step": "disconnect"}
@@ -38,18 +43,21 @@ Doing it; other connections stay, and a second time nothing is left to do:
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
   $ rtresurrect a.xml; rtteardown --json a.xml | head -1
   {"command": "rtdis -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "error": null, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": true, "result": "done", "step": "disconnect"}
-  $ rtresurrect a.xml; sh -e script; rtteardown --dry-run -y a.yaml
+  $ rtresurrect a.xml; sh -e script
+  $ rtteardown --dry-run -y a.yaml
 
 One that fails is reported, the others are removed; with --rollback these are made again:
 
-  $ rtresurrect a.xml; for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
+  $ rtresurrect a.xml
+  $ for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
   $ rtteardown --rollback -v a.xml
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
   rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried
   rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService: CORBA.UNKNOWN
   rtteardown: 1 undone, 1 not tried, 1 failed
   [6]
-  $ rtcheck -s inactive a.xml; for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
+  $ rtcheck -s inactive a.xml
+  $ for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
   $ rtteardown -v a.xml
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done
@@ -62,13 +70,17 @@ One that fails is reported, the others are removed; with --rollback these are ma
 
 Where one end is dead, the others are freed:
 
-  $ rtresurrect a.xml; kill-mock these2; rtteardown -v a.xml; rtls -l ConsoleIn0.rtc
+  $ rtresurrect a.xml; kill-mock these2
+  $ rtteardown -v a.xml
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: connection refused; its process is gone (zombie)
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 2 done, 1 already done
+  $ rtls -l ConsoleIn0.rtc
   Inactive  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
-  $ rtresurrect -q a.xml 2>/dev/null; rtdel -z ConsoleOut1.rtc; rtteardown -v a.xml
+  $ rtresurrect -q a.xml 2>/dev/null
+  [5]
+  $ rtdel -z ConsoleOut1.rtc; rtteardown -v a.xml
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
@@ -76,13 +88,16 @@ Where one end is dead, the others are freed:
 
 A port that its component has not got any more, and components of which none is there any more, are no failure either:
 
-  $ rtresurrect -q a.xml 2>/dev/null; sed 's/ConsoleOut0[.]in/ConsoleOut0.old/' a.xml > b.xml; rtteardown -v b.xml
+  $ rtresurrect -q a.xml 2>/dev/null
+  [5]
+  $ sed 's/ConsoleOut0[.]in/ConsoleOut0.old/' a.xml > b.xml; rtteardown -v b.xml
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no such port: old (its ports: in)
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:old: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: done
   rtteardown: 2 done, 1 already done
-  $ sed 's/ConsoleIn/AwayIn/g; s/ConsoleOut/AwayOut/g; s/MyService[CP][a-z]*0/&9/g' a.xml > c.xml; rtteardown c.xml
+  $ sed 's/ConsoleIn/AwayIn/g; s/ConsoleOut/AwayOut/g; s/MyService[CP][a-z]*0/&9/g' a.xml > c.xml
+  $ rtteardown c.xml
   rtteardown: /localhost:$PORT/test.host_cxt/AwayIn0.rtc: no such path
   rtteardown: /localhost:$PORT/test.host_cxt/AwayOut0.rtc: no such path
   rtteardown: /localhost:$PORT/test.host_cxt/AwayOut1.rtc: no such path
@@ -91,7 +106,9 @@ A port that its component has not got any more, and components of which none is 
 
 What is silent cannot be freed:
 
-  $ rtresurrect -q a.xml 2>/dev/null; hang services; within 0.4-3 rtteardown --timeout 0.5 -v a.xml
+  $ rtresurrect -q a.xml 2>/dev/null
+  [5]
+  $ hang services; within 0.4-3 rtteardown --timeout 0.5 -v a.xml
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
   rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc: no answer within 0.5s
   rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no answer within 0.5s

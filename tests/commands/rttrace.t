@@ -8,7 +8,8 @@ world: parts
 
 Values and times differ from run to run; what stays is who is named:
 
-  $ trace() { rttrace -t 2 "$@" > out; code=$?; tail -n +2 out | sed -n 's/^\([A-Z][a-z]*\) .*yes  .*\/\(.*\)/\1 \2/p'; grep -v -e ' Hz ' -e ^STATE out; return $code; }
+  $ trace() { rttrace -t 2 "$@" > out; code=$?; tail -n +2 out |
+  > sed -n 's/^\([A-Z][a-z]*\) .*yes  .*\/\(.*\)/\1 \2/p'; grep -v -e ' Hz ' -e ^STATE out; return $code; }
   $ trace Link0.rtc:out
   Active Link0.rtc:out
   Active Link1.rtc:out
@@ -25,15 +26,20 @@ Values and times differ from run to run; what stays is who is named:
   Active Link1.rtc:out
   Active Link2.rtc:out
   no stage stops, holds, thins, delays or disorders the values
-  $ rttrace -t 2 --json Link2.rtc:out | sed 's/[0-9]*[.][0-9]*[e0-9-]*/N/g; s/"values": [0-9]*/"values": N/; s/"changes": [0-9]*/"changes": N/'
+  $ rttrace -t 2 --json Link2.rtc:out |
+  > sed 's/[0-9]*[.][0-9]*[e0-9-]*/N/g; s/"values": [0-9]*/"values": N/; s/"changes": [0-9]*/"changes": N/'
   {"age": N, "buffer": null, "changes": N, "context": N, "delay": null, "jitter": N, "newest": N, "port": "/localhost:$PORT/testNhost_cxt/LinkNrtc:out", "rate": N, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active", "values": N}
   {"buffer": "replaces", "context": N, "delay": null, "stage": "/localhost:$PORT/testNhost_cxt/LinkNrtc", "state": "Active"}
   {"culprit": null, "sure": null, "why": null}
 
 Branches and loops are shown once; service connections are shown:
 
-  $ rtcon -q Sensor0.rtc:out Controller0.rtc:in; rtcon -q Controller0.rtc:out Motor0.rtc:in; rtcon -q Motor0.rtc:out Sensor0.rtc:in; rtcon -q Sensor0.rtc:out Motor0.rtc:in
-  $ rtcon -q Hokuyo_AIST0.rtc:ranges Clusterer0.rtc:ranges; rtcon -q Hokuyo_AIST0.rtc:control MyServiceConsumer0.rtc:MyService; rtact --wait 5 Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
+  $ rtcon -q Sensor0.rtc:out Controller0.rtc:in
+  $ rtcon -q Controller0.rtc:out Motor0.rtc:in; rtcon -q Motor0.rtc:out Sensor0.rtc:in
+  $ rtcon -q Sensor0.rtc:out Motor0.rtc:in
+  $ rtcon -q Hokuyo_AIST0.rtc:ranges Clusterer0.rtc:ranges
+  $ rtcon -q Hokuyo_AIST0.rtc:control MyServiceConsumer0.rtc:MyService
+  $ rtact --wait 5 Sensor0.rtc Controller0.rtc Motor0.rtc Hokuyo_AIST0.rtc Clusterer0.rtc
   $ trace Sensor0.rtc:out | sort
   Active Controller0.rtc:out
   Active Motor0.rtc:out
@@ -51,7 +57,8 @@ A connection is made to each port on the way, and removed:
 
 Plotted, each port on the way, on equal axes:
 
-  $ export COLUMNS=80; rttrace -t 2 --plot Link0.rtc:out > out; sed -n 's/^⠤⠤.*/plot/p; /^no/p; s/.*test.host_cxt.\(.*\), values/\1, values/p' out
+  $ export COLUMNS=80; rttrace -t 2 --plot Link0.rtc:out > out
+  $ sed -n 's/^⠤⠤.*/plot/p; /^no/p; s/.*test.host_cxt.\(.*\), values/\1, values/p' out
   Link0.rtc:out, values per second
   plot
   Link1.rtc:out, values per second
@@ -87,8 +94,10 @@ On a recording, with the connections that it had:
   rttrace: ports.mcap: no profile of the system is in this log: record it with rtlog --events PATH
   [1]
 
-  $ rttrace --from chain.mcap --plot Link1.rtc:out --to Link2.rtc:in > out; grep -c '^⠤⠤ rate  min [0-9]' out; grep -c '^0 is 20' out
+  $ rttrace --from chain.mcap --plot Link1.rtc:out --to Link2.rtc:in > out
+  $ grep -c '^⠤⠤ rate  min [0-9]' out
   2
+  $ grep -c '^0 is 20' out
   1
 
 What stops it; rtdoctor has the last word:
@@ -110,12 +119,14 @@ What stops it; rtdoctor has the last word:
   /localhost:$PORT/test.host_cxt/Link2.rtc:out, values per second
   ⠤⠤ rate  min 0  max 0  last 0
   $ rtec Link2.rtc start; rtact --wait 2 Link2.rtc
-  $ rtcon Link2.rtc:out Apart0.rtc:in; hang these; trace Link0.rtc:out -t 8 2> err | sed 's/within.*/within …/' | grep -v doctor; wake these
+  $ rtcon Link2.rtc:out Apart0.rtc:in; hang these
+  $ trace Link0.rtc:out -t 8 2> err | sed 's/within.*/within …/' | grep -v doctor
   Active Link0.rtc:out
   Active Link1.rtc:out
   ?         /localhost:$PORT/test.host_cxt/Link2.rtc: it waits for /localhost:$PORT/test.host_cxt/Apart0.rtc, which does not answer
   ?         /localhost:$PORT/test.host_cxt/Apart0.rtc: it does not answer
   /localhost:$PORT/test.host_cxt/Apart0.rtc: it does not answer (certain)
+  $ wake these
   $ rtdis Link1.rtc:out Link2.rtc:in; trace Link0.rtc:out --to Link3.rtc:in
   Active Link0.rtc:out
   Active Link1.rtc:out

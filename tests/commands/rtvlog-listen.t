@@ -8,7 +8,8 @@ In every form of a message; a line is a line, and harms no terminal:
 
   $ rm -f told; rtvlog --listen 0 -n 5 > out 2> told & listening
   $ fluent $port message ERROR Motor0 hot
-  $ fluent $port forward INFO Motor0 warm WARN manager "$(printf 'a\033[2J')"; fluent $port packed INFO Arm0 wet
+  $ fluent $port forward INFO Motor0 warm WARN manager "$(printf 'a\033[2J')"
+  $ fluent $port packed INFO Arm0 wet
   $ fluent $port gzip INFO Arm0 cold; wait
   $ cat out
   [robot1/manager 1795247382.250000] ERROR <Motor0> hot
@@ -19,8 +20,11 @@ In every form of a message; a line is a line, and harms no terminal:
 
 Of a level and a source; beside a component that is asked:
 
-  $ rm told; rtvlog --listen 0 -n 3 -l WARN -f Motor0 -f motor --json Motor0.rtc > out 2> told & listening; soon "ctl observers Motor0 | grep Logger"
-  $ fluent $port forward INFO Motor0 warm WARN Arm0 hot WARN Motor0 hot FATAL Motor0 broken; soon 'grep broken out'
+  $ rm told
+  $ rtvlog --listen 0 -n 3 -l WARN -f Motor0 -f motor --json Motor0.rtc > out 2> told & listening
+  $ soon "ctl observers Motor0 | grep Logger"
+  $ fluent $port forward INFO Motor0 warm WARN Arm0 hot WARN Motor0 hot FATAL Motor0 broken
+  $ soon 'grep broken out'
   $ ctl log Motor0 ERROR motor "it is hot"; wait; plain out
   {"level": "WARN", "logger": "Motor0", "message": "hot", "path": "robot1/manager", "time": T}
   {"level": "FATAL", "logger": "Motor0", "message": "broken", "path": "robot1/manager", "time": T}
@@ -28,11 +32,13 @@ Of a level and a source; beside a component that is asked:
 
 From some addresses only; what is no log is reported once, and the port goes on:
 
-  $ rm told; rtvlog --listen 0.0.0.0:0 --from 127.0.0.2 -t 30 > out 2> told & log=$!; listening
+  $ rm told; rtvlog --listen 0.0.0.0:0 --from 127.0.0.2 -t 30 > out 2> told & log=$!
+  $ listening
   $ fluent $port message ERROR Motor0 hot; soon 'grep from told'; kill $log; wait $log; cat out; sed 1d told
   rtvlog: 127.0.0.1: may not send (--from)
   $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening
-  $ printf 'GET / HTTP/1.1\r\n\r\n' > request; for i in 1 2; do python3 -c "import socket, sys; socket.create_connection(('localhost', int(sys.argv[1]))).sendall(open('request', 'rb').read())" $port; done
+  $ printf 'GET / HTTP/1.1\r\n\r\n' > request
+  $ for i in 1 2; do python3 -c "import socket, sys; socket.create_connection(('localhost', int(sys.argv[1]))).sendall(open('request', 'rb').read())" $port; done
   $ fluent $port message ERROR Motor0 hot; wait; cat out; sed 1d told
   [robot1/manager 1795247382.250000] ERROR <Motor0> hot
   rtvlog: 127.0.0.1: does not send logs as fluentd takes them (not an event)

@@ -9,13 +9,16 @@ world: hung 1 --context hung.host_cxt/%n.rtc
 An observer of OpenRTM, events of some kinds; -n ends it:
 
   $ rtwatch -n 4 -f RTC_STATUS ConsoleIn0.rtc > out 2>&1 & watched ConsoleIn0
-  $ rtact ConsoleIn0.rtc; ctl error ConsoleIn0; rtreset ConsoleIn0.rtc; rtact --wait 2 ConsoleIn0.rtc; wait; plain out
+  $ rtact ConsoleIn0.rtc; ctl error ConsoleIn0
+  $ rtreset ConsoleIn0.rtc; rtact --wait 2 ConsoleIn0.rtc
+  $ wait; plain out
   [T] 0 ACTIVE
   [T] 0 ERROR
   [T] 0 INACTIVE
   [T] 0 ACTIVE
   $ rtwatch -n 5 -f EC_EVENT -f CONFIG_EVENT ConsoleIn0.rtc > out & watched ConsoleIn0
-  $ rtec ConsoleIn0.rtc rate 500; rtec ConsoleIn0.rtc stop; rtec ConsoleIn0.rtc start; rtconf ConsoleIn0.rtc act default
+  $ rtec ConsoleIn0.rtc rate 500; rtec ConsoleIn0.rtc stop
+  $ rtec ConsoleIn0.rtc start; rtconf ConsoleIn0.rtc act default
   $ wait; plain out | sort
   [T] 0 EC_RATE_CHANGED
   [T] 0 EC_SHUTDOWN
@@ -26,8 +29,10 @@ An observer of OpenRTM, events of some kinds; -n ends it:
 One of FSM4RTC; several components have their names in the lines. A line is written when it happens, not when a buffer is
 full, and the time is now:
 
-  $ rtwatch -f PORT_EVENT ConsoleIn0.rtc ConsoleOut0.rtc > out & watch=$!; watched ConsoleOut0; watched ConsoleIn0
-  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; soon 'grep RECEIVE out'; rtdis ConsoleIn0.rtc; soon '[ $(grep -c DISC out) = 2 ]'
+  $ rtwatch -f PORT_EVENT ConsoleIn0.rtc ConsoleOut0.rtc > out & watch=$!
+  $ watched ConsoleOut0; watched ConsoleIn0
+  $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in; soon 'grep RECEIVE out'
+  $ rtdis ConsoleIn0.rtc; soon '[ $(grep -c DISC out) = 2 ]'
   $ kill $watch; wait $watch
   [143]
   $ plain out | sort -u
@@ -40,7 +45,8 @@ full, and the time is now:
   $ echo $(( $(date +%s) - $(sed -n '1s/.* \([0-9]*\)\..*/\1/p' out) < 10 ))
   1
   $ rtwatch -n 8 -f FSM_EVENT Microwave0.rtc > out & watched Microwave0
-  $ ctl fsm Microwave0 "$(printf 'open\033[2J')"; wait; plain out | sort
+  $ ctl fsm Microwave0 "$(printf 'open\033[2J')"; wait
+  $ plain out | sort
   [T] FSM_STATUS closed POST_ON_EXIT
   [T] FSM_STATUS closed PRE_ON_EXIT
   [T] FSM_STATUS closed PRE_ON_STATE_CHANGE
@@ -57,14 +63,16 @@ Heartbeats, and everything, which is the default:
   $ rtwatch -n 2 -f HEARTBEAT Microwave0.rtc | plain | sort
   [T] EC_HEARTBEAT
   [T] RTC_HEARTBEAT
-  $ rtdeact --wait 2 ConsoleIn0.rtc; rtwatch -n 1 ConsoleIn0.rtc | plain; rtwatch -n 1 -f ALL -f RTC_STATUS ConsoleIn0.rtc | plain
+  $ rtdeact --wait 2 ConsoleIn0.rtc; rtwatch -n 1 ConsoleIn0.rtc | plain
   [T] HEARTBEAT
+  $ rtwatch -n 1 -f ALL -f RTC_STATUS ConsoleIn0.rtc | plain
   [T] HEARTBEAT
 
 JSON:
 
   $ rtwatch --json -n 2 -f EC_EVENT -f CONFIG_EVENT Motor0.rtc > out & watched Motor0
-  $ rtec Motor0.rtc rate 500; rtconf Motor0.rtc act default; wait; plain out
+  $ rtec Motor0.rtc rate 500; rtconf Motor0.rtc act default
+  $ wait; plain out
   {"event": "EC_RATE_CHANGED", "kind": "EC_EVENT", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "subject": "0", "time": T}
   {"event": "CFG_ACTIVATE_SET", "kind": "CONFIG_EVENT", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "subject": "default", "time": T}
 
@@ -73,9 +81,13 @@ than once, and never offered what it does not know:
 
   $ ctl @these reset
   $ rtwatch -n 7 -f ALL Plain0.rtc > out 2>&1 & soon 'ctl @these calls | grep get_active_configuration_set'
-  $ rtact --wait 2 Plain0.rtc; soon 'grep ACTIVE out'; rtec Plain0.rtc rate 500; soon 'grep RATE out'; rtec Plain0.rtc stop
-  $ soon 'grep SHUT out'; rtec Plain0.rtc start; soon 'grep STARTUP out'; rtec Motor0.rtc attach Plain0.rtc
-  $ soon 'grep ATT out'; rtec Motor0.rtc detach Plain0.rtc; soon 'grep DET out'; rtdeact Plain0.rtc
+  $ rtact --wait 2 Plain0.rtc; soon 'grep ACTIVE out'
+  $ rtec Plain0.rtc rate 500; soon 'grep RATE out'
+  $ rtec Plain0.rtc stop
+  $ soon 'grep SHUT out'; rtec Plain0.rtc start
+  $ soon 'grep STARTUP out'; rtec Motor0.rtc attach Plain0.rtc
+  $ soon 'grep ATT out'; rtec Motor0.rtc detach Plain0.rtc
+  $ soon 'grep DET out'; rtdeact Plain0.rtc
   $ wait; plain out | grep -v 1000.*INACTIVE
   rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
   [T] 0 ACTIVE
@@ -89,7 +101,8 @@ than once, and never offered what it does not know:
   1 get_component_profile
   1 get_port_profile
   $ rtwatch -q -n 1 -t 5 Old0.rtc > out 2>&1 & soon 'ctl @these2 calls | grep get_active_configuration_set'
-  $ rtact Old0.rtc; wait; plain out
+  $ rtact Old0.rtc; wait
+  $ plain out
   [T] 0 ACTIVE
 
 When polling cannot show what is wanted, that is said:
@@ -130,8 +143,9 @@ Nothing in time: -t alone is no question, -n with -t is one.
 
 Whatever ends it, nothing is left behind in any component, and stdin is not needed:
 
-  $ interrupt 1 rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul; echo $?; ctl observers ConsoleIn0
-  130
+  $ interrupt 1 rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul
+  [130]
+  $ ctl observers ConsoleIn0
   $ for signal in TERM HUP; do
   >     timeout -s $signal --foreground 1 rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul <&-; echo $?
   > done

@@ -13,6 +13,11 @@ import tools
 import transcripts
 
 
+COLUMNS = 110
+# So many steps are wider, or have more than two commands: limits to be lowered, never raised.
+WIDE, MANY = 289, 228
+
+
 def read(path):
     with open(path, encoding="utf-8") as file:
         return file.read()
@@ -29,6 +34,29 @@ class Files(unittest.TestCase):
             self.assertFalse(
                 [number for number in numbers if processes.nameserver.PORTS < number < 32000], path
             )
+
+
+def has_many_commands(step):
+    """Are there more than two in a line? Those in quotes, brackets, loops and conditions do not count."""
+    line = re.sub(r"""'[^']*'|"(\\.|[^"\\])*\"""", "", step.command[0])
+    for part in (r"\([^()]*\)", r"\{[^{}]*\}") * 3 + (r"\b(for|while|until|if) .*?; *(done|fi)\b",):
+        line = re.sub(part, "", line)
+    return len(step.command) == 1 and line.rstrip("; ").count(";") > 1
+
+
+class Steps(unittest.TestCase):
+    """What a reader takes in at one look: few commands, and none that is wider than a page."""
+
+    def test_their_number_goes_down(self):
+        steps = [
+            step
+            for path, _ in transcripts.cases(shells=["dash"])
+            for step in transcripts.steps(transcripts.parse(read(path)))
+        ]
+        wide = [step for step in steps if max(map(len, step.lines([])), default=0) > COLUMNS]
+        self.assertLessEqual(len(wide), WIDE, "lower the limit, or break lines after | and &&")
+        many = [step for step in steps if has_many_commands(step)]
+        self.assertLessEqual(len(many), MANY, "lower the limit, or make two steps of one")
 
 
 class Helpers(unittest.TestCase):
