@@ -82,11 +82,9 @@ async def _addresses(host):
 
 def _is_own_name(host):
     """Whether a host is called as this one calls itself, with or without its domain."""
-    import socket  # takes long, and few need it
-
     if host == "localhost":
         return True
-    return host.partition(".")[0].lower() == socket.gethostname().partition(".")[0].lower()
+    return host.partition(".")[0].lower() == loop.world().host_name().partition(".")[0].lower()
 
 
 def _is_address(host):

@@ -31,5 +31,5 @@ What it explains has its cause; of the components that wait, two are asked, and 
   1 In fail its execution context is stopped False
   25 Mock ok Active False
   4 Out fail hung True
-  $ grep -c 'In[4-9].*restart' out; resume these2
+  $ grep -c 'In[4-9].*restart' out; wake these2
   0

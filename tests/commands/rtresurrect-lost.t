@@ -55,13 +55,15 @@ What hangs is not made again, either; what has ended is:
 
   $ hang these; rtresurrect --timeout 1 --create --manager manager.mgr a.xml 2>&1 | grep ConsoleOut0.rtc:; wake these
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: 127.0.0.1:*, where it was, does not answer (no answer within 1s): it hangs, or is out of reach (REFERENCE in the file) (glob)
-  $ kill-mock these; rtresurrect --create --manager manager.mgr a.xml 2>&1 | grep -c 'ConsoleOut0.rtc: not created'
+  $ kill-mock these
+  $ rtresurrect --create --manager manager.mgr a.xml 2>&1 | grep -c 'ConsoleOut0.rtc: not created'
   0
   [1]
 
 What cannot be reached may live, too:
 
-  $ sed 's/iiop:127.0.0.1/iiop:robot.invalid/' a.xml > b.xml; rtresurrect --create --manager manager.mgr b.xml 2>&1 | grep ConsoleOut0.rtc:
+  $ sed 's/iiop:127.0.0.1/iiop:robot.invalid/' a.xml > b.xml
+  $ rtresurrect --create --manager manager.mgr b.xml 2>&1 | grep ConsoleOut0.rtc:
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: robot.invalid:*, where it was, is out of reach (host name not known) (REFERENCE in the file) (glob)
   $ rtdoctor -q --profile b.xml . | grep ConsoleOut
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing, but it may live: robot.invalid:*, where it was, is out of reach (host name not known); try: on that host: rtdoctor, rtdel -z; netstat -ltnp | grep :* there shows whether its process runs: if so, let this host through its firewall; if not, start it again (glob)

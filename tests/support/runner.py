@@ -59,7 +59,7 @@ PROCESSORS = os.cpu_count() or 1
 # What stands in unit/ asks no other process and waits for no clock, which processes.py enforces; what does is
 # in waiting/.
 PURE_ONES = "unit"
-EVERY_DAY = (PURE_ONES, "packaging")  # all of these without a word
+EVERY_DAY = (PURE_ONES, "sim", "packaging")  # all of these without a word
 DIRECTORIES = EVERY_DAY + ("waiting", "mocks", "commands", "faults", "fuzz")
 OF_OMNIORB = 4  # every fourth transcript is played with omniORB then, the others with our own ORB
 USERS_ORB = os.environ.get("RTSHELL_ORB")

@@ -85,7 +85,7 @@ class Published(unittest.TestCase):
         """Of names in /etc/hosts that mean this host here, only its own is known to mean it elsewhere."""
         with mock.patch.object(
             liveness, "_addresses", asynchronous(lambda host: [host] if host[0].isdigit() else ["10.77.0.1"])
-        ), mock.patch.object(socket, "gethostname", lambda: "Desk.example.org"):
+        ), mock.patch.object(real, "host_name", lambda: "Desk.example.org"):
             self.assertFalse(self.certain("desk", ["10.77.0.2"]))
             for host, is_certain in (("desk", True), ("localhost", True), ("arm", False)):
                 self.assertIs(self.certain(host, ["10.77.0.1"]), is_certain, host)

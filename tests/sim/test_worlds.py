@@ -10,6 +10,8 @@ import unittest
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 WORLDS = 500
 
+ONCE = "a seed has one story on every Python"
+
 
 def simulate(*words):
     """(status, what tests/simulate prints)"""
