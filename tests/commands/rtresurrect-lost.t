@@ -27,7 +27,9 @@ A slave is killed: the names of its components are still bound, which does not m
 So does rtkeep:
 
   $ export XDG_RUNTIME_DIR=$PWD; rtcryo --all > a.xml; rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'; kill -9 $(ctl slave 2 pid); soon 'grep Motor0.*created out'; soon 'grep Sensor0.*created out'; soon 'rtcheck a.xml'
+  $ soon 'rtcheck a.xml'; kill -9 $(ctl slave 2 pid)
+  $ soon 'grep Motor0.*created out'; soon 'grep Sensor0.*created out'
+  $ soon 'rtcheck a.xml'
   $ kill $keep; wait $keep
 
 The name server is started again, empty (here: the names are deleted): what lives is not made again, as its manager has it, or its address answers:
@@ -53,8 +55,10 @@ The name server is started again, empty (here: the names are deleted): what live
 
 What hangs is not made again, either; what has ended is:
 
-  $ hang these; rtresurrect --timeout 1 --create --manager manager.mgr a.xml 2>&1 | grep ConsoleOut0.rtc:; wake these
+  $ hang these
+  $ rtresurrect --timeout 1 --create --manager manager.mgr a.xml 2>&1 | grep ConsoleOut0.rtc:
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: 127.0.0.1:*, where it was, does not answer (no answer within 1s): it hangs, or is out of reach (REFERENCE in the file) (glob)
+  $ wake these
   $ kill-mock these
   $ rtresurrect --create --manager manager.mgr a.xml 2>&1 | grep -c 'ConsoleOut0.rtc: not created'
   0
