@@ -29,6 +29,7 @@ HEEDED = None  # all settings of omniORB
 ANSWERS_AT_ONCE = False
 
 _started = None  # the ORB, once there is one
+_memory = session.Memory()  # of all commands of this process, as omniORB keeps its connections for all
 _deadline = 0.0  # s, the deadline that it was given
 _session = None  # the Session of the command that runs
 _starting = threading.RLock()
@@ -46,6 +47,7 @@ def start():
         return _started
     with _starting:
         _session = session.current()
+        _session.memory = _memory
         if _started is None:
             _started = _make_orb()
             _deadline = session.current().timeout

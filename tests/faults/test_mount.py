@@ -9,6 +9,7 @@ import pwd
 import re
 import shutil
 import signal
+import stat
 import subprocess
 import threading
 import time
@@ -258,10 +259,11 @@ class Peers(Case):
         return slowest
 
     def read_any(self, path):
-        """Read a file, a link or a directory."""
-        if os.path.islink(path):
+        """Read a file, a link or a directory. What cannot be looked at raises OSError."""
+        mode = os.lstat(path).st_mode
+        if stat.S_ISLNK(mode):
             os.readlink(path)
-        elif os.path.isdir(path):
+        elif stat.S_ISDIR(mode):
             os.listdir(path)
         else:
             with open(path) as file:

@@ -2,6 +2,8 @@
 change as they are asked to, and keep what was true of them.
 """
 
+import struct
+
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
@@ -12,6 +14,7 @@ from rtshell_lite.robot import tree
 
 PATIENT = 1e9  # seconds that a component waits for others, as it knows no deadline
 LATER = 0.01  # seconds until a change of state is made, about two periods of a context
+PERIOD = 0.05  # seconds between two values
 FOR_EVER = 1e9
 BINDING = 0.5  # seconds until it tries to bind its name again
 
@@ -106,7 +109,31 @@ class Asking:
 
 
 class OutPort(Asking, ports.OutPort):
-    pass
+    """An out port that sends 1, 2, 3 … while its component is Active and a tool is connected with it;
+    `numbers` are those that it has sent, each with its time.
+    """
+
+    def __init__(self, component, name, properties):
+        super().__init__(component, name, properties)
+        self.numbers = {}
+        self._is_ticking = False
+
+    def begin(self, profile):
+        if len(profile.ports) == 1 and not self._is_ticking:
+            self._is_ticking = True
+            loop.current().call_later(PERIOD, self._tick)
+        return super().begin(profile)
+
+    def _tick(self):
+        if not self.carriers and not self.coming:
+            self._is_ticking = False
+            return
+        loop.current().call_later(PERIOD, self._tick)
+        if self.component.state == "Active" and self.component.contexts[0].running:
+            number = self.component.first + len(self.numbers)
+            moment = loop.wall()
+            self.numbers[number] = self.component.world.time
+            self.write(lambda little: struct.pack("<LLl" if little else ">LLl", int(moment), 0, number))
 
 
 class InPort(Asking, ports.InPort):
@@ -116,13 +143,15 @@ class InPort(Asking, ports.InPort):
 class Component(parts.Component):
     """A living component of a World: `states`: [(time, state in its own context)], what was true and when."""
 
-    def __init__(self, world, name):
+    def __init__(self, world, name, first=1):
+        """`first`: the number that its out port begins with."""
         kind = name.rstrip("0123456789")
         identity = {"type_name": kind, "vendor": "sim", "category": "test", "version": "1"}
         pairs = [("language", "C++"), ("openrtm.version", "2.1.0"), ("implementation_id", kind)]
         configuration = Configuration({"default": {"gain": "1"}, "other": {"gain": "2"}}, "default")
         super().__init__(name, identity, pairs, configuration)
         self.world = world
+        self.first = first
         self.states = [(world.time, "Inactive")]
         self.contexts = [Context(self)]
         self.ports = [

@@ -11,7 +11,7 @@ OTHERS = 12
 SLACK = 3.5  # seconds beside: for --wait 3
 STATUSES = {0, 1, 2, 3, 4, 5, 6, 130}
 STATES = ("Inactive", "Active", "Error", "Created")
-LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
+LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint"}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
@@ -19,6 +19,8 @@ NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_nam
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
 ROUNDS = 3  # how often a process that does not answer is asked again, by commands that give it the time
+VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
+SHORT = 2.9  # seconds, in which rtprint -t has not ended
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
 
@@ -76,8 +78,10 @@ def waits_before_it_says_so(play, command):
 def is_polite(play, command):
     """A process has few questions to answer at a time."""
     for name, most in command.program.most_asked.items():
-        was_stopped = any(life.program.name == name and life.program.stops for life in play.robot.all_lives())
-        limit = IN_FLIGHT * (ROUNDS if was_stopped else 1)
+        did_answer = not NETWORK & {fault for _, fault, _ in play.scenario.faults}
+        if any(life.program.name == name and life.program.stops for life in play.robot.all_lives()):
+            did_answer = False
+        limit = IN_FLIGHT if did_answer else ROUNDS * IN_FLIGHT
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
     return None
@@ -222,6 +226,36 @@ def agrees(play, command):
     return None
 
 
+def prints_what_was_sent(play, command):
+    """Each value that rtprint shows was sent, in this order, and none is left out."""
+    if command.name != "rtprint":
+        return None
+    shown = {}
+    for line in command.out.splitlines():
+        found = VALUE.search(line)
+        if not found:
+            return f"{line!r} is no value"
+        name = re.search(r"C\d+", line) or re.search(r"C\d+", command.line)
+        shown.setdefault(name.group(), []).append(int(found.group(1)))
+    for name, numbers in shown.items():
+        sent = {}
+        for life in play.robot.lives[name]:
+            sent.update(life.component.ports[1].numbers)
+        for number, before in zip(numbers, [None] + numbers):
+            if number not in sent or not command.begun <= sent[number] <= command.ended:
+                return f"{number} was not sent then"
+            if before is not None and number not in (before + 1, *_firsts(play, name)):
+                return f"{number} follows {before}"
+    if "-n" in command.line and command.status == 0 and command.interrupted is None:
+        if command.ended - command.begun < SHORT and len(command.out.splitlines()) != 3:
+            return f"{len(command.out.splitlines())} values of 3"
+    return None
+
+
+def _firsts(play, name):
+    return [life.component.first for life in play.robot.lives[name]]
+
+
 # ---- of a world ----
 
 
@@ -245,11 +279,17 @@ def looking_changes_nothing(play):
         return None
     after = play.robot.connectors()
     for end, connectors in after.items():
-        if connectors - play.before.get(end, set()):
-            return f"{end} has another connector"
+        more = connectors - play.before.get(end, set())
+        if not all(_is_told(play, each) for each in more):
+            return f"{end} has another connector, of which nobody is told"
         if not play.scenario.faults and play.before[end] - connectors:
             return f"{end} has lost a connector"
     return None
+
+
+def _is_told(play, connector_id):
+    """Whether a command has said that a connector may stay."""
+    return any(connector_id in command.error for command in play.commands)
 
 
 ORACLES = {
@@ -262,5 +302,6 @@ ORACLES = {
     "done is done": says_what_is_done,
     "changed is changed": changes_what_it_says,
     "agrees": agrees,
+    "values": prints_what_was_sent,
 }
 OF_WORLDS = {"live names": no_live_name_goes, "no trace": looking_changes_nothing}

@@ -10,6 +10,7 @@ from rtshell_lite.play import nameserver, ports
 from rtshell_lite.play.component import nvlist
 
 PORT = 2809
+A_LIFE = 100000  # numbers that a component may send in a life
 STARTING = 3.0  # seconds that it takes until a component is bound, or has answered what has waited
 
 
@@ -78,13 +79,17 @@ class Robot:
 
     def start(self, name, host, members):
         """Start a process with these components."""
-        made = [components.Component(self.world, each) for each in members]
+        made = [self._made(each) for each in members]
         program = worlds.Program(host, name, components.serve(made, host.address, self.server))
         self.processes[name] = host, members
         self.programs[name] = program
         for component in made:
             self.lives.setdefault(component.instance_name, []).append(Life(component, program))
         return program
+
+    def _made(self, name):
+        lives = len(self.lives.get(name, ()))
+        return components.Component(self.world, name, 1 + lives * A_LIFE)
 
     def start_again(self, name):
         host, members = self.processes[name]

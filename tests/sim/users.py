@@ -35,6 +35,9 @@ def draw(draw, names, only=()):
         f"rtconf {one} set gain 5",
         "rtcryo -y .",
         f"rtec {one}",
+        f"rtprint -n 3 -t 4 {one}:out",
+        f"rtprint --json -t 1 {one}:out" + (f" {other}:out" if other != one else ""),
+        f"rtprint --pull -n 3 -t 3 {one}:out",
         f"rtcheck {FILE}",
         f"rtresurrect {FILE}",
         f"rtresurrect --rollback {FILE}",
@@ -73,6 +76,7 @@ class Command:
         self.begun = robot.world.time
         self.interrupted = None  # when
         robot.world.tell(f"$ {line}")
+        self._out = self._error = None
         self.connectors = {}  # of the robot, when it ends
         self.gains = {}  # and the values of a parameter
         self.program = worlds.Program(host, self.name, main, words, environment)
@@ -107,11 +111,15 @@ class Command:
 
     @property
     def out(self):
-        return self.program.out.getvalue()
+        if self._out is None:
+            self._out = self.program.out.text()
+        return self._out
 
     @property
     def error(self):
-        return self.program.error.getvalue()
+        if self._error is None:
+            self._error = self.program.error.text()
+        return self._error
 
 
 def _spelt(word, names):

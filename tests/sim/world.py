@@ -15,6 +15,7 @@ import os
 import random
 import select
 import sys
+import tempfile
 import threading
 
 from rtshell_lite import cli, notes
@@ -351,17 +352,18 @@ class Program:
 
 
 class Output(io.TextIOWrapper):
-    """stdout or stderr of a program, which nobody is slow to read."""
+    """stdout or stderr of a program: a file without a name, which nobody is slow to read."""
 
     def __init__(self):
-        super().__init__(io.BytesIO(), "utf-8", "backslashreplace", newline="\n", write_through=True)
+        file = tempfile.TemporaryFile()
+        super().__init__(file, "utf-8", "backslashreplace", newline="\n", write_through=True)
 
-    def getvalue(self):
+    def text(self):
+        """All that was printed; it is the end of the file."""
         self.flush()
-        return self.buffer.getvalue().decode()
-
-    def fileno(self):
-        raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        os.lseek(self.fileno(), 0, os.SEEK_SET)
+        with open(os.dup(self.fileno()), encoding="utf-8") as file:
+            return file.read()
 
 
 class Poll:
