@@ -3,6 +3,7 @@
 import os
 
 from rtshell_lite import errors, files
+from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.path import parse
 from rtshell_lite.shell import completion
@@ -25,6 +26,7 @@ class Editor:
     def __init__(self, interpreter):
         self.interpreter = interpreter
         self._found = []
+        self._session = session.Session()  # of all completions
         try:
             import readline
         except ImportError:
@@ -68,7 +70,8 @@ class Editor:
             if begins:
                 self._found = self._names(typed)
             else:
-                self._found = loop.run(completion.answers("bash", line, typed, self._meant))
+                answers = completion.answers("bash", line, typed, self._meant)
+                self._found = loop.run(answers, session=self._session)
         if number < len(self._found):
             return self._found[number]
         return None
