@@ -191,8 +191,8 @@ class Connection:
     def component_ended(self, e):
         """The error for a component that was Gone or ConnectionRefused."""
         if isinstance(e, errors.Gone):
-            return errors.Unreachable(self.where, "the component has ended")
-        return errors.Unreachable(self.where, "the component is gone, and its process too")
+            return Ended(self.where, "the component has ended")
+        return Ended(self.where, "the component is gone, and its process too")
 
     def lost(self):
         """The message for a connector that someone else has removed."""
@@ -242,6 +242,10 @@ class Connection:
         raise errors.Refused(
             self.where, f"offers no {' and no '.join(usable)} (it has: {printable(', '.join(offered))})"
         )
+
+
+class Ended(errors.Unreachable):
+    """A component has ended, and its connectors with it."""
 
 
 def check(user, flows):

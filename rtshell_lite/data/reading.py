@@ -11,7 +11,7 @@ import sys
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, servants, session
 from rtshell_lite.data import clocks, seam, writing
-from rtshell_lite.data.connection import BUSY, SILENT, Connection
+from rtshell_lite.data.connection import BUSY, SILENT, Connection, Ended
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 
@@ -256,10 +256,10 @@ class Reader(Connection):
         except errors.Refused:
             return False
         except errors.Unreachable as e:
-            if isinstance(e, errors.Unanswered):
-                self.left = (connector, SILENT)
-            else:
+            if isinstance(e, Ended):
                 self.left = None
+            else:
+                self.left = (connector, SILENT)
             self.failure = self.failure or e
         return True
 

@@ -94,7 +94,7 @@ One that falls silent costs one timeout, and one look after it:
 At Ctrl-C it reports what has been done, and what may have been:
 
   $ rtteardown a.xml; ctl @these3 delay notify_connect 6
-  $ interrupt 3 rtresurrect -v a.xml
+  $ interrupt 3 rtresurrect --timeout 5 -v a.xml
   rtresurrect: connection 0 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: interrupted while it was done
   rtresurrect: connection 2 of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut2.rtc:in: not tried

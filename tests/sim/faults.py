@@ -6,6 +6,7 @@ import world as worlds
 
 LONG = 5.0  # seconds that something lasts which ends by itself
 SLOW = 0.3
+LATE = 1.7
 
 
 def kill(robot, process):
@@ -23,6 +24,26 @@ def pause(robot, process):
     program = robot.programs[process]
     program.stop()
     robot.world.at(LONG, program.go_on)
+
+
+def lag(robot, process):
+    """All answers of a process come late, after others have given up."""
+    robot.programs[process].lag = LATE
+
+
+def garble(robot, process):
+    """A process answers with what is no GIOP."""
+    robot.programs[process].spoil = lambda data: bytes(len(data))
+
+
+def tear(robot, process):
+    """A process answers with half a message, and then not at all."""
+    robot.programs[process].spoil = lambda data: data[: len(data) // 2]
+
+
+def break_off(robot, process):
+    """A process closes each connection instead of answering."""
+    robot.programs[process].spoil = lambda data: b""
 
 
 def restart(robot, process):
@@ -107,6 +128,10 @@ FAULTS = {
     kill: ("process", True),
     hang: ("process", True),
     pause: ("process", False),
+    lag: ("process", True),
+    garble: ("process", True),
+    tear: ("process", True),
+    break_off: ("process", True),
     restart: ("process", False),
     error: ("component", True),
     halt: ("component", False),

@@ -120,6 +120,8 @@ class Robot:
         life = self.lives[name][-1]
         if life.begun > begun - STARTING or not life.is_alive(ended):
             return False
+        if life.program.lag or life.program.spoil is not None:
+            return False
         stops = life.program.stops
         last = begun - STARTING
         return not any(since < ended and (until is None or until > last) for since, until in stops)

@@ -177,6 +177,8 @@ class Program:
         self.error = Output()
         self.loop = None
         self.failure = None  # what main() has raised
+        self.lag = 0.0  # seconds that its answers take longer
+        self.spoil = None  # function(octets) that spoils its answers
         self.at_end = None  # function, called when it ends
         self._main = main
         self._is_killed = False
@@ -509,6 +511,11 @@ class Socket:
             raise BlockingIOError(errno.EAGAIN, "full")
         data = bytes(data[:room])
         self._count(data)
+        if self.program.spoil is not None and not self.is_of_client:
+            data = self.program.spoil(data)
+            if not data:  # it breaks off
+                self.close()
+                raise OSError(errno.ECONNRESET, os.strerror(errno.ECONNRESET))
         self._under_way += len(data)
         self._travel(self.peer.take, data)
         return len(data)
@@ -613,6 +620,8 @@ class Socket:
     def _travel(self, function, *args):
         """Have something arrive at the other end, after what was sent before."""
         pause = self.world.latency(self.host, self.peer.host)
+        if not self.is_of_client:
+            pause += self.program.lag
         arrives = self.world.time + pause
         if self._sent:
             arrives = max(arrives, self._sent[-1][0])
