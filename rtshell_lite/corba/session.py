@@ -10,7 +10,6 @@ GRACE = 0.2  # s after the deadline of omniORB, which knows more; ours is for wh
 TICK = 0.1  # s between two looks at what has waited too long
 MOST_ANSWERED = 1000  # processes of which a session knows that they have answered
 NO_TIME = "there was no time left to ask it"
-STILL_ASKED = "its process has not answered questions like it that were asked before"
 
 _SCARCE = {
     errno.EMFILE: "files",

@@ -41,14 +41,22 @@ async def connect(addresses, port):
 
 
 async def _connected(endpoint):
-    """A socket that is connected with the first place of (host, port). Raises OSError."""
+    """A socket that is connected with the first place of (host, port) that accepts. Raises OSError, that of
+    the first.
+    """
     host, port = endpoint
     world = loop.world()
     if is_numeric(host):
         places = world.resolve(host, port)
     else:
         places = await loop.on_thread(world.resolve, host, port)
-    return await tcp.connect(places[0])
+    failure = None
+    for place in places:
+        try:
+            return await tcp.connect(place)
+        except OSError as e:
+            failure = failure or e
+    raise failure
 
 
 def _error(where, e, timeout):

@@ -82,7 +82,10 @@ async def names_here(ref, homes):
     for host, _ in orb.addresses(ref):
         if not host or host == "localhost" or addresses.is_numeric(host):
             continue
-        if await liveness.means_the_same(host, homes):
+        try:
+            if await liveness.means_the_same(host, homes):
+                continue
+        except errors.Silent:  # nobody says what the name means
             continue
         if any(addresses.is_own(address) for address in await _numeric([(host, 0)])):
             own.append(host)

@@ -154,7 +154,9 @@ async def living_reference(component):
         name = await orb.call(component.path_uri, orb.narrow(ref, "OpenRTM.DataFlowComponent"), "get_sdo_id")
     except (errors.Gone, errors.Garbled):
         return None
-    except errors.Unreachable:
+    except errors.Unreachable as e:
+        if e.why.startswith("garbled answer"):  # something else listens there now
+            return None
         raise
     except errors.Error:
         return None
@@ -171,7 +173,7 @@ async def doubt(component, where, e):
         if isinstance(await orb.refusal(where, orb.endpoint(ref)), errors.ProcessGone):
             return ""
         return f"{place}, where it was, refuses: dead, or a firewall closes this port"
-    if isinstance(e, errors.Silent):
+    if isinstance(e, errors.Unanswered):
         return f"{place}, where it was, does not answer ({e.why}): it hangs, or is out of reach"
     return f"{place}, where it was, is out of reach ({e.why})"
 

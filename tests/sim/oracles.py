@@ -11,7 +11,7 @@ LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
 OTHERS = 3
 A_PROFILE = 1  # more for rtdoctor --profile
 WAITING = re.compile(r"(?:--wait|-t) (\d+)")  # seconds more that somebody has asked for
-SLACK = 0.5
+SLACK = 1.0
 STATUSES = {0, 1, 2, 3, 4, 5, 6, 130}
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint"}
@@ -19,6 +19,7 @@ LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
 NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names"}
+SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
 ROUNDS = 3  # how often a process that does not answer is asked again, by commands that give it the time
@@ -83,12 +84,10 @@ def waits_before_it_says_so(play, command):
 
 
 def is_polite(play, command):
-    """A process has few questions to answer at a time."""
+    """A process has few questions to answer at a time, and few more that were given up."""
     for name, most in command.program.most_asked.items():
-        did_answer = not NETWORK & {fault for _, fault, _ in play.scenario.faults}
-        if any(life.program.name == name and life.program.stops for life in play.robot.all_lives()):
-            did_answer = False
-        limit = IN_FLIGHT if did_answer else ROUNDS * IN_FLIGHT
+        do_answer = not SILENCING & {fault for _, fault, _ in play.scenario.faults}
+        limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
     return None

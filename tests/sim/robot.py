@@ -102,9 +102,6 @@ class Robot:
 
     # ---- the truth ----
 
-    def all_lives(self):
-        return [life for lives in self.lives.values() for life in lives]
-
     def was_alive(self, name, begun, ended):
         """Whether it lived at a moment between two."""
         return any(

@@ -197,6 +197,18 @@ class Arrival(unittest.TestCase):
             listening.listen(1)
             self.assertTrue(wait_for(addresses.arrives(listening.getsockname())))
 
+    def test_a_host_has_several_addresses(self):
+        def resolve(host, port=None, family=0, flags=0):
+            return [
+                (socket.AF_INET, socket.SOCK_STREAM, 6, "", (address, port))
+                for address in ("127.0.0.2", "127.0.0.1")
+            ]
+
+        with socket.socket() as listening, mock.patch.object(real, "resolve", resolve):
+            listening.bind(("127.0.0.1", 0))
+            listening.listen(1)
+            self.assertTrue(wait_for(addresses.arrives(("robot.example", listening.getsockname()[1]))))
+
     def test_another_protocol(self):
         """A server that waits for the end of a line is no hung process; one that hangs says nothing to that,
         either.

@@ -90,8 +90,7 @@ class Connection:
         self.waits_for = "address"
         self.end = None
         self._number = 0
-        # whether each that nobody waits for any more asks others, by number: the peer may still work on it
-        self._given_up = {}  # type: dict
+        self._given_up = set()
         self._strays = 0
         self._memory = session.current().memory
         self._version = (1, self._memory.spoken.get(endpoint, 2))  # the latest GIOP to speak
@@ -271,25 +270,16 @@ class Connection:
         if self.has_answered:
             self._memory.of_one_reply.discard(self.endpoint)
         self.has_answered = True
-        self._given_up.pop(number, None)
+        self._given_up.discard(number)
         return self.requests.pop(number, None)
 
     def give_up(self, number):
         """The request with this number, whose reply is not to be waited for;
         it is not sent any more if it has not been.
         """
-        request = self.requests.pop(number)
         if self._not_begun.pop(number, None) is None:
-            self._given_up[number] = request.asks_others
-        return request
-
-    def asking_others(self):
-        """How many questions the peer has that may wait for others, those included that were given up."""
-        return sum(request.asks_others for request in self.requests.values()) + self.left_asking_others()
-
-    def left_asking_others(self):
-        """How many of them were given up."""
-        return sum(self._given_up.values())
+            self._given_up.add(number)
+        return self.requests.pop(number)
 
     def give_up_all(self):
         """Give up all requests that wait for replies, and return them."""

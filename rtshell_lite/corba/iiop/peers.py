@@ -160,21 +160,10 @@ class _Peer:
             return self.waiting
         if self.connection is None:
             return self.waiting_for_others
-        if self.connection.asking_others() < connections.ASKING_OTHERS:
+        asking = sum(request.asks_others for request in self.connection.requests.values())
+        if asking < connections.ASKING_OTHERS:
             return self.waiting_for_others
         return self.waiting
-
-    def take_hopeless(self):
-        """The requests that wait for a place that nobody is expected to leave, which wait no more: what takes
-        the places was given up, and the process may still wait for others.
-        """
-        if not self.waiting_for_others or self.connection is None or self.connection.requests:
-            return ()
-        if self.connection.asking_others() < connections.ASKING_OTHERS:
-            return ()
-        taken = list(self.waiting_for_others)
-        self.waiting_for_others.clear()
-        return taken
 
     def may_send(self, request):
         """Whether a request may be sent now.
@@ -184,8 +173,7 @@ class _Peer:
         """
         if self.endpoint in self._memory.of_one_reply:
             return not self.connection.requests
-        busy = len(self.connection.requests) + self.connection.left_asking_others()
-        return busy < connections.IN_FLIGHT or _is_naming(request)
+        return len(self.connection.requests) < connections.IN_FLIGHT or _is_naming(request)
 
     def needs_connection(self, request):
         """Whether a request must not be lost again with a connection that the peer may close after its reply.
@@ -326,8 +314,6 @@ class Peers:
 
     def _send(self, peer):
         try:
-            for request in peer.take_hopeless():
-                request.unanswered(errors.NotAsked(str(request.call.where), session.STILL_ASKED))
             queue = peer.next_queue()
             while queue:
                 if peer.needs_connection(queue[0]):
