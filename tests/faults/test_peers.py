@@ -119,7 +119,7 @@ class Case:
             yield "%d octets said" % ran.said
         if ran.status not in self.allowed():
             yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
-        told = [line for line in lines if re.match(r"rt\w+: (/|\d+ of \d+ did not answer)", line)]
+        told = [line for line in lines if re.match(r"rt\w+: (/|\d+ of \d+ (did not|not asked))", line)]
         if len(set(told)) < len(told):
             yield "told twice"
         about = [line for line in told if self.peer in line]
