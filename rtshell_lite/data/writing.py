@@ -23,9 +23,8 @@ from rtshell_lite.text import shell_word
 
 LENGTH = 8  # values that a port's buffer holds unless a connector has asked for more
 ROOM = 4  # values in the short buffer that several values are sent through
-SLACK = (
-    0.25  # the fraction by which components may execute less often than they claim, where more is not known
-)
+# the fraction by which components may execute less often than they claim, where more is not known
+SLACK = 0.25
 SETTLE = 0.1  # seconds to add to a cycle
 UNKNOWN = 1.0  # seconds to wait for a component whose contexts have no rate, but are triggered
 USUAL = 50.0  # Hz, assumed of a component whose rate is not asked for

@@ -15,7 +15,7 @@ LOOK = 0.05  # seconds between two looks at the clock
 MOST = 0.25  # of a span, for which a component that always calls may have waited
 STILL = 0.05  # seconds by which it is late when it has stood still
 SETTLE = 1.0  # seconds in which ports send what has waited in their buffers; then for as long it is counted
-SURE = 0.5  # share of the values that a buffer could not hold, of which at least so many have not come
+SURE = 0.5  # share of the values that a buffer could not hold: if less is missing, nothing is reported
 STOOD = "rtlog stood still, and they exceeded the port's buffer"  # why values are missing
 
 

@@ -13,9 +13,8 @@ from rtshell_lite.doctor.finding import warn
 from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
 
-STEPS = (
-    3  # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
-)
+# times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
+STEPS = 3
 
 # What was seen in an examination: servers.Visits, Snapshots of the components, {identity: places.End} of all
 # ports that they have or are connected with, what managers have (see managers.asked).

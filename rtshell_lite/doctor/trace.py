@@ -23,9 +23,8 @@ MANY = 20  # values from which on it is known whether a stage thins them
 LATE = 0.15  # seconds, beside CYCLES of its context, that a stage may take with a value
 CYCLES = 3
 LEAST = 0.5  # seconds that a component is waited for, and for which a port's silence means something
-FOLLOWED = (
-    0.8  # of the seconds asked for, in which all ports are found; in the rest the last ones are measured
-)
+# of the seconds asked for, in which all ports are found; in the rest the last ones are measured
+FOLLOWED = 0.8
 LONGEST = 2  # times those seconds, for which a wait for a processor is added to them
 UNANSWERED = "it has not answered in this time"
 BUSY = 4  # times what other stages take, before it is the one that is late

@@ -19,9 +19,8 @@ from rtshell_lite.text import printable, safe, unescaped
 
 NAME_MAX = 255  # bytes of a file's name
 SWEEP = 1.0  # seconds between two looks for what is not needed any more
-SIZE = (
-    4096  # bytes that a file of unknown size claims, as in /sys: what claims 0 is not read by some programs
-)
+# bytes that a file of unknown size claims, as in /sys: what claims 0 is not read by some programs
+SIZE = 4096
 # failures that DIR/errors shows, characters of each
 MOST_ERRORS = 100
 LONGEST = 2000

@@ -8,9 +8,8 @@ from rtshell_lite.mount import wire
 
 LONGEST_LINE = 1 << 22  # bytes of what is written at once, as a line of rtsh
 BLOCK = 512  # bytes: programs write what is long in pieces of a multiple of this: bash of 4096, dd of 512
-PAGE = (
-    4096  # bytes: the kernel splits what is longer than MOST_WRITTEN, a page earlier where it is not aligned
-)
+# bytes: the kernel splits what is longer than MOST_WRITTEN, a page earlier where it is not aligned
+PAGE = 4096
 
 
 class OpenFile:

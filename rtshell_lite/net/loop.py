@@ -392,7 +392,7 @@ async def race(*coroutines):
 
 
 async def within(seconds, coroutine, late):
-    """The result of a coroutine; raises the exception `late` after so many seconds."""
+    """The result of a coroutine; raises the exception `late` if that takes longer than `seconds`."""
     return await race(coroutine, _raise_later(seconds, late))
 
 

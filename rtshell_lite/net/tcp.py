@@ -46,7 +46,7 @@ async def connect(way):
 
 
 async def receive(connection, most):
-    """What comes next, at most so many octets, b"" at its end. Raises OSError."""
+    """What comes next, `most` octets at most, b"" at its end. Raises OSError."""
     while True:
         await loop.ready(connection.fileno(), loop.READ)
         try:

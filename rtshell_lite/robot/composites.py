@@ -17,9 +17,8 @@ DEFAULT_NAME = "CompositeRTC"  # of a composite
 # not known.
 Organisation = record("Organisation", "id ref members")
 COMPOSITE = "PeriodicECSharedComposite"
-EXPORTED = (
-    "exported_ports"  # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
-)
+# parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
+EXPORTED = "exported_ports"
 
 
 # ---- asking ----

@@ -18,9 +18,8 @@ CREATE_TIME = 15.0  # seconds: a master may have to start a slave process first
 MODULES_TIME = 60.0  # seconds: looking for modules runs a helper process a file, 0.5 s each
 PAUSE = 1.0  # seconds
 SETTLE_TIME = 3.0  # seconds: lists follow a deletion up to 1 s later
-END_TIME = (
-    5.0  # seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
-)
+# seconds: a process ends 0.5 to 1.5 s after its shut-down, those of slow execution contexts later
+END_TIME = 5.0
 
 
 class Address(str):

@@ -15,9 +15,8 @@ from rtshell_lite.xmlprofile import model, rtsprofile
 
 # the property by which rtshell and RTSystemEditor say where the component of an end is bound
 PATH_ID = "COMPONENT_PATH_ID"
-MANAGER = (
-    "MANAGER"  # an extended property of a component: path of the manager that lists it, and can create it
-)
+# an extended property of a component: path of the manager that lists it, and can create it
+MANAGER = "MANAGER"
 # An extended property of a component: corbaloc of its object, when it was saved. It shows whether it lives
 # where its name is lost.
 REFERENCE = "REFERENCE"
@@ -173,7 +172,9 @@ async def doubt(component, where, e):
         if isinstance(await orb.refusal(where, orb.endpoint(ref)), errors.ProcessGone):
             return ""
         return f"{place}, where it was, refuses: dead, or a firewall closes this port"
-    if isinstance(e, errors.Unanswered):
+    if isinstance(e, errors.NotAsked):
+        return f"{place}, where it was, could not be asked ({e.why})"
+    if isinstance(e, errors.Silent):
         return f"{place}, where it was, does not answer ({e.why}): it hangs, or is out of reach"
     return f"{place}, where it was, is out of reach ({e.why})"
 

@@ -23,9 +23,8 @@ from rtshell_lite.top import rows
 from rtshell_lite.views import live_graph, page
 
 PAUSE = 1.0  # seconds between two looks at what the page shows
-REFRESH = (
-    60.0  # seconds after which a component is asked for everything again, as configuration changes unseen
-)
+# seconds after which a component is asked for everything again, as configuration changes unseen
+REFRESH = 60.0
 MOST_AGAIN = 10  # components that are asked again in one look
 BEAT = 15.0  # seconds after which a browser is sent a comment, which shows that both are still there
 TICK = 1.0  # seconds between two looks whether a browser is still there

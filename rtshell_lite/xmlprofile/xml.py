@@ -15,9 +15,8 @@ from rtshell_lite.text import safe
 from rtshell_lite.xmlprofile import escape, fields, model, names, values, version01
 
 MOST_BYTES = 16 << 20
-MOST_ELEMENTS = (
-    250000  # 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
-)
+# 16 MiB of <a/> would take 1 GB; a system of 1,000 components has about 50,000 elements
+MOST_ELEMENTS = 250000
 LONGEST_TAG = 1 << 20  # expat keeps a whole tag: 16 MiB of attributes would take 500 MB
 DEEPEST = 64  # levels take 300 bytes each here, and later Python's stack
 _CHUNK = 1 << 16

@@ -77,7 +77,7 @@ class World:
     # ---- time ----
 
     def at(self, seconds, function, *args):
-        """Call function(*args) in so many seconds."""
+        """Call function(*args) after this time (seconds)."""
         heapq.heappush(self._events, (self.time + seconds, next(self._numbers), function, args))
 
     def run(self, until, is_over=lambda: False):

@@ -17,9 +17,8 @@ from rtshell_lite.giop import allowance, messages
 from rtshell_lite.net import loop
 
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
-MOST_RETRIED = (
-    2  # times that a question is asked again as a connection was lost by which others were answered
-)
+# times that a question is asked again as a connection was lost by which others were answered
+MOST_RETRIED = 2
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
 

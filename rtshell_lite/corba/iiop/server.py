@@ -20,9 +20,8 @@ from rtshell_lite.net import loop, real, tcp
 MOST = 500  # connections
 MOST_OF_ADDRESS = 200  # of them that have called no servant yet
 MOST_NEW = 200  # connections that are accepted in a second; others wait
-MOST_ASKED = (
-    500  # questions that need no servant, such as _non_existent, of a connection that has called none
-)
+# questions that need no servant, such as _non_existent, of a connection that has called none
+MOST_ASKED = 500
 MOST_TASKS = 200  # answers that are awaited, as they need answers of others
 MOST_PARTS = 8  # messages of a connection whose fragments are still coming
 MOST_OCTETS = 2 * messages.LARGEST  # of all messages that are still coming
@@ -33,9 +32,8 @@ ROOM = 4096  # octets that a connection can receive before it has sent any
 UNFINISHED = 60.0  # seconds until a connection is closed within a message, or between two
 IDLE = 180.0  # omniORB's is the same
 SWEEP = 5.0  # seconds between two looks for those
-PAUSE = (
-    1.0  # seconds until connections are accepted again, where too many have come, or there are no files left
-)
+# seconds until connections are accepted again, where too many have come, or there are no files left
+PAUSE = 1.0
 _ENDPOINT = re.compile(r"giop:tcp:(\[[^]]*\]|[^:,]*):(\d{0,5})(?:,|\Z)")
 
 

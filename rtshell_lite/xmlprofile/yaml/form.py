@@ -13,9 +13,8 @@ from rtshell_lite.xmlprofile import fields, model, names, values
 from rtshell_lite.xmlprofile.yaml import document, reader, scalars, writer
 
 ROOT = "rtsProfile"
-DEEPEST_XML = (
-    64  # elements below elements, as in xml.py: what is read here can be written as XML and read again
-)
+# elements below elements, as in xml.py: what is read here can be written as XML and read again
+DEEPEST_XML = 64
 
 _DATE = re.compile(r"(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d):(\d\d)(\.\d+)?(Z|[-+]\d\d:\d\d)?\Z", re.ASCII)
 _DATE_KEYS = ("year", "month", "day", "hour", "minute", "second")
