@@ -1,7 +1,6 @@
 rtact with components of C++ 1.1, 1.2 and 2.x, Python, Java, RtORB: some answer at once, some when it is done; --wait waits
 in any case.
 
-once: it is the peers that differ here
 world: these ConsoleIn ErrStart --flavour cpp11 --context cpp11.host_cxt/%n.rtc --rate 100
 world: these ConsoleIn ErrStart --flavour cpp12 --context cpp12.host_cxt/%n.rtc --rate 100
 world: these ConsoleIn ErrStart --flavour cpp2 --context cpp2.host_cxt/%n.rtc --rate 100

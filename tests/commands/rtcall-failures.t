@@ -1,6 +1,7 @@
 What can go wrong with rtcall, and calls again and again.
 
 world: these Robot
+both: each ORB reads and writes values in its own way
 
   $ export RTSHELL_IDL="$MOCKS"; rtact --wait Robot0.rtc
 

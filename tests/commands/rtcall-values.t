@@ -1,6 +1,7 @@
 Values that rtcall sends and prints, of every kind that IDL has.
 
 world: these Robot
+both: each ORB reads and writes values in its own way
 
   $ export RTSHELL_IDL="$MOCKS"; rtact --wait Robot0.rtc
 

@@ -8,7 +8,7 @@ world: orphan
 world: names --context odd.host_cxt/%n.rtc
 faulty: --bind localhost:$PORT/bad.host_cxt a=late-silent b=late-reset c=late-garbage d=sequence-bomb
 alone: it measures
-once: it is the peers that differ here
+both: each ORB waits in its own way
 
 A zombie, a hung component, a component whose process has lost it, names of something else and of nothing:
 

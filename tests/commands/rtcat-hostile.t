@@ -3,6 +3,7 @@ A component all of whose strings are hostile, and one that does not survive bein
 world: hostile
 world: fragile
 world: linked
+both: each ORB reads answers in its own way
 
 Nothing that it says reaches the terminal as it is, or is executed:
 

@@ -1,7 +1,6 @@
 rtcon between components of different implementations of OpenRTM, and what each of them answers. What the others
 print as C++ 1.1 does is not repeated.
 
-once: it is the peers that differ here
 world: two --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: two --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: two --flavour cpp2 --context cpp2.host_cxt/%n.rtc

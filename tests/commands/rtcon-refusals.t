@@ -5,6 +5,7 @@ world: these Mock:Mock0 ConsoleIn:ConsoleIn1 Motor MyServiceProvider
 world: these ConsoleOut:Dead0
 world: these ConsoleOut:Hung0
 world: fragile
+both: each ORB reads and writes values in its own way
 
 Ports that do not match are recognised before anything is asked of them. Components themselves would not mind:
 

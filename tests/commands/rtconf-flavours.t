@@ -1,6 +1,5 @@
 rtconf with components of C++ 1.1, 1.2 and 2.x, Python, Java, RtORB.
 
-once: it is the peers that differ here
 world: these ConfigSample ConsoleIn --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: these ConfigSample ConsoleIn --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: these ConfigSample ConsoleIn --flavour cpp2 --context cpp2.host_cxt/%n.rtc

@@ -1,6 +1,5 @@
 rtdeact with components of C++ 1.1, 1.2 and 2.x, Python, Java, RtORB.
 
-once: it is the peers that differ here
 world: these ConsoleIn Slow --flavour cpp11 --context cpp11.host_cxt/%n.rtc --rate 100
 world: these ConsoleIn Slow --flavour cpp12 --context cpp12.host_cxt/%n.rtc --rate 100
 world: these ConsoleIn Slow --flavour cpp2 --context cpp2.host_cxt/%n.rtc --rate 100

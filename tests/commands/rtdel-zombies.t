@@ -5,6 +5,7 @@ world: these Mock:Dead0 Mock:Dead1 Mock:Dead2
 world: these Mock:Hung0
 world: fragile
 world: zombie 2 --context left.host_cxt/arm.cxt/%n.rtc
+both: each ORB tells what is dead in its own way
 
   $ kill-mock these; hang these2
   $ rtls -R /localhost:$PORT --timeout 0.5 2>/dev/null

@@ -1,6 +1,5 @@
 rtdis, rtteardown and rtkeep leave a connection in which a value may wait: full_policy=block.
 
-once: it is the peers that differ here
 world: sources 1 100 8 --flavour cpp2
 world: these ConsoleOut --flavour cpp2
 

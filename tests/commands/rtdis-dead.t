@@ -5,6 +5,7 @@ world: these ConsoleOut:Far0 ConsoleIn:Far1
 world: fragile
 world: fragile --flavour cpp2 --context old.host_cxt/%n.rtc
 world: two --flavour cpp2 --context cpp.host_cxt/%n.rtc
+both: each ORB tells what is dead in its own way
 
   $ rtdis -v Fragile0.rtc:out
   $ rtdis -v Fragile0.rtc

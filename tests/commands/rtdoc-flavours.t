@@ -1,6 +1,5 @@
 rtdoc with components of every implementation: RtORB spells data types in its own way, and they are known all the same.
 
-once: it is the peers that differ here
 world: error --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: error --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: error --flavour cpp2 --context cpp2.host_cxt/%n.rtc

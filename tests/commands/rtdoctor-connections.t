@@ -9,6 +9,7 @@ world: linked --flavour cpp11 --context old.host_cxt/%n.rtc
 world: linked --flavour cpp2 --context new.host_cxt/%n.rtc
 world: linked --flavour rtorb --context small.host_cxt/%n.rtc
 world: services --context service.host_cxt/%n.rtc
+both: each ORB tells what is dead in its own way
 
   $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
   $ rtact ../far.host_cxt/Far0.rtc

@@ -1,6 +1,5 @@
 rtexit with components of every implementation: the name is gone afterwards.
 
-once: it is the peers that differ here
 world: error --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: error --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: error --flavour cpp2 --context cpp2.host_cxt/%n.rtc

@@ -7,7 +7,6 @@ world: fragile
 faulty: silent hostile
 faulty: --bind localhost:$PORT/bad.host_cxt a=close
 alone: it measures
-once: it is the peers that differ here
 
 A hung component is a component, but nobody knows its state. By its name it is found without asking.
 The same goes for one whose reference does not say what it is, and which does not answer.

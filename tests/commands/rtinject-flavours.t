@@ -1,6 +1,5 @@
 rtinject sends to all implementations of OpenRTM.
 
-once: it is the peers that differ here
 world: two --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: two --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: two --flavour cpp2 --context cpp2.host_cxt/%n.rtc

@@ -1,7 +1,6 @@
 rtinject keeps its rate within 1 % for ten seconds.
 
 alone: it measures
-once: it is the clock that counts here
 world: two
 
   $ rtact ConsoleOut0.rtc

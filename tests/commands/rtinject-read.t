@@ -1,9 +1,9 @@
 rtinject stays until what it sends can have been read, and says so where it cannot.
 
-once: it is the clock that counts here
 alone: time
 world: these ConsoleOut Mock:Mock0 ConsoleOut:Slow0 ConsoleIn
 world: composite --context robot.host_cxt/%n.rtc
+both: each ORB receives and sends values in its own way
 
 A component reads in its own cycles, however seldom they come; none of its values stays behind:
 

@@ -1,6 +1,5 @@
 rtinject knows a user's own data types from IDL, or from the component; rtlog records and plays them without.
 
-once: it is the types that differ here
 world: custom
 world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 

@@ -1,8 +1,8 @@
 rtkeep that is killed leaves nothing that can hang a component which then loses its connections.
 
-once: it is the peers that differ here
 world: sources 1 100 8 --flavour cpp2
 world: these ConsoleOut ConsoleOut:ConsoleOut1
+both: each ORB serves observers in its own way
 
 An observer of its ports would, in C++ 2.1, see docs/protocol.md 5.4.
 

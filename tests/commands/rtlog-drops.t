@@ -2,7 +2,7 @@ rtlog never makes a sender wait for a disk: what does not fit into memory is dro
 
 world: senders 50 4000000
 alone: the time that a sender takes
-once: it is the clock that counts here
+both: each ORB receives and sends values in its own way
 
 Here the disk is a pipe whose reader is slow to begin; the component sends at its rate all the same:
 

@@ -4,7 +4,6 @@ world: senders 200 1000
 world: these ConsoleOut ConsoleIn
 world: sources 2 100 8 --flavour cpp2 --context cpp2.host_cxt/%n.rtc
 alone: kills and time
-once: it is the peers that differ here
 
 Ended by a signal, in every way but one:
 

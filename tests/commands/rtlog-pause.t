@@ -1,10 +1,10 @@
 What comes while rtlog is held up waits in the component, as far as its memory is not burdened by that.
 
-once: it is the clock that counts here
 alone: time
 world: senders 500 100
 world: senders 20 300000 --context big.host_cxt/%n.rtc
 world: senders 2000 8 --context fast.host_cxt/%n.rtc
+both: each ORB receives and sends values in its own way
 
 Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times:
 

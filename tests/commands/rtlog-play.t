@@ -3,7 +3,6 @@ rtlog plays logs into in ports, or to the terminal.
 world: senders 100 1000
 world: these ConsoleOut ConsoleOut:ConsoleOut1
 alone: time
-once: it is the clock that counts here
 
   $ rtact ConsoleOut0.rtc ConsoleOut1.rtc
   $ rtlog -q -i -e 10 -f a.rtlog Source0.rtc:number.numbers

@@ -2,7 +2,6 @@ rtlog -p stays until what it plays can have been read, as rtinject does, and say
 
 world: senders 100 100
 world: these ConsoleOut
-once: it is the clock that counts here
 
   $ rtact ConsoleOut0.rtc; rtlog -q -i -e 30 -f a.rtlog Source0.rtc:number.n
   $ rtec ConsoleOut0.rtc rate 20; rtlog -q -p -f a.rtlog -r 0.2 ConsoleOut0.rtc:in.n; ctl @these received ConsoleOut0:in | cut -d' ' -f1

@@ -3,7 +3,6 @@ rtlog records into a ring; a trigger makes a file of the past and the future. It
 world: observed
 world: senders 100 100
 alone: time
-once: it is the clock that counts here
 
   $ span() { rtlog -d --json -f "$1" |
   > python3 -c 'import json, sys; log = json.load(sys.stdin); print(round(log["last"] - log["first"]))'; }

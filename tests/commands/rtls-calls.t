@@ -2,6 +2,7 @@ A robot must not notice that it is looked at: rtls asks each component as little
 
 world: many 200
 world: services --context svc.host_cxt/%n.rtc
+both: each ORB reads answers in its own way
 
 Names, and whether each still lives: one call a component, at most 4 at a time to one process.
 

@@ -5,6 +5,7 @@ world: many 15
 world: hung 20 --context test.host_cxt/Hung%n.rtc
 world: zombie 10 --context test.host_cxt/Dead%n.rtc
 alone: it measures
+both: each ORB waits in its own way
 
 The live ones are shown in full, the others marked. It takes one timeout however many hang.
 

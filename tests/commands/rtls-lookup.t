@@ -3,6 +3,7 @@ One rule for what a path may look like, for all commands.
 world: managers --flavour cpp2
 world: many 1 --context arm.host_cxt/left.host_cxt/%n.rtc
 world: many 2 --context arm.host_cxt/right.host_cxt/%n.rtc
+both: each ORB waits in its own way
 
 Without the slash before it, a server is taken from the root, unless the working directory has such an entry:
 

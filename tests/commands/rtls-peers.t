@@ -5,7 +5,7 @@ faulty: --bind localhost:$PORT/bad.host_cxt a=late-silent b=late-reset c=late-cl
 faulty: hostile loop bottomless elsewhere-silent elsewhere-refused
 world: linked
 alone: it measures
-once: it is the peers that differ here
+both: each ORB reads answers in its own way
 
 As a name server:
 

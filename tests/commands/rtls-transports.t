@@ -2,6 +2,7 @@ Components that listen with TLS, with UNIX sockets or with anything else but TCP
 
 world: secured
 world: zombie 1 --context dead.host_cxt/%n.rtc
+both: each ORB reads answers in its own way
 
   $ rtls; rtls -v -l
   Alternate0.rtc

@@ -2,6 +2,7 @@ Calls that wait for a third party hide nothing: a process of ten components, fou
 
 world: these Mock:In0 Mock:In1 Mock:In2 Mock:In3 Mock:In4 Mock:In5 Mock:In6 Mock:In7 Mock:In8 Err:In9 --context near.host_cxt/%n.rtc
 world: these Mock:Out0 --context far.host_cxt/%n.rtc
+both: each ORB waits in its own way
 
   $ near=/localhost:$PORT/near.host_cxt; far=/localhost:$PORT/far.host_cxt
   $ for n in 0 1 2 3; do rtcon $far/Out0.rtc:out $near/In$n.rtc:in; done

@@ -1,6 +1,5 @@
 Managers of OpenRTM differ, and so does what rtmgr has to know: C++ 1.1, 1.2 and 2.x, Python, Java, RtORB.
 
-once: it is the peers that differ here
 world: manager --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: manager --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: manager --flavour py2 --context py2.host_cxt/%n.rtc

@@ -4,6 +4,7 @@ needs: fuse
 world: two
 world: many 1 --context hung.host_cxt/%n.rtc
 world: fragile --context fragile.host_cxt/%n.rtc
+both: each ORB waits in its own way
 
 Wrong usage and what cannot be mounted; each is reported before rtmount returns, and leaves nothing:
 

@@ -5,6 +5,7 @@ world: senders 200
 world: these ConsoleOut ConsoleOut:Idle0 SequenceInComponent
 world: custom
 world: observed --context seen.host_cxt/%n.rtc
+both: each ORB receives and sends values in its own way
 
   $ mkdir m bin; busybox --install -s bin
   $ rtmount m

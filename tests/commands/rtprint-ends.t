@@ -3,6 +3,7 @@ However rtprint ends, its connections are removed; ports that die, hang or are d
 world: two
 world: senders 50 12
 world: these Mock:Quiet0
+both: each ORB receives and sends values in its own way
 
   $ connected() { [ -n "$(ctl connectors ConsoleIn0:out 2>&-)$(ctl @these connectors Quiet0:out 2>&-)" ]; }
   $ told() { soon "grep -q '$1' told || ! kill -0 $pid"; cat told; }

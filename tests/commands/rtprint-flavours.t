@@ -1,6 +1,5 @@
 rtprint reads from all implementations of OpenRTM, by push and pull, in both byte orders.
 
-once: it is the peers that differ here
 world: senders 50 12 --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: senders 50 12 --flavour cpp12 --context cpp12.host_cxt/%n.rtc
 world: senders 50 12 --flavour cpp2 --context cpp2.host_cxt/%n.rtc

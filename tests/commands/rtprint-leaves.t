@@ -3,7 +3,6 @@ of a publisher has ended components.
 
 world: senders 500 100
 world: senders 50 100 --context slow.host_cxt/%n.rtc
-once: it is the clock that counts here
 
   $ rtprint -q Source0.rtc:number >/dev/null & pid=$!; soon 'ctl connectors Source0:number | grep -q rtprint'
   $ rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1

@@ -1,8 +1,8 @@
 Values are fetched from components of C++ without ending them: no connector goes while a fetch is being served.
 
-once: it is the peers that differ here
 world: senders 200 100 --flavour cpp2
 world: these ConsoleIn --flavour cpp12 --context old.host_cxt/%n.rtc
+both: each ORB receives and sends values in its own way
 
   $ rtact --wait ../old.host_cxt/ConsoleIn0.rtc
   $ alive() { rtls Source0.rtc ../old.host_cxt/ConsoleIn0.rtc && ctl connectors Source0:number && ctl @these connectors ConsoleIn0:out; }

@@ -1,9 +1,9 @@
 Signals that strike while connections are made or removed leave none of them behind.
 
-once: it is the moment that counts here
 world: two
 world: senders 500 12
 world: these ConsoleIn:Hangs0 ConsoleIn:Lives0
+both: each ORB receives and sends values in its own way
 
   $ six=$(yes ConsoleIn0.rtc:out | head -n 6)
   $ called() { [ "$(calls | grep -c " $1\$")" -gt 0 ]; }

@@ -1,6 +1,5 @@
 rtprint knows a user's own data types from IDL, from stubs, or from the component.
 
-once: it is the types that differ here
 orb: omniorb
 world: custom
 world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc

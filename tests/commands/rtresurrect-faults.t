@@ -3,6 +3,7 @@ What rtresurrect makes of systems that break while they are restored, and of hos
 world: linked
 world: these ConsoleOut:ConsoleOut1 ConsoleOut:ConsoleOut2 ConfigSample
 world: hostile --context hostile.host_cxt/%n.rtc
+both: each ORB waits in its own way
 
   $ T=/localhost:$PORT/test.host_cxt
   $ rtdis ConsoleIn0.rtc

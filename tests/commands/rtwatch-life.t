@@ -4,6 +4,7 @@ world: observed
 world: these ConsoleIn:Plain0 --flavour cpp2
 world: these ConsoleIn:Dies0 --flavour py2
 world: these ConsoleIn:Gone0 --flavour cpp2
+both: each ORB serves observers in its own way
 
 One that exits in good order, one that dies, observed and polled, and come back. Once back, it is observed again:
 

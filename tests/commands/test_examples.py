@@ -100,7 +100,10 @@ ELSEWHERE = {  # run by other tests
 FIRST_WORDS = ("until", "while", "for", "if", "echo", "eval")
 # Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour),
 # and what runs this.
-NO_COMMANDS = ("/localhost/", "fail  ", "RTC.", '{"data"', "mock_components/tour ", "tests/run ", "tests/simulate ", "python3 ")
+NO_COMMANDS = (
+    "/localhost/", "fail  ", "RTC.", '{"data"',
+    "mock_components/tour ", "tests/run ", "tests/simulate ", "python3 ",
+)
 PATIENCE = 3.0   # seconds after which Ctrl-C is pressed
 LIMIT = 30.0
 TOP = tempfile.gettempdir()

@@ -92,6 +92,12 @@ class Robot(unittest.TestCase):
             [self.python, "-m", "rtshell_lite"] + list(words), environment={"PYTHONPATH": WHEEL}, **keywords
         )
 
+    def unpack(self, *wheels):
+        place = os.path.join(self.directory, "a place")
+        result = self.from_wheel("--unpack", place, *wheels)
+        self.assertEqual(result, (0, "export PATH='%s/bin':$PATH\n" % place, ""))
+        return place
+
     def check_without_omniorb(self, command, chosen=("rtls", "rtpwd", "rtcon")):
         """`command(name)` gives the words that start a command; there is no omniORBpy, and nobody listens."""
         for name in chosen:

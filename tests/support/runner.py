@@ -17,10 +17,10 @@ Ends with a line "N passed, N failed[, N skipped]"; the exit status is 1 if a te
   tests/run --long test_long      the long form of what tests/faults/ and the like try in short: hours in all
   tests/run --seed 7 faults       with other samples, random values and storms than those of every day
   tests/run --accept rtls.t       take what the commands print now as what is expected; then read `git diff`
-  tests/run --all                 the matrix: test modules on 3.11, 3.7 and 3.13; transcripts on 3.6 by our
-                                  own ORB, and by omniORB by turns on 3.7 under ash, on 3.13 under dash, and
-                                  there some by ours, too; faults by both;
-                                  the packaging on every Python from 3.6 to 3.13
+  tests/run --all                 the matrix: test modules on 3.11, 3.6 and 3.13; all transcripts by our own
+                                  ORB on 3.6, some on 3.13, too; those of commands, and those about what an
+                                  ORB does, by omniORB on 3.7 and 3.13 by turns; faults by both; the packaging
+                                  on every Python from 3.6 to 3.13
 """
 
 import argparse
@@ -40,19 +40,22 @@ import processes
 import transcripts
 
 TESTS = os.path.dirname(jobs.HERE)
-FULL, PURE, ALL = ["3.11", "3.7", "3.13"], ["3.6"], ["3.%d" % minor for minor in range(6, 14)]
-# The matrix: test modules run on the first three Pythons, those that say that one is enough on the first.
-# Of transcripts, see has_turn: shells and ORBs to play them with on each Python, the ORB None where it is the
-# one that the commands choose themselves.
+ALL = ["3.%d" % minor for minor in range(6, 14)]
+# The matrix: test modules run on these Pythons, those that say that one is enough on the first.
+MODULES = ["3.11", "3.6", "3.13"]
+# Shells and ORBs to play transcripts with on each Python, see has_turn; the ORB is None where it is the one
+# that the commands choose themselves.
 MATRIX = {
-    "3.11": [("dash", "omniorb")],
+    "3.11": [],
     "3.7": [("ash", "omniorb")],
     "3.13": [("dash", "omniorb"), ("dash", None)],
     "3.6": [("dash", None), ("ash", None)],
 }
-# Our own ORB on a Python that has omniORBpy: every fifth transcript.
-TURNS = ["3.7", "3.13"]
+# All transcripts are played on a Python that has no omniORBpy, and every fifth on one that has it, by our own
+# ORB; omniORB takes turns on two.
+PURE = "3.6"
 SHARE = 5
+TURNS = ["3.7", "3.13"]
 MODULE_LIMIT = 900.0  # seconds for one test module, on a busy machine
 LONG_LIMIT = 4 * 3600.0  # the same with --long
 PROCESSORS = os.cpu_count() or 1
@@ -175,7 +178,7 @@ def transcript_jobs(python, interpreter, wheel, orb, args, shell=None):
     lacks_omniorb = not environments.fetch_omniorb(python)
     peers = interpreter
     if lacks_omniorb:
-        peers = environments.prepare(environments.find_python(FULL[0]), wheel)
+        peers = environments.prepare(environments.find_python(MODULES[0]), wheel)
 
     def job(path, shell):
         name = transcripts.case_name(path, shell)
@@ -198,28 +201,29 @@ def transcript_jobs(python, interpreter, wheel, orb, args, shell=None):
     ]
 
 
+def is_own(path):
+    """Is it a command's own transcript, not one about a side of it?"""
+    return "-" not in os.path.basename(path)
+
+
 def has_its_day(path, shell, orb):
     """Is a transcript played so without a word? A command's own one is, under one shell and with one ORB."""
     number, shell_number = divmod(zlib.crc32(os.path.basename(path).encode()), len(transcripts.SHELLS))
     takes_omniorb = number % OF_OMNIORB == 0 or bool(USERS_ORB)
-    is_own = "-" not in os.path.basename(path)
-    return is_own and shell == sorted(transcripts.SHELLS)[shell_number] and bool(orb) == takes_omniorb
+    return is_own(path) and shell == sorted(transcripts.SHELLS)[shell_number] and bool(orb) == takes_omniorb
 
 
 def has_turn(version, shell, orb, path):
-    """Does the matrix play a transcript with these? Each once with omniORB, once with our own ORB, some with
-    that where both are.
-
-    What a shell does does not depend on the Python, nor on the ORB.
+    """Does the matrix play a transcript with these? Each once with our own ORB, and with omniORB where that
+    can differ. What a shell does does not depend on the Python, nor on the ORB.
     """
     number = zlib.crc32(os.path.basename(path).encode())
-    if version in PURE:
+    if version == PURE:
         return shell == ("dash", "ash")[number % 2]
     if orb is None:
-        return number % SHARE == 0 and not any(
-            transcripts.says(path, word) for word in ("alone", "once", "orb")
-        )
-    return version == (FULL[0] if transcripts.says(path, "once") else TURNS[number % len(TURNS)])
+        return number % SHARE == 0 and not transcripts.says(path, "alone")
+    differs = is_own(path) or transcripts.says(path, "both") or transcripts.says(path, "orb: omniorb")
+    return differs and version == TURNS[number % len(TURNS)]
 
 
 # ---- running them ----
@@ -335,8 +339,10 @@ def jobs_for(version, wheel, args):
         return of_modules(REAL)
     if args.accept:
         return of_transcripts(USERS_ORB, "dash")
-    all_of_them = not args.all or version == FULL[0]
-    found = of_modules([module for module in test_modules() if all_of_them or not says(module, "ONCE")])
+    found = []
+    if not args.all or version in MODULES:
+        all_of_them = not args.all or version == MODULES[0]
+        found = of_modules([module for module in test_modules() if all_of_them or not says(module, "ONCE")])
     if not args.all:
         orbs = [None, "omniorb"] if args.daily and not USERS_ORB else [USERS_ORB]
         return found + [job for orb in orbs for job in of_transcripts(orb)]
@@ -362,9 +368,9 @@ def gather_jobs(args, wheel, score):
     """The jobs of all requested versions; a Python that is not installed is reported as skipped."""
     if args.compat:
         return compat_jobs(args)
-    versions = FULL + PURE if args.all else args.python or [sys.executable]
+    versions = list(MATRIX) if args.all else args.python or [sys.executable]
     wanted = [(jobs_for, version) for version in versions]
-    wanted += [(packaging_jobs, version) for version in ALL if args.all and version not in versions]
+    wanted += [(packaging_jobs, version) for version in ALL if args.all and version not in MODULES]
 
     def gather(make, version):
         try:

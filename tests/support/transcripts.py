@@ -23,7 +23,7 @@ SHELLS = {"dash": ["dash"], "ash": ["busybox", "ash"]}
 TIME_LIMIT = 400.0  # seconds for one file under one shell, on a busy machine
 # see session.py; for tests of faults, see invocations.py:
 DIRECTIVE = re.compile(
-    r"(world|server|faulty|needs|python|orb|alone|once|"
+    r"(world|server|faulty|needs|python|orb|alone|both|"
     r"invocation|local|looking|lasting|broken server|broken component|fatal|examples?|prepared): *(.*)$"
 )
 AMBIGUOUS = re.compile(r"[$>]( |$)|\[\d+\]$")  # output that would be read as a command or a status
