@@ -203,18 +203,13 @@ def parser(arguments, doc, prog):
     if details:
         details += "\n\n"
     parser = Parser(
-        prog=prog,
-        description=summary,
-        add_help=False,
-        epilog=details + EXIT_STATUSES,
+        prog=prog, description=summary, add_help=False, epilog=details + EXIT_STATUSES,
         formatter_class=_formatter,
     )
     arguments(parser)
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(
-        *[o for o in ("-v", "--verbose") if o not in taken],
-        action="store_true",
-        dest="verbose",
+        *[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
         help="report on stderr what is done",
     )
     parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
@@ -222,16 +217,11 @@ def parser(arguments, doc, prog):
         parser.set_defaults(timeout=_default_timeout())
     else:
         parser.add_argument(
-            "--timeout",
-            type=seconds,
-            metavar="SECONDS",
-            default=_default_timeout(),
+            "--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
             help="give up after SECONDS without an answer (default: $RTSHELL_TIMEOUT or 3)",
         )
     parser.add_argument(
-        "--version",
-        action=_Version,
-        nargs=0,
+        "--version", action=_Version, nargs=0,
         help="show the version, with -v also those of Python and the ORB, and exit",
     )
     parser.add_argument("-h", "--help", action="help", help="show this help and exit")
@@ -261,10 +251,7 @@ class _Help(argparse.RawDescriptionHelpFormatter):
             if not any(line.startswith(" ") for line in block):
                 block = [" ".join(block)]
             for line in block:
-                if line.startswith(" "):
-                    further = " " * (len(line) - len(line.lstrip()) + 2)
-                else:
-                    further = ""
+                further = " " * (len(line) - len(line.lstrip()) + 2) if line.startswith(" ") else ""
                 if len(line) > width and re.search(r"\S {2,}\S", line):  # the remark goes below
                     above, line = re.split(r"(?<=\S) {2,}", line, 1)
                     further = " " * 8
@@ -347,11 +334,7 @@ def command(args, known):
 def execution_context(parser):
     """-e: which execution context."""
     parser.add_argument(
-        "-e",
-        "--exec-context",
-        "--exec_context",
-        type=int,
-        metavar="N",
+        "-e", "--exec-context", "--exec_context", type=int, metavar="N",
         help="only in execution context N, as rtec numbers them: from 0, the component's own first",
     )
 
@@ -359,11 +342,7 @@ def execution_context(parser):
 def wait(parser, what):
     """--wait[=SECONDS]: args.wait is None, or how long to wait."""
     parser.add_argument(
-        "--wait",
-        nargs="?",
-        type=seconds,
-        const=5.0,
-        metavar="SECONDS",
+        "--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
         help=f"wait until {what}, at most SECONDS (default: 5)",
     )
 
@@ -371,8 +350,7 @@ def wait(parser, what):
 def all_below(parser, verb):
     """--all: args.all."""
     parser.add_argument(
-        "--all",
-        action="store_true",
+        "--all", action="store_true",
         help=f"{verb} all components at and below each PATH, in parallel, and print what became of each",
     )
 
@@ -387,8 +365,7 @@ def dry_run(parser):
 def force_disconnect(parser):
     """--force, of commands that remove connections."""
     parser.add_argument(
-        "--force",
-        action="store_true",
+        "--force", action="store_true",
         help="remove a connection with full_policy=block at once, even if that may end a process",
     )
 
@@ -401,9 +378,7 @@ def json_output(parser):
 def null(parser):
     """-0."""
     parser.add_argument(
-        "-0",
-        "--null",
-        action="store_true",
+        "-0", "--null", action="store_true",
         help="print full paths, each followed by a NUL byte (for xargs -0)",
     )
 
@@ -427,10 +402,7 @@ def profile_options(parser):
 def moves(parser, *names):
     """args.map: words for relocate.Map."""
     parser.add_argument(
-        *names,
-        action="append",
-        default=[],
-        metavar="OLD=NEW",
+        *names, action="append", default=[], metavar="OLD=NEW",
         help="read OLD in the paths of the file as NEW, as rtresurrect --help explains; may be repeated",
     )
 
@@ -438,8 +410,7 @@ def moves(parser, *names):
 def strict_path(parser):
     """--strict-path: args.strict_path."""
     parser.add_argument(
-        "--strict-path",
-        action="store_true",
+        "--strict-path", action="store_true",
         help="an end of a connection is a component only if path, id and instance name agree",
     )
 
@@ -469,11 +440,7 @@ def limits(parser, what):
         "-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)"
     )
     parser.add_argument(
-        "-t",
-        dest="duration",
-        type=_duration,
-        default=FOREVER,
-        metavar="SECONDS",
+        "-t", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS",
         help=f"end after SECONDS; status 1 when there were fewer than N {what}",
     )
 
@@ -497,12 +464,7 @@ def listen(parser):
         f"0.0.0.0:{FLUENTD} lets anybody send who reaches it",
     ).value_like = is_place
     parser.add_argument(
-        "--from",
-        dest="senders",
-        action="append",
-        default=[],
-        type=_address,
-        metavar="ADDRESS",
+        "--from", dest="senders", action="append", default=[], type=_address, metavar="ADDRESS",
         help="with --listen: only from this IP address; may be repeated (default: from anybody)",
     )
 
@@ -589,20 +551,11 @@ def _positive(value, wanted):
 def types(parser, *path_options):
     """Where data types come from: args.modules, args.python_path, args.idl, args.include; all lists."""
     parser.add_argument(
-        "-m",
-        "--mod",
-        action="append",
-        default=[],
-        dest="modules",
-        metavar="MODULE",
+        "-m", "--mod", action="append", default=[], dest="modules", metavar="MODULE",
         help="Python module with data types, made by omniidl; may be repeated",
     )
     parser.add_argument(
-        *path_options,
-        action="append",
-        default=[],
-        dest="python_path",
-        metavar="DIR",
+        *path_options, action="append", default=[], dest="python_path", metavar="DIR",
         help="directory with Python modules; may be repeated",
     )
     idl(parser, "data types")
@@ -614,11 +567,7 @@ def idl(parser, what):
         "--idl", action="append", default=[], metavar="FILE", help=f"IDL file with {what}; may be repeated"
     )
     parser.add_argument(
-        "-I",
-        "--include",
-        action="append",
-        default=[],
-        metavar="DIR",
+        "-I", "--include", action="append", default=[], metavar="DIR",
         help="directory for #include in IDL files; may be repeated",
     )
 
@@ -626,11 +575,7 @@ def idl(parser, what):
 def properties(parser):
     """--property KEY=VALUE: args.properties, a list of words for `pairs`."""
     parser.add_argument(
-        "--property",
-        action="append",
-        default=[],
-        metavar="KEY=VALUE",
-        dest="properties",
+        "--property", action="append", default=[], metavar="KEY=VALUE", dest="properties",
         help="a property of the connection, as with rtcon -p; may be repeated",
     )
 
@@ -638,9 +583,7 @@ def properties(parser):
 def delivery(parser):
     """--linger and --anyway: args.linger, seconds or None, and args.anyway."""
     parser.add_argument(
-        "--linger",
-        type=_linger,
-        metavar="SECONDS",
+        "--linger", type=_linger, metavar="SECONDS",
         help="stay connected at most SECONDS after the last value (default: until all can have been read)",
     )
     parser.add_argument(

@@ -348,18 +348,12 @@ def split_address(address):
     """(host, TCP port) of `host`, `host:port`, `[v6]`, `[v6]:port`;
     the port is None where it is not a TCP port.
     """
-    if address.startswith("["):
-        bracket = address.find("]") + 1
-    else:
-        bracket = 0
+    bracket = address.find("]") + 1 if address.startswith("[") else 0
     host, colon, port = address[bracket:].partition(":")
     is_number = port and len(port) <= 5 and not port.strip("0123456789")
     if bracket and host or colon and not is_number:
         return address, None
-    if colon:
-        number = int(port)
-    else:
-        number = DEFAULT_PORT
+    number = int(port) if colon else DEFAULT_PORT
     return address[:bracket] + host, number if 0 < number < 65536 else None
 
 

@@ -109,10 +109,7 @@ def printable_flags(s):
     marks = MARKS
     base = ""
     for c in s:
-        if c >= "\u0300":
-            kind = category(c)
-        else:
-            kind = ""
+        kind = category(c) if c >= "\u0300" else ""
         if c in "\ufe0e\ufe0f" and base and not marks and category(base)[0] == "S":
             # a symbol shown as an emoji, or as text
             marks = 1
@@ -125,10 +122,7 @@ def printable_flags(s):
             plain = marks < MARKS
             marks += 1
         else:
-            if c != " ":
-                marks = 0
-            else:
-                marks = MARKS
+            marks = 0 if c != " " else MARKS
             plain = True
             base = c
         yield c, plain
@@ -367,9 +361,7 @@ def pairs(items, indent=""):
     """Lines `name  value` of (name, value) pairs, the values aligned two blanks after the longest name."""
     items = list(items)
     size = max([cells(name) for name, _ in items] or [0])
-    lines = []
-    for name, value in items:
-        lines.append(indent + padded(name, size) + "  " + value)
+    lines = [indent + padded(name, size) + "  " + value for name, value in items]
     return lines
 
 

@@ -16,14 +16,8 @@ def may_repeat(operation):
 # Operations that a component, port or manager may answer only when others have answered it: a port asks the
 # far ends of its connections, a component its ports, a master its slaves.
 _ASKING_OTHERS = frozenset((
-    "get_port_profile",
-    "get_connector_profiles",
-    "get_connector_profile",
-    "get_component_profile",
-    "get_component_profiles",
-    "get_components",
-    "get_components_by_name",
-    "get_factory_profiles",
+    "get_port_profile", "get_connector_profiles", "get_connector_profile", "get_component_profile",
+    "get_component_profiles", "get_components", "get_components_by_name", "get_factory_profiles",
     "get_loadable_modules",
 ))
 

@@ -82,10 +82,7 @@ def _make_orb():
         "-ORBclientConnectTimeOutPeriod",
         _milliseconds(session.current().timeout),
     ]
-    own = []
-    for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";"):
-        if a:
-            own.append(a)
+    own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
@@ -378,10 +375,7 @@ class _Worker:
     @classmethod
     def give(cls, queue):
         """Let an idle worker, or a new one, make the calls of a queue. Raises Shortage."""
-        if cls._idle:
-            worker = cls._idle.pop()
-        else:
-            worker = cls()
+        worker = cls._idle.pop() if cls._idle else cls()
         worker._queue = queue
         worker._begin.release()
 
@@ -722,9 +716,7 @@ def _as_text(value, CORBA):
     value = value.value()
     kind = typecode.kind()
     if kind in (
-        CORBA.tk_struct,
-        CORBA.tk_union,
-        CORBA.tk_except,
+        CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except
     ):  # the data_value of 1.1, a TimedLong of zeros
         return f"<{from_wire(typecode.id())}>"
     if kind == CORBA.tk_objref:

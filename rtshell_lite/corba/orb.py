@@ -36,10 +36,7 @@ def _chosen():
         raise errors.Usage(f"RTSHELL_ORB: {printable(name)}: neither omniorb nor builtin")
     from rtshell_lite.corba.iiop import client
 
-    if name:
-        needs_it = ""
-    else:
-        needs_it = _setting_unknown_to(client)
+    needs_it = "" if name else _setting_unknown_to(client)
     if name != "omniorb" and not needs_it:
         return client
     from rtshell_lite.corba import omniorb

@@ -10,21 +10,8 @@ from rtshell_lite import errors
 from rtshell_lite.corba import answers
 from rtshell_lite.giop import descriptors, ior, rare, references
 from rtshell_lite.giop.descriptors import (
-    ALIAS,
-    ANY,
-    ARRAY,
-    CHAR,
-    EXCEPTION,
-    FIXED,
-    INDIRECT,
-    OBJECT,
-    OCTET,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    TYPECODE,
-    ULONGLONG,
-    UNION,
+    ALIAS, ANY, ARRAY, CHAR, EXCEPTION, FIXED, INDIRECT, OBJECT, OCTET, SEQUENCE, STRING, STRUCT, TYPECODE,
+    ULONGLONG, UNION,
 )
 from rtshell_lite.giop.marshal import Any, TypeCode
 from rtshell_lite.text import from_wire, to_wire
@@ -127,10 +114,7 @@ class _Described:
     def _union(self, descriptor):
         given = tuple((case.label, case.member, self.of(case.type)) for case in descriptors.cases(descriptor))
         default = descriptors.default_index(descriptor)
-        if default >= 0:
-            other = given[default]
-        else:
-            other = None
+        other = given[default] if default >= 0 else None
         by_label = {case[0]: case for case in given if case is not other}
         return descriptor[:6] + (given, other, by_label)
 
@@ -154,8 +138,7 @@ def _taker(type_id):
 def _is_plain(element):
     """Whether elements of a type are the same for both."""
     return not isinstance(descriptors.target(element), tuple) and descriptors.kind(element) not in (
-        ANY,
-        TYPECODE,
+        ANY, TYPECODE
     )
 
 

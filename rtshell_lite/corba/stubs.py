@@ -13,10 +13,7 @@ from rtshell_lite import errors, start
 from rtshell_lite.giop import descriptors, idl
 
 STANDARD = (
-    "Time_idl",
-    "BasicDataType_idl",
-    "ExtendedDataTypes_idl",
-    "InterfaceDataTypes_idl",
+    "Time_idl", "BasicDataType_idl", "ExtendedDataTypes_idl", "InterfaceDataTypes_idl",
     "CameraCommonInterface_idl",
 )
 
@@ -61,8 +58,7 @@ def interface(type_id):
     bases, operations = idl.INTERFACES[type_id]
     methods = {each: _method(type_id, each) for each in operations}
     return type(
-        idl.name(type_id),
-        tuple(map(interface, bases)) or (CORBA.Object,),
+        idl.name(type_id), tuple(map(interface, bases)) or (CORBA.Object,),
         {"_NP_RepositoryId": type_id, **methods},
     )
 
@@ -79,10 +75,7 @@ def operation(type_id, name):
     """
     given, returned, raised = idl.operation(type_id, name)
     arguments = tuple(map(idl.descriptor, given))
-    if returned is None:
-        results = None
-    else:
-        results = tuple(map(idl.descriptor, returned))
+    results = None if returned is None else tuple(map(idl.descriptor, returned))
     exceptions = {each: _exception(each) for each in raised}
     return arguments, results, exceptions or None
 
@@ -109,8 +102,7 @@ def _skeleton(type_id):
         each: operation(type_id, each) for above in idl.ancestry(type_id) for each in idl.INTERFACES[above][1]
     }
     made = type(
-        idl.name(type_id),
-        tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
+        idl.name(type_id), tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
         {"_NP_RepositoryId": type_id, "_omni_op_d": operations},
     )
     setattr(made, "_omni_skeleton", made)

@@ -9,41 +9,9 @@ import struct
 
 from rtshell_lite import errors
 from rtshell_lite.giop.descriptors import (
-    ALIAS,
-    ANY,
-    ARRAY,
-    BOOLEAN,
-    CHAR,
-    DOUBLE,
-    ENUM,
-    FIXED,
-    FLOAT,
-    INDIRECT,
-    LONGDOUBLE,
-    OBJECT,
-    OCTET,
-    RANGES,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    TYPECODE,
-    UNION,
-    WCHAR,
-    WSTRING,
-    bound,
-    cases,
-    cases_by_label,
-    default_case,
-    discriminator,
-    dotted,
-    element,
-    factory,
-    items,
-    kind,
-    length,
-    members,
-    target,
-    type_id,
+    ALIAS, ANY, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FIXED, FLOAT, INDIRECT, LONGDOUBLE, OBJECT, OCTET,
+    RANGES, SEQUENCE, STRING, STRUCT, TYPECODE, UNION, WCHAR, WSTRING, bound, cases, cases_by_label,
+    default_case, discriminator, dotted, element, factory, items, kind, length, members, target, type_id,
     words,
 )
 from rtshell_lite.records import record
@@ -176,10 +144,7 @@ class _Builder:
             raise errors.BadValue(where, f"{e}: {_shown(written)}")
 
     def _character(self, descriptor, written, where):
-        if kind(descriptor) == CHAR:
-            highest = "\xff"
-        else:
-            highest = "\uffff"
+        highest = "\xff" if kind(descriptor) == CHAR else "\uffff"
         if not isinstance(written, str) or len(written) != 1 or written > highest:
             _unfit(descriptor, written, where)
         return written
@@ -189,10 +154,7 @@ class _Builder:
         if not isinstance(written, str):
             _unfit(descriptor, written, where)
         try:
-            if wide:
-                size = len(written)
-            else:
-                size = len(written.encode("utf-8", "surrogateescape"))
+            size = len(written) if wide else len(written.encode("utf-8", "surrogateescape"))
         except UnicodeEncodeError:
             _unfit(descriptor, written, where)
         if "\0" in written:
@@ -281,14 +243,8 @@ class _Builder:
                 given[name] = Word("{time}")
             if name not in given:
                 raise errors.BadValue(where, f"{name} is missing")
-            values.append(
-                self.build(
-                    inner,
-                    given[name],
-                    f"{where}: {name}" if " " not in where else f"{where}.{name}",
-                    depth - 1,
-                )
-            )
+            member = f"{where}: {name}" if " " not in where else f"{where}.{name}"
+            values.append(self.build(inner, given[name], member, depth - 1))
         return factory(descriptor)(*values)
 
     def _given(self, descriptor, written, where):

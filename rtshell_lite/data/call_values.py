@@ -47,9 +47,7 @@ def of_json(operation, given, find):
 
     try:
         written = json.loads(
-            given,
-            parse_constant=lambda word: build_value.NUMBERS[word],
-            parse_float=build_value.real,
+            given, parse_constant=lambda word: build_value.NUMBERS[word], parse_float=build_value.real
         )
     except (ValueError, RecursionError) as e:
         raise errors.BadValue(operation.shown, f"not JSON ({e})")

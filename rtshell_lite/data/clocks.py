@@ -22,10 +22,7 @@ def seconds(message):
     """
     if len(message.data) < 8:
         return 0
-    if message.little:
-        order = "<LL"
-    else:
-        order = ">LL"
+    order = "<LL" if message.little else ">LL"
     whole, nanoseconds = struct.unpack_from(order, message.data)
     if not whole:
         return 0
@@ -48,8 +45,5 @@ def difference(received, stamp):
         shown = f"{abs(away):.0f} minutes"
     else:
         shown = f"{abs(away) * MINUTE / DAY:.1f} days"
-    if away < 0:
-        where = "behind"
-    else:
-        where = "ahead of"
+    where = "behind" if away < 0 else "ahead of"
     return f"the times in its values are {shown} {where} this host's clock"

@@ -189,10 +189,7 @@ class Types:
         if found is None:
             from rtshell_lite.robot import ports
 
-            if port.type == "DataInPort":
-                remedy = self._with_fault(SOURCES)
-            else:
-                remedy = self._with_fault(REMEDY)
+            remedy = self._with_fault(SOURCES) if port.type == "DataInPort" else self._with_fault(REMEDY)
             why = f"{printable(name) or 'none given'}; {remedy}"
             raise errors.NoSuch(ports.label(port), "data type known", why)
         return found
@@ -274,10 +271,7 @@ def _imported(name, path):
         stubs.lend_standard()
         return importlib.import_module(name)
     except (ImportError, SyntaxError, ValueError) as e:
-        if path:
-            where = " in " + ", ".join(map(printable, path))
-        else:
-            where = ""
+        where = " in " + ", ".join(map(printable, path)) if path else ""
         raise errors.NoSuch(printable(name), "module" + where, printable(str(e)))
     finally:
         sys.path[:] = own

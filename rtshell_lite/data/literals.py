@@ -74,9 +74,7 @@ def parse(text):
             import json
 
             written = json.loads(
-                text,
-                parse_constant=lambda word: build_value.NUMBERS[word],
-                parse_float=build_value.real,
+                text, parse_constant=lambda word: build_value.NUMBERS[word], parse_float=build_value.real,
                 parse_int=_whole,
             )
             return written, True

@@ -17,14 +17,8 @@ def parse(words, formatters=False):
     """A list of Target for what the user typed; nothing is contacted. Raises BadPath."""
     targets = []
     for word in words:
-        if formatters:
-            formatter = re.search(r"(?<!\\)#([\w.]+)\Z", word)
-        else:
-            formatter = None
-        if formatter:
-            text = word[: formatter.start()]
-        else:
-            text = word
+        formatter = re.search(r"(?<!\\)#([\w.]+)\Z", word) if formatters else None
+        text = word[: formatter.start()] if formatter else word
         path = paths.parse(text)
         targets.append(Target(text, path, formatter and formatter.group(1), printable(text)))
     return targets

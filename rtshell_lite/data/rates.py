@@ -40,10 +40,7 @@ async def written(out_ports, seconds):
         batch, waiting = _batch(out_ports, waiting)
         results = await loop.each(batch, lambda number: reading.count_writes(out_ports[number], seconds))
         for number, result in zip(batch, results):
-            if isinstance(result, errors.Error):
-                rates[number] = result
-            else:
-                rates[number] = result[0] / result[1]
+            rates[number] = result if isinstance(result, errors.Error) else result[0] / result[1]
     return rates
 
 

@@ -176,10 +176,7 @@ class Reader(Connection):
             while self.stopped is None:
                 await self._take_next(fetch)
         except errors.Error as e:
-            if self.stopped is None:
-                self.failure = e
-            else:
-                self.failure = None
+            self.failure = e if self.stopped is None else None
         finally:
             self.idle.ring()
 
@@ -240,10 +237,7 @@ class Reader(Connection):
         """Wait until the component has found out that we have left, and has removed the connector.
         A silent one will.
         """
-        if self.count > 1:
-            period = (self.last - self.first) / (self.count - 1)
-        else:
-            period = 0
+        period = (self.last - self.first) / (self.count - 1) if self.count > 1 else 0
         end = self.stopped + min(LONGEST, QUIET + PERIODS * period)
         pause = LOOKS[0]
         try:
@@ -256,10 +250,7 @@ class Reader(Connection):
         except errors.Refused:
             return False
         except errors.Unreachable as e:
-            if isinstance(e, Ended):
-                self.left = None
-            else:
-                self.left = (connector, SILENT)
+            self.left = None if isinstance(e, Ended) else (connector, SILENT)
             self.failure = self.failure or e
         return True
 
@@ -275,10 +266,7 @@ class Reader(Connection):
         if self._finds_out():
             return True
         if self.dataflow == "push":
-            if self.count == self.count_then:
-                quiet = QUIET
-            else:
-                quiet = 2 * QUIET
+            quiet = QUIET if self.count == self.count_then else 2 * QUIET
             self.came = loop.Bell()
             has_come = await self.came.wait(self.stopped + quiet - loop.now())
             if has_come and not orb.answers_at_once():
@@ -448,10 +436,7 @@ class Reader(Connection):
 def fetcher(reader):
     """A function that fetches the oldest value of a pull connection as bytes, or None."""
     source = reader.remote({"corba_cdr": "OpenRTM.OutPortCdr", "data_service": "RTC.DataPullService"})
-    if reader.interface == "corba_cdr":
-        operation = "get"
-    else:
-        operation = "pull"
+    operation = "get" if reader.interface == "corba_cdr" else "pull"
 
     async def fetch():
         try:

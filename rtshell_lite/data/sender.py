@@ -122,17 +122,11 @@ class Injection:
             left = max(due, self.ended + 1 / rate / HURRY) - loop.now()
             if left > 0:
                 await loop.sleep(left)
-            if rate == math.inf:
-                until = math.inf
-            else:
-                until = due + writing.LATE
+            until = math.inf if rate == math.inf else due + writing.LATE
             for failure in await self._send(expressions, min(until, end)):
                 yield failure
             now = loop.now()
-            if rate == math.inf:
-                due = now
-            else:
-                due = due + 1 / rate
+            due = now if rate == math.inf else due + 1 / rate
             due = max(due, now - writing.LATE)
 
     def live(self):

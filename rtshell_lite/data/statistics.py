@@ -134,10 +134,7 @@ class Flow:
         getattr(self.recent, what).add(number)
 
     def _order(self, stamp):
-        if self.stamp:
-            gap = stamp - self.stamp
-        else:
-            gap = None
+        gap = stamp - self.stamp if self.stamp else None
         self.stamp = stamp
         if gap is None:
             return
@@ -149,10 +146,7 @@ class Flow:
             self._gap(gap)
 
     def _gap(self, gap):
-        if self.stamps:
-            usual = self.since / self.stamps
-        else:
-            usual = gap
+        usual = self.since / self.stamps if self.stamps else gap
         if gap > max(PAUSE * usual, PAUSE_LEAST):
             self.stamps = self.since = 0
             return

@@ -12,19 +12,7 @@ item's number
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    ALIAS,
-    ARRAY,
-    ENUM,
-    FIXED,
-    INDIRECT,
-    OBJECT,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    UNION,
-    VALUE,
-    WSTRING,
-    kind,
+    ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, VALUE, WSTRING, kind
 )
 
 LARGEST = 1 << 20  # bytes of the JSON
@@ -63,9 +51,7 @@ def plain(descriptor, seen=None):
         return ["enum", identifier, descriptor[2], [item._n for item in descriptors.items(descriptor)]]
     if sort == STRUCT:
         return [
-            "struct",
-            identifier,
-            descriptor[3],
+            "struct", identifier, descriptor[3],
             [[name, plain(inner, seen)] for name, inner in descriptors.members(descriptor)],
         ]
     return [

@@ -6,15 +6,7 @@ import re
 
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    ANY,
-    FIXED,
-    LONGDOUBLE,
-    OBJECT,
-    SEQUENCE,
-    STRING,
-    TYPECODE,
-    VALUES,
-    WSTRING,
+    ANY, FIXED, LONGDOUBLE, OBJECT, SEQUENCE, STRING, TYPECODE, VALUES, WSTRING
 )
 
 DEEPEST = 64  # sequences of sequences

@@ -106,15 +106,9 @@ def _line(value, limit):
         return _text(value, limit)
     if len(members) == 2 and "data" in members:
         data = members["data"]
-        if isinstance(data, str):
-            shown = printable(data)
-        else:
-            shown = _text(data, limit)
+        shown = printable(data) if isinstance(data, str) else _text(data, limit)
     else:
-        parts = []
-        for name, inner in members.items():
-            if name != "tm":
-                parts.append(f"{name}={_text(inner, limit)}")
+        parts = [f"{name}={_text(inner, limit)}" for name, inner in members.items() if name != "tm"]
         shown = " ".join(parts)
     return "[%d.%09d] %s" % (stamp + (shown,))
 
@@ -289,10 +283,7 @@ def _flat(value, column):
             members = {"_d": value._d}
         if sort == "union" and _case(value):
             members[_case(value)] = value._v
-        if column:
-            start = column + "."
-        else:
-            start = ""
+        start = column + "." if column else ""
         return [cell for name, inner in members.items() for cell in _flat(inner, start + name)]
     if sort == "enum":
         return [(column, value._n)]
@@ -319,17 +310,11 @@ def field(value, path):
 
 def _step(value, step, path):
     name, index = step.groups()
-    if isinstance(value, (bytes, str)):
-        sort = "list"
-    else:
-        sort = _sort(value)
+    sort = "list" if isinstance(value, (bytes, str)) else _sort(value)
     if index is not None:
         if sort == "list" and int(index) < len(value):
             return value[int(index)]
-        if sort == "list":
-            there = f"{len(value)} elements"
-        else:
-            there = "it is not a sequence"
+        there = f"{len(value)} elements" if sort == "list" else "it is not a sequence"
     elif sort == "struct":
         if name in vars(value):
             return vars(value)[name]
@@ -361,10 +346,7 @@ def raw(data, little=True, limit=None):
         lines.append(f"{at:08x}  {_hex(row):48} {characters}")
     if len(shown) < len(data):
         lines.append("… %d more" % (len(data) - len(shown)))
-    if little:
-        guesses = _guesses(data, "<")
-    else:
-        guesses = _guesses(data, ">")
+    guesses = _guesses(data, "<") if little else _guesses(data, ">")
     return lines + ["maybe: " + guess for guess in guesses]
 
 

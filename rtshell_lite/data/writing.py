@@ -243,10 +243,7 @@ class Writer(Connection):
 
     def __init__(self, port, properties=None, name="rtshell_lite", anyway=False, several=False):
         super().__init__(port, name, properties)
-        if anyway:
-            self.audience = None
-        else:
-            self.audience = Audience(port.node, self.where)
+        self.audience = None if anyway else Audience(port.node, self.where)
         self.taken = self.refused = 0
         self.was_connected = self.lingered = self.hurried = False
         self.alone = not port.connectors
@@ -295,10 +292,7 @@ class Writer(Connection):
         self.was_connected = True
         self.last = loop.now()
         self.sink = self.remote({"corba_cdr": "OpenRTM.InPortCdr", "data_service": "RTC.DataPushService"})
-        if self.interface == "corba_cdr":
-            self.operation = "put"
-        else:
-            self.operation = "push"
+        self.operation = "put" if self.interface == "corba_cdr" else "push"
 
     async def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
@@ -393,10 +387,7 @@ class Writer(Connection):
             now = loop.now()
             rate = self.backlog.rate or USUAL
             self.backlog.drain(now)
-            if self.backlog.rate:
-                waiting = self.backlog.waiting
-            else:
-                waiting = 0
+            waiting = self.backlog.waiting if self.backlog.rate else 0
             await loop.sleep(min(max(self.last + 1.5 / rate - now, waiting / rate) + READING, REST))
         return not self.unanswered
 
@@ -423,10 +414,7 @@ class Writer(Connection):
         self.backlog.drain(loop.now())
         if not self.backlog.waiting and self.backlog.lost < 1:
             return None
-        if self.backlog.measured():
-            does = "reads"
-        else:
-            does = "executes"
+        does = "reads" if self.backlog.measured() else "executes"
         rate = _hertz(self.backlog.rate)
         return errors.Unread(self.where, f"it {does} at {rate}; {self.unread_words()}")
 
@@ -450,10 +438,7 @@ class Writer(Connection):
             return
         await self.check()
         if self.audience and await self._do_others_write(own):
-            if self.taken == 1:
-                what = "it was"
-            else:
-                what = f"the {self.taken} values were"
+            what = "it was" if self.taken == 1 else f"the {self.taken} values were"
             raise errors.Unread(
                 self.where, f"sent; others write to this port, so whether {what} read is not known"
             )
@@ -461,10 +446,7 @@ class Writer(Connection):
         if unread:
             raise unread
         if self.audience and not self.alone:
-            if self.taken == 1:
-                what = "the value"
-            else:
-                what = f"the {self.taken} values"
+            what = "the value" if self.taken == 1 else f"the {self.taken} values"
             self.remark = f"it has probably read {what}: others are connected, and share its buffer"
         self.lingered = True
 
@@ -520,10 +502,7 @@ async def offer(values, until):
             if writer.waits_for_room(answer, until):
                 waiting.append((writer, data))
                 continue
-            if isinstance(answer, errors.Refused):
-                failure = writer.refuse(answer)
-            else:
-                failure = answer
+            failure = writer.refuse(answer) if isinstance(answer, errors.Refused) else answer
             if isinstance(failure, errors.Error):
                 failures.append((writer, failure))
         values = waiting

@@ -84,10 +84,7 @@ class Decoder:
         """
         type = self.type(entry.channel)
         stamped = moment is not None and self._stamped[entry.channel]
-        if stamped:
-            shift = moment - entry.received
-        else:
-            shift = 0
+        shift = moment - entry.received if stamped else 0
         if entry.data is not None and entry.little == little:
             if not stamped:
                 return entry.data
@@ -168,10 +165,7 @@ def place_of_timestamp(descriptor):
 
 def _shift_stamp(data, little, shift):
     """CDR that begins with a timestamp, moved; the rest, which may be an image, is not decoded."""
-    if little:
-        order = "<II"
-    else:
-        order = ">II"
+    order = "<II" if little else ">II"
     if len(data) < 8:
         return data
     stamp = struct.unpack_from(order, data)

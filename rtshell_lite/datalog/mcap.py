@@ -229,11 +229,7 @@ def schema_record(number, name, encoding, data):
 
 def channel_record(number, schema_number, topic, encoding, values):
     return record(
-        CHANNEL,
-        _SHORT.pack(number),
-        _SHORT.pack(schema_number),
-        string(topic),
-        string(encoding),
+        CHANNEL, _SHORT.pack(number), _SHORT.pack(schema_number), string(topic), string(encoding),
         texts(values),
     )
 
@@ -324,12 +320,8 @@ def chunk_index_record(chunk, offset, length, places, indexes):
     records are at `places`, by channel's id, and take `indexes` octets.
     """
     return record(
-        CHUNK_INDEX,
-        _CHUNK_PLACE.pack(chunk.first, chunk.last, offset, length),
-        _numbers(places),
-        _NUMBER.pack(indexes),
-        string(chunk.compression),
-        _TIMES.pack(chunk.within, chunk.size),
+        CHUNK_INDEX, _CHUNK_PLACE.pack(chunk.first, chunk.last, offset, length), _numbers(places),
+        _NUMBER.pack(indexes), string(chunk.compression), _TIMES.pack(chunk.within, chunk.size),
     )
 
 
@@ -357,10 +349,7 @@ class Contents:
     def statistics(self):
         messages = sum(self.counts.values())
         sizes = [len(self.records[kind]) for kind in (SCHEMA, CHANNEL, ATTACHMENT_INDEX, METADATA_INDEX)]
-        if messages:
-            times = (self.first, self.last)
-        else:
-            times = (0, 0)
+        times = (self.first, self.last) if messages else (0, 0)
         return record(STATISTICS, _COUNTS.pack(messages, *sizes, self.chunks, *times), _numbers(self.counts))
 
 

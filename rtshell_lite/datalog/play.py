@@ -23,10 +23,7 @@ class Range:
     def __init__(self, start, end, by_index):
         self.start = start or None
         self.by_index = by_index
-        if end == -1:
-            self.end = None
-        else:
-            self.end = end
+        self.end = None if end == -1 else end
 
     def entries(self, log, first=None):
         """The entries, from number `first` on if that is given. Raises errors.Failed where there are none."""
@@ -34,10 +31,7 @@ class Range:
         if self.end is None:
             return entries
         if self.by_index:
-            if self.start:
-                last = int(self.end)
-            else:
-                last = int(self.end) - 1
+            last = int(self.end) if self.start else int(self.end) - 1
             return itertools.takewhile(lambda entry: entry.number <= last, entries)
         limit = int(self.end * 1e9)
         if log.first is not None and limit < log.first:
@@ -209,10 +203,7 @@ class Playing:
 
     async def _offer(self, entry, writers, absolute, until):
         """Send an entry to these Writers."""
-        if absolute:
-            moment = None
-        else:
-            moment = int(loop.wall() * 1e9)
+        moment = None if absolute else int(loop.wall() * 1e9)
         values = []
         for writer in writers:
             try:

@@ -9,17 +9,7 @@ import re
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    ALIAS,
-    ARRAY,
-    CHAR,
-    ENUM,
-    INDIRECT,
-    OCTET,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    UNION,
-    kind,
+    ALIAS, ARRAY, CHAR, ENUM, INDIRECT, OCTET, SEQUENCE, STRING, STRUCT, UNION, kind
 )
 from rtshell_lite.data import datatypes
 from rtshell_lite.text import printable

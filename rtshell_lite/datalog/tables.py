@@ -15,16 +15,7 @@ from rtshell_lite import files
 from rtshell_lite.data import build_value, values
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    ARRAY,
-    CHAR,
-    ENUM,
-    OCTET,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    WCHAR,
-    WSTRING,
-    kind,
+    ARRAY, CHAR, ENUM, OCTET, SEQUENCE, STRING, STRUCT, WCHAR, WSTRING, kind
 )
 from rtshell_lite.giop.fixed_size import Forms, fixed
 from rtshell_lite.text import printable
@@ -113,10 +104,7 @@ class Table:
                 pairs = self._flat(part, column)
                 others[column] = [name for name, _ in pairs]
                 found += [scalar for _, scalar in pairs]
-        if others:
-            sizes = None
-        else:
-            sizes = tuple(sizes)
+        sizes = None if others else tuple(sizes)
         return sizes, found, lambda: _names(plan, others, value)
 
     def _flat(self, value, column):

@@ -129,10 +129,7 @@ async def _once(look, endpoint, size=SMALL):
     """
     now = session.current()
     if (look, endpoint) not in now.checks:
-        if now.is_over():
-            patience = LEAST
-        else:
-            patience = max(LEAST, now.timeout / 2)
+        patience = LEAST if now.is_over() else max(LEAST, now.timeout / 2)
         try:
             answer = await loop.within(patience, _answer(look, endpoint, size), TimeoutError())
         except (OSError, ValueError):

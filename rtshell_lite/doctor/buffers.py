@@ -31,10 +31,7 @@ def findings(snapshots):
     found = []
     for snapshot in snapshots:
         for port in snapshot.ports:
-            if port.type == "DataInPort" and snapshot.states:
-                policy = refusal(port)
-            else:
-                policy = ""
+            policy = refusal(port) if port.type == "DataInPort" and snapshot.states else ""
             if policy:
                 message, cure = _trouble(snapshot, policy, _writers(port, writers))
             else:
@@ -87,10 +84,7 @@ def _writers(port, writers):
         if ref is not None
         and dict(connector.properties).get("dataport.dataflow_type", "push").lower() == "push"
     ]
-    known = []
-    for ref in pushed:
-        if orb.identity(ref) in writers:
-            known.append(writers[orb.identity(ref)])
+    known = [writers[orb.identity(ref)] for ref in pushed if orb.identity(ref) in writers]
     return [(snapshot, port) for snapshot, port in known if component.merged(snapshot.states) == "Active"]
 
 

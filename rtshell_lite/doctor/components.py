@@ -38,10 +38,7 @@ async def logs(snapshots, nodes):
             asked.append(node)
     files = {}
     for node, settings in zip(asked, await tree.on_nodes(asked, manager.configuration)):
-        if isinstance(settings, errors.Error):
-            settings = {}
-        else:
-            settings = dict(settings)
+        settings = {} if isinstance(settings, errors.Error) else dict(settings)
         if settings.get("logger.enable", "YES").upper() == "YES" and settings.get("logger.file_name"):
             files[node.endpoint] = printable(settings["logger.file_name"])
     return {
@@ -267,8 +264,7 @@ def _refusing(snapshot, number, e, endpoint):
         message = f"cannot tell from here about its port {number}, at {place} ({reason(e)})"
         return fail("port", snapshot.where, message, remedies.network(endpoint))
     return fail(
-        "port",
-        snapshot.where,
+        "port", snapshot.where,
         f"its port {number} is out of reach: perhaps a member of this composite is dead",
         remedies.words("restart composite", port=snapshot.node.endpoint[1]),
     )

@@ -26,9 +26,7 @@ async def findings(snapshots):
             message = f"does not report its members ({reason(answer)})"
             found.append(
                 warn(
-                    "composite",
-                    where,
-                    message,
+                    "composite", where, message,
                     await remedies.of_silence(answer, snapshot.node.endpoint, where),
                 )
             )
@@ -59,18 +57,13 @@ async def _lost(snapshot, error, ref):
         return warn("composite", snapshot.where, message, cure, orb.endpoint(ref))
     if await liveness.shows_death(error, orb.endpoint(ref), snapshot.node.endpoint[0]):
         return fail(
-            "composite",
-            snapshot.where,
-            "one of its members is dead: nothing answers at " + shown,
+            "composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
             remedies.words("restart composite", port=snapshot.node.endpoint[1]),
         )
     if await remedies.is_of_network(error, orb.endpoint(ref)):
         message = f"cannot tell from here whether its member at {shown} lives ({reason(error)})"
         return warn("composite", snapshot.where, message, remedies.network(orb.endpoint(ref)))
     return fail(
-        "composite",
-        snapshot.where,
-        f"its member at {shown} hangs ({reason(error)})",
-        remedies.words("restart", port=orb.endpoint(ref)[1]),
-        orb.endpoint(ref),
+        "composite", snapshot.where, f"its member at {shown} hangs ({reason(error)})",
+        remedies.words("restart", port=orb.endpoint(ref)[1]), orb.endpoint(ref),
     )

@@ -58,8 +58,7 @@ async def _forgotten(snapshots):
         if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):
             found.append(
                 warn(
-                    "connection",
-                    ports.label(port),
+                    "connection", ports.label(port),
                     f"connection {_called(connector)} was left by a tool that is gone",
                     remedies.command("disconnect", id=connector.id, port=ports.label(port)),
                 )
@@ -71,10 +70,7 @@ def _served(snapshot, port, connector):
     """References in a connector's properties to what is not in the process of the component itself."""
     for _, value in connector.properties:
         try:
-            if value.startswith("IOR:"):
-                ref = orb.from_text(ports.label(port), value)
-            else:
-                ref = None
+            ref = orb.from_text(ports.label(port), value) if value.startswith("IOR:") else None
         except errors.Unreachable:
             continue
         if ref is not None and orb.endpoint(ref) != snapshot.node.endpoint:

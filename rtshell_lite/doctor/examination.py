@@ -136,9 +136,7 @@ async def _same_server(visits):
             if first is not visit:
                 found.append(
                     warn(
-                        "name server",
-                        str(visit.path),
-                        "the same name server as " + str(first.path),
+                        "name server", str(visit.path), "the same name server as " + str(first.path),
                         remedies.words("one address"),
                     )
                 )

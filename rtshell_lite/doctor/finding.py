@@ -128,10 +128,7 @@ async def meaning_of(host):
         known = await addresses.resolve(host)
     except errors.Error:
         return ""
-    if any(addresses.is_own(address) for address in known):
-        here = ", this host"
-    else:
-        here = ""
+    here = ", this host" if any(addresses.is_own(address) for address in known) else ""
     return f" ({', '.join(known)}{here})"
 
 

@@ -199,9 +199,6 @@ def _process(pid):
     known = dict(
         line.partition(":\t")[::2] for line in _content(f"/proc/{pid}/status").splitlines() if ":\t" in line
     )
-    more = []
-    for name in ("State", "Threads", "VmRSS"):
-        if name in known:
-            more.append(f"{name} {known[name].strip()}")
+    more = [f"{name} {known[name].strip()}" for name in ("State", "Threads", "VmRSS") if name in known]
     line = " ".join(map(quoted, without_secrets(filter(None, words))))
     return f"{pid}  {', '.join(more)}  {line}"

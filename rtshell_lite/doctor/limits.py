@@ -39,9 +39,7 @@ def lack(shortage):
     """
     what, why = shortage.args
     return fail(
-        "limit",
-        HERE,
-        f"out of {what} here ({why}): nothing can be judged",
+        "limit", HERE, f"out of {what} here ({why}): nothing can be judged",
         remedies.words("raise limit", what=what, command=COMMANDS[what]),
     )
 
@@ -85,10 +83,7 @@ def left_out(findings):
     missed = [finding for finding in findings if finding.message == LATE]
     if len(missed) < MANY:
         return findings
-    if missed[0].check == "reference":
-        what = "name"
-    else:
-        what = missed[0].check
+    what = "name" if missed[0].check == "reference" else missed[0].check
     paths = listed(finding.path for finding in missed)
     message = f"{counted(len(missed), what)} not looked at, as there was no time left: {paths}"
     return [finding for finding in findings if finding.message != LATE] + [

@@ -35,10 +35,7 @@ def findings(profile, missing, known):
     for server, components in sorted(_by_server(profile.components).items()):
         living = [path for path in map(capture.shown_path, components) if path in known]
         if living and all(each in missing for each in components):
-            if len(living) == 1:
-                verb = "lives"
-            else:
-                verb = "live"
+            verb = "lives" if len(living) == 1 else "live"
             message = (
                 f"has none of its {counted(len(components), 'component')} in the file, though "
                 f"{listed(living)} {verb}: perhaps it was started again, and they were not, or it is another "
@@ -74,10 +71,7 @@ async def _at_references(profile, missing):
     for connector in profile.connectors:
         for each in connector.properties:
             end = SIDES.get(each.name)
-            if end is not None and connector.ends:
-                component = locate(connector.ends[end])
-            else:
-                component = None
+            component = locate(connector.ends[end]) if end is not None and connector.ends else None
             if component not in missing:
                 continue
             try:

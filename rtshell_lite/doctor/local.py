@@ -55,9 +55,7 @@ def _programs():
     except errors.MissingOmniORB:
         return [
             fail(
-                "ORB",
-                HERE,
-                f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
+                "ORB", HERE, f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
                 remedies.command("unset", variable="RTSHELL_ORB"),
             )
         ]
@@ -66,9 +64,7 @@ def _programs():
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
         found = [
             warn(
-                "ORB",
-                HERE,
-                f"{python}, {version}: older than 4.0, untried",
+                "ORB", HERE, f"{python}, {version}: older than 4.0, untried",
                 remedies.words("newer omniORBpy"),
             )
         ]
@@ -78,9 +74,7 @@ def _programs():
         where = " or ".join(name for name, _ in _sources()) or "its settings"
         found.append(
             fail(
-                "ORB",
-                HERE,
-                "the ORB does not start: it does not understand " + where,
+                "ORB", HERE, "the ORB does not start: it does not understand " + where,
                 remedies.words("correct settings"),
             )
         )
@@ -108,10 +102,7 @@ def _settings(started):
         found.append(warn("ORB", HERE, message, remedies.command("unset", variable="OMNIORB_CONFIG")))
     for source, settings in sources:
         for option, value in settings:
-            if source == ARGUMENTS:
-                why = _harm(option, value, OURS)
-            else:
-                why = _harm(option, value, THEIRS)
+            why = _harm(option, value, OURS) if source == ARGUMENTS else _harm(option, value, THEIRS)
             if why and (source != ARGUMENTS or orb.obeys(option)):
                 found.append(
                     warn(
@@ -121,8 +112,7 @@ def _settings(started):
     if not found and sources and started:
         found.append(
             ok(
-                "ORB",
-                HERE,
+                "ORB", HERE,
                 "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources),
             )
         )
@@ -142,10 +132,7 @@ def _sources():
     for word in os.environ.get(ARGUMENTS, "").split(";"):
         if word:
             words.append(word)
-    arguments = []
-    for word, value in zip(words, words[1:] + [""]):
-        if word.startswith("-ORB"):
-            arguments.append((word[4:], value))
+    arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
     sources = [source for source in found if source[1]]
     if words:
         sources.append((ARGUMENTS, arguments))
@@ -200,10 +187,7 @@ def _harm_of_end_point(value, whom):
     transport, _, place = value.partition("giop:")[2].partition(":")
     host, _, port = place.rpartition(":")
     host = host.strip("[]")
-    if transport == "tcp":
-        why = addresses.why_not_bound(host, _number(port))
-    else:
-        why = ""
+    why = addresses.why_not_bound(host, _number(port)) if transport == "tcp" else ""
     if why:
         return f"{whom} cannot listen there ({why})"
     if addresses.is_loopback(host) or host == "localhost":
@@ -242,10 +226,8 @@ async def _host_name():
     if all(addresses.is_loopback(address) for address in known):
         return [
             warn(
-                "host name",
-                HERE,
-                shown + f"means {means}: components that publish it cannot be reached from elsewhere",
-                cure,
+                "host name", HERE,
+                shown + f"means {means}: components that publish it cannot be reached from elsewhere", cure,
             )
         ]
     if not any(addresses.is_own(address) for address in known):
@@ -291,9 +273,7 @@ async def _name_servers():
     faults = [(address, await fault(address)) for address in tree.servers()]
     return [
         fail(
-            "RTCTREE_NAMESERVERS",
-            HERE,
-            f"RTCTREE_NAMESERVERS: {printable(address)}: {why}",
+            "RTCTREE_NAMESERVERS", HERE, f"RTCTREE_NAMESERVERS: {printable(address)}: {why}",
             remedies.words("correct addresses"),
         )
         for address, why in faults
@@ -348,9 +328,7 @@ async def _mounts():
     answers = await session.each(places, _is_stale, lambda place: (("mount", place), printable(place)))
     return [
         warn(
-            "mount",
-            HERE,
-            f"{printable(place)} is a mount of an rtmount that has been killed",
+            "mount", HERE, f"{printable(place)} is a mount of an rtmount that has been killed",
             remedies.command("unmount", directory=place),
         )
         for place, stale in zip(places, answers)

@@ -48,10 +48,7 @@ async def _troubles(node, answer):
         found = [fail("manager", where, message, remedies.words("restart slave"))]
     homes = await networks.homes_of(node.ref)
     for child in slaves + components:
-        if child in slaves:
-            what = "lists a slave that "
-        else:
-            what = "lists a component that "
+        what = "lists a slave that " if child in slaves else "lists a component that "
         misled = await networks.misled("manager", where, child.ref, homes)
         if misled:
             found.append(misled._replace(message=what + misled.message))

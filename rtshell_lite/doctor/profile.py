@@ -38,18 +38,14 @@ async def findings(profile, file, state):
         paths = ", ".join(difference.path for difference in idle)
         found.append(
             fail(
-                "profile",
-                str(path.ROOT),
+                "profile", str(path.ROOT),
                 f"{len(idle)} components are Inactive, in the file Active: {paths}",
                 remedies.command("start system", file=remedies.Line(file)),
             )
         )
         differences = [difference for difference in differences if difference not in idle]
     for difference in differences:
-        if difference.required:
-            report = fail
-        else:
-            report = warn
+        report = fail if difference.required else warn
         if difference.path in known and _is_missing(difference):
             message = f"{safe(difference.brief)}, but it lives: {safe(known[difference.path])}"
             found.append(report("profile", difference.path, message, remedies.words("bind again")))
@@ -98,10 +94,7 @@ async def _rates(profile):
     for component, owned in zip(profile.components, answers):
         if isinstance(owned, errors.Error):
             continue  # reported before
-        if component.is_required:
-            report = fail
-        else:
-            report = warn
+        report = fail if component.is_required else warn
         where = capture.shown_path(component)
         for wanted in component.execution_contexts:
             if (

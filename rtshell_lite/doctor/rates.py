@@ -32,14 +32,8 @@ class Watched:
 
     def deliver(self, message):
         """Take note of the timestamp of a reading.Message."""
-        if self.stamped:
-            seconds = clocks.seconds(message)
-        else:
-            seconds = 0
-        if seconds:
-            self.stamp = (message.received / 1e9, seconds)
-        else:
-            self.stamp = None
+        seconds = clocks.seconds(message) if self.stamped else 0
+        self.stamp = (message.received / 1e9, seconds) if seconds else None
 
 
 async def measured(snapshots, seconds):
@@ -114,9 +108,7 @@ def _smallest(out_ports):
 def _unmeasured(where, e):
     if isinstance(e, errors.Silent):
         return warn(
-            "rate",
-            where,
-            "rate not measured: " + reason(e),
+            "rate", where, "rate not measured: " + reason(e),
             remedies.words("measure again", path=shell_word(where)),
         )
     return ok("rate", where, "rate not measured: " + reason(e))
@@ -130,9 +122,7 @@ async def _watch(batch, seconds):
     for watched in batch:
         try:
             watched.reader = reading.Reader(
-                watched.port,
-                watched.deliver,
-                "pull",
+                watched.port, watched.deliver, "pull",
                 properties={"dataport.buffer.length": str(reading.QUEUE)},
             )
         except errors.Error as e:
@@ -172,10 +162,7 @@ async def _slept(seconds):
 
 def _clock(watched):
     """A Finding if the values of a Watched carry other times than this host's."""
-    if watched.stamp:
-        message = clocks.difference(*watched.stamp)
-    else:
-        message = ""
+    message = clocks.difference(*watched.stamp) if watched.stamp else ""
     if message:
         return [warn("clock", watched.where, message, remedies.words("clock"))]
     return []
@@ -195,9 +182,7 @@ def _finding(watched, spent, missed):
     if watched.count + 1 >= ENOUGH * watched.rate * (spent - missed):  # one more may have been on its way
         return ok("rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz (writes to {name})")
     return warn(
-        "rate",
-        where,
-        f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
+        "rate", where, f"keeps {kept:.1f} of {watched.rate:g} Hz, or does not write to {name} in each cycle",
         _slow(watched),
     )
 

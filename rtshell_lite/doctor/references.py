@@ -30,18 +30,14 @@ async def _unreachable(visit, node):
     if isinstance(node.error, errors.Garbled):
         return [
             fail(
-                "reference",
-                where,
-                f"the name is bound to what must not be used: {reason(node.error)}",
+                "reference", where, f"the name is bound to what must not be used: {reason(node.error)}",
                 remedies.words("bad reference"),
             )
         ]
     if node.ref is None:
         return [
             fail(
-                "reference",
-                where,
-                "the name is bound to nothing (a nil reference)",
+                "reference", where, "the name is bound to nothing (a nil reference)",
                 remedies.command("delete name", path=where),
             )
         ]
@@ -54,10 +50,7 @@ async def _unreachable(visit, node):
     misled = await networks.misled("reference", where, node.ref, visit.addresses, visit.outside)
     if misled and misled.level == "fail":
         return [misled]
-    if misled:
-        also = [misled]
-    else:
-        also = []
+    also = [misled] if misled else []
     if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone) and await _is_own(offered):
         return [await _dead(visit, node, shown)] + also
     if node.kind == "unasked" and not isinstance(node.error, errors.NoTime):
@@ -167,9 +160,7 @@ def _half_reachable(visit, where, offered):
     probes = [(host, port, visit.probes.get((host, port))) for host, port in offered]
     return [
         warn(
-            "reference",
-            where,
-            f"also publishes {printable(host)}:{port}, out of reach ({reason(probe)})",
+            "reference", where, f"also publishes {printable(host)}:{port}, out of reach ({reason(probe)})",
             remedies.words("only good addresses"),
         )
         for host, port, probe in probes
@@ -199,9 +190,7 @@ async def _not_what_it_says(node):
     message = f"somebody else's: not a {expected[kind]} but {what}"
     return [
         fail(
-            "reference",
-            str(node.path),
-            message,
+            "reference", str(node.path), message,
             remedies.words("name of another", path=shell_word(str(node.path))),
         )
     ]

@@ -111,10 +111,7 @@ def _leave_out_values(snapshots):
     for snapshot in snapshots:
         snapshot.configuration = None
         if snapshot.profile is not None:
-            kept = []
-            for pair in snapshot.profile.properties:
-                if not pair[0].startswith(CONFIGURATION):
-                    kept.append(pair)
+            kept = [pair for pair in snapshot.profile.properties if not pair[0].startswith(CONFIGURATION)]
             snapshot.profile = snapshot.profile._replace(properties=kept)
 
 

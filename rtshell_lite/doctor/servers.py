@@ -72,8 +72,7 @@ async def _visit(place, tops, used):
                 visit.nodes.append(node)
     await _share(visit, tops)
     looked, probes = await session.each(
-        [tree.check_alive, _probes],
-        lambda ask: ask(visit.nodes),
+        [tree.check_alive, _probes], lambda ask: ask(visit.nodes),
         lambda ask: ((ask.__name__, place), str(place)),
     )
     for failure in (looked, probes):
@@ -152,10 +151,7 @@ def _used(visit, host):
     if host == "localhost" or not visit.addresses or addresses.is_numeric(host):
         return ""
     used, *others = visit.addresses
-    if addresses.is_own(used):
-        here = ", this host"
-    else:
-        here = ""
+    here = ", this host" if addresses.is_own(used) else ""
     if others:
         here += f"; {printable(host)} also means {', '.join(others)}"
     return f" at {used}{here}"
@@ -209,8 +205,7 @@ async def _transport(visit, endpoint, times, used):
             )
         if own:
             raise _Stop(
-                where,
-                f"connection refused: nothing listens on port {port} here",
+                where, f"connection refused: nothing listens on port {port} here",
                 remedies.words("start name server", port=port),
             )
         raise _Stop(
@@ -220,8 +215,7 @@ async def _transport(visit, endpoint, times, used):
         )
     except errors.Error as e:
         raise _Stop(
-            where,
-            f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
+            where, f"no TCP connection to {visit.addresses[0]} port {port} ({reason(e)})",
             remedies.network(endpoint),
         )
 
@@ -253,8 +247,7 @@ async def _is_there(where, ref):
     except errors.Unanswered as e:
         if await remedies.is_of_network(e, endpoint):
             raise _Stop(
-                where,
-                "cannot tell from here: TCP connects, but what is sent is not received",
+                where, "cannot tell from here: TCP connects, but what is sent is not received",
                 remedies.network(endpoint),
             )
         if await addresses.speaks_otherwise(endpoint):
@@ -267,8 +260,7 @@ async def _is_there(where, ref):
             raise _Stop(where, f"TCP connects, omniORB does not: {rule.text} forbids it", rule.remedy)
         if reason(e).startswith("garbled") or await addresses.speaks_otherwise(endpoint):
             raise _Stop(
-                where,
-                f"what listens there does not speak CORBA ({reason(e)})",
+                where, f"what listens there does not speak CORBA ({reason(e)})",
                 remedies.words("who listens", port=port),
             )
         raise _Stop(
@@ -281,8 +273,7 @@ async def _is_there(where, ref):
         raise _Stop(where, f"answers with {reason(e)}", remedies.words("restart", port=port))
     if gone:
         raise _Stop(
-            where,
-            "a CORBA process, but not a name server: perhaps a component or manager",
+            where, "a CORBA process, but not a name server: perhaps a component or manager",
             remedies.words("correct port"),
         )
 
@@ -298,8 +289,7 @@ async def _is_context(where, ref):
         is_context = await orb.call(where, ref, "_is_a", _NAMING_CONTEXT)
     except errors.Error as e:
         raise _Stop(
-            where,
-            f"is there, but does not report what it is ({reason(e)})",
+            where, f"is there, but does not report what it is ({reason(e)})",
             _restart(e, where, orb.endpoint(ref)[1]),
         )
     if not is_context:
@@ -322,9 +312,7 @@ async def _below(visit, top):
     except errors.Error as e:
         visit.findings.append(
             fail(
-                "path",
-                str(top),
-                reason(e),
+                "path", str(top), reason(e),
                 remedies.words("no such path", path=shell_word(str(top.parent()))),
             )
         )
@@ -333,9 +321,7 @@ async def _below(visit, top):
         if node.kind in ("server", "directory") and node.error is not None:
             visit.findings.append(
                 fail(
-                    "context",
-                    str(node.path),
-                    f"its names cannot be listed ({reason(node.error)})",
+                    "context", str(node.path), f"its names cannot be listed ({reason(node.error)})",
                     await _list_again(node),
                 )
             )

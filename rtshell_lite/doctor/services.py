@@ -40,10 +40,7 @@ def mismatches(ends, properties):
 def _served(interface, properties):
     """True when the properties of a connection name a provider for a required interface."""
     name = f"{interface.type_name}.{interface.instance_name}"
-    mapped = []
-    for key, value in properties.items():
-        if key.endswith(".required." + name):
-            mapped.append(value)
+    mapped = [value for key, value in properties.items() if key.endswith(".required." + name)]
     if mapped:
         return mapped[0] in NOBODY or mapped[0] in properties
     return "port." + name in properties

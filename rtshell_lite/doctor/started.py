@@ -34,18 +34,13 @@ def findings(snapshots, failed):
         if any(other.where in failed for other in group):
             continue
         active = collections.Counter(states.get(id(other)) for other in group)["Active"]
-        if active == 1:
-            are = "is"
-        else:
-            are = "are"
+        are = "is" if active == 1 else "are"
         if active:
             of_system = f"{counted(active, 'component')} of its system {are} Active"
             message = f"Inactive, while {of_system}; it may have been reset"
             found.append(
                 warn(
-                    "component",
-                    snapshot.where,
-                    message,
+                    "component", snapshot.where, message,
                     remedies.words("activate", path=shell_word(snapshot.where)),
                 )
             )

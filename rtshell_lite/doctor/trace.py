@@ -438,10 +438,7 @@ class Trace:
         if not isinstance(error, errors.Silent):
             return CERTAIN
         others = max((stage.answer for stage in self.stages.values()), default=0)
-        if others:
-            needed = ANSWERS * others
-        else:
-            needed = LEAST * self.slower
+        needed = ANSWERS * others if others else LEAST * self.slower
         if error.why == UNANSWERED or self.patience < needed:
             return DOUBTFUL
         return CERTAIN

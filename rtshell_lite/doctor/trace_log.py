@@ -75,10 +75,7 @@ def _follow(made, start, links, channels):
         _stage(made, where, depth)
         for out, into in links:
             is_start = not depth
-            if made.against:
-                near, far = into, out
-            else:
-                near, far = out, into
+            near, far = (into, out) if made.against else (out, into)
             if near.object() != where or is_start and near.port != start.port:
                 continue
             far = far.object()

@@ -154,10 +154,7 @@ def record_of(tag, when, fields, address):
             known[key] = _text(each)
     host = known.get("host") or address
     manager = known.get("manager")
-    if manager:
-        where = f"{host}/{manager}"
-    else:
-        where = host
+    where = f"{host}/{manager}" if manager else host
     message = known.get("message", known.get("log"))
     if message is None:
         message = " ".join("%s=%s" % item for item in known.items())
@@ -350,10 +347,7 @@ class Door:
             message = bytes(sender.data[:end])
             del sender.data[:end]
             sender.scan = msgpack.Scan()
-            if sender.data:
-                sender.begun = sender.heard
-            else:
-                sender.begun = None
+            sender.begun = sender.heard if sender.data else None
             tag, found, options = pairs(message, sender.account.spend)
             for number, (when, fields) in enumerate(found, 1):
                 take(*record_of(tag, when, fields, sender.address))

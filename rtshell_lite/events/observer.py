@@ -167,10 +167,7 @@ def observer(node, interface, kinds, heard, beat=BEAT, more=()):
 
 def requested(interface, kinds, beat, more):
     """The properties, [(name, value)], of an `observer`; with None for `beat` it never beats."""
-    if len(kinds) == len(KINDS):
-        wanted = "ALL"
-    else:
-        wanted = ",".join(_statuses(interface, kinds))
+    wanted = "ALL" if len(kinds) == len(KINDS) else ",".join(_statuses(interface, kinds))
     beats = {
         OBSERVER: ["heartbeat"],
         FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
@@ -213,10 +210,8 @@ class _Listener:
     def publish(self, record):
         self.heard(
             Record(
-                record.time.sec + record.time.nsec / 1e9,
-                from_wire(record.loggername),
-                LEVELS[record.level._v],
-                from_wire(record.message),
+                record.time.sec + record.time.nsec / 1e9, from_wire(record.loggername),
+                LEVELS[record.level._v], from_wire(record.message),
             )
         )
 

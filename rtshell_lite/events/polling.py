@@ -68,10 +68,7 @@ class Poll:
         return [Event(loop.wall(), *item) for item in news if item[0] in self.kinds]
 
     async def _contexts(self):
-        if "EC_EVENT" in self.kinds:
-            detail = snapshot.RUNNING
-        else:
-            detail = snapshot.REFERENCES
+        detail = snapshot.RUNNING if "EC_EVENT" in self.kinds else snapshot.REFERENCES
         await self.snapshot.ask(owned=detail, participating=detail)
         before = {seen.identity: seen for seen in self.seen}
         news = []

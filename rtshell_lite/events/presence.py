@@ -239,10 +239,7 @@ class Presence:
             self._lose(each, error, "has exited")
         elif isinstance(error, errors.ConnectionRefused):
             # also where it may live: its name may lead to another object now
-            if isinstance(error, errors.ProcessGone):
-                seen = "its process is gone"
-            else:
-                seen = error.why
+            seen = "its process is gone" if isinstance(error, errors.ProcessGone) else error.why
             self._try_connections()
             for other in self.of_process(each.endpoint):
                 self._lose(other, error, seen)

@@ -354,10 +354,7 @@ class Watch:
         end = loop.now() + seconds
         left = number
         while left and (self.watched or self._doors) and loop.now() < end:
-            if left > 0:
-                batch = self._take(min(left, BATCH))
-            else:
-                batch = self._take(BATCH)
+            batch = self._take(min(left, BATCH)) if left > 0 else self._take(BATCH)
             if batch:
                 left -= len(batch)
                 yield batch

@@ -8,34 +8,9 @@ bytes take memory in proportion to their number. Strings are UTF-8; invalid byte
 import struct
 
 from rtshell_lite.giop.descriptors import (
-    ARRAY,
-    BOOLEAN,
-    CHAR,
-    DOUBLE,
-    FLOAT,
-    LONG,
-    LONGLONG,
-    OCTET,
-    SEQUENCE,
-    SHORT,
-    STRING,
-    STRUCT,
-    ULONG,
-    ULONGLONG,
-    UNION,
-    USHORT,
-    WCHAR,
-    WSTRING,
-    bound,
-    cases_by_label,
-    default_case,
-    discriminator,
-    element,
-    factory,
-    kind,
-    length,
-    members,
-    target,
+    ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT, STRING, STRUCT, ULONG,
+    ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound, cases_by_label, default_case, discriminator, element,
+    factory, kind, length, members, target,
 )
 from rtshell_lite.giop.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
 
@@ -345,10 +320,7 @@ class Maker:
             if "\0" in value:
                 raise Fault("a NUL in a string")
             # as omniORB does
-            if value:
-                units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass")
-            else:
-                units = b""
+            units = b"\xff\xfe" + value.encode("utf-16-le", "surrogatepass") if value else b""
             self._count(out, units, 0)
             out += units
 

@@ -22,33 +22,9 @@ from rtshell_lite import errors, records
 from rtshell_lite.text import is_identifier
 
 (
-    SHORT,
-    LONG,
-    USHORT,
-    ULONG,
-    FLOAT,
-    DOUBLE,
-    BOOLEAN,
-    CHAR,
-    OCTET,
-    ANY,
-    TYPECODE,
-    PRINCIPAL,
-    OBJECT,
-    STRUCT,
-    UNION,
-    ENUM,
-    STRING,
-    SEQUENCE,
-    ARRAY,
-    ALIAS,
-    EXCEPTION,
-    LONGLONG,
-    ULONGLONG,
-    LONGDOUBLE,
-    WCHAR,
-    WSTRING,
-    FIXED,
+    SHORT, LONG, USHORT, ULONG, FLOAT, DOUBLE, BOOLEAN, CHAR, OCTET, ANY, TYPECODE, PRINCIPAL, OBJECT,
+    STRUCT, UNION, ENUM, STRING, SEQUENCE, ARRAY, ALIAS, EXCEPTION, LONGLONG, ULONGLONG, LONGDOUBLE, WCHAR,
+    WSTRING, FIXED,
 ) = range(2, 29)
 VALUE = 29
 INDIRECT = -1
@@ -170,10 +146,7 @@ def union(type_id, name, switched_by, given, default=-1):
     `given`: (label, member, descriptor) triples, `default` an index.
     """
     given = tuple(Case(case) for case in given)
-    if default >= 0:
-        other = given[default]
-    else:
-        other = None
+    other = given[default] if default >= 0 else None
     by_label = {case.label: case for case in given if case is not other}
     made = type(
         name,
@@ -281,10 +254,7 @@ def cases_by_label(descriptor):
 def target(descriptor):
     """The type that a descriptor means, without its aliases and indirections."""
     while kind(descriptor) in (ALIAS, INDIRECT):
-        if kind(descriptor) == ALIAS:
-            descriptor = aliased(descriptor)
-        else:
-            descriptor = around(descriptor)
+        descriptor = aliased(descriptor) if kind(descriptor) == ALIAS else around(descriptor)
     return descriptor
 
 
@@ -332,10 +302,7 @@ def words(descriptor):
         return NAMES.get(descriptor, f"type {descriptor}")
     sort = descriptor[0]
     if sort in (STRING, WSTRING):
-        if sort == STRING:
-            name = "string"
-        else:
-            name = "wstring"
+        name = "string" if sort == STRING else "wstring"
         if bound(descriptor):
             return "%s<%d>" % (name, bound(descriptor))
         return name
@@ -457,10 +424,7 @@ class Adoption:
         hole = [None]
         before = self.open.get(descriptor[2])
         self.open[descriptor[2]] = hole, self.sequences
-        if sort == STRUCT:
-            hole[0] = self.structure(descriptor, depth)
-        else:
-            hole[0] = self.choice(descriptor, depth)
+        hole[0] = self.structure(descriptor, depth) if sort == STRUCT else self.choice(descriptor, depth)
         self.open[descriptor[2]] = before  # of another one of that id, around this one
         self.taking.discard(id(descriptor))
         return hole[0]

@@ -3,31 +3,8 @@
 import struct
 
 from rtshell_lite.giop.descriptors import (
-    ARRAY,
-    BOOLEAN,
-    CHAR,
-    DOUBLE,
-    ENUM,
-    FLOAT,
-    LONG,
-    LONGLONG,
-    OCTET,
-    SEQUENCE,
-    SHORT,
-    STRING,
-    STRUCT,
-    ULONG,
-    ULONGLONG,
-    USHORT,
-    WSTRING,
-    element,
-    factory,
-    items,
-    kind,
-    length,
-    members,
-    plain,
-    target,
+    ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT, STRING, STRUCT, ULONG,
+    ULONGLONG, USHORT, WSTRING, element, factory, items, kind, length, members, plain, target,
 )
 
 # of the module struct
@@ -120,8 +97,7 @@ def _fixed_struct(descriptor):
     if all(part.make is None for part in parts):
         size = len(parts)
         return Fixed(
-            codes,
-            lambda leaves, i: made(*leaves[i : i + size]),
+            codes, lambda leaves, i: made(*leaves[i : i + size]),
             lambda value: [getattr(value, n) for n in names],
         )
     places = []

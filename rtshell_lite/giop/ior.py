@@ -67,10 +67,7 @@ def parsed(type_id, profiles):
     try:
         for tag, profile in profiles:
             if tag == IIOP:
-                if profile[0] & 1:
-                    ulong, ushort = _LITTLE
-                else:
-                    ulong, ushort = _BIG
+                ulong, ushort = _LITTLE if profile[0] & 1 else _BIG
                 end = 8 + ulong(profile, 4)[0]  # of the host, after the version
                 if end > len(profile):  # no place for unpack on a 32-bit system
                     raise IndexError
@@ -178,10 +175,7 @@ class _Cdr:
     def __init__(self, data):
         self.data = data
         self.at = 1
-        if data[0] & 1:
-            self._ulong, self._ushort = _LITTLE
-        else:
-            self._ulong, self._ushort = _BIG
+        self._ulong, self._ushort = _LITTLE if data[0] & 1 else _BIG
 
     def ulong(self):
         at = self.at + 3 & ~3

@@ -7,16 +7,7 @@ from _thread import RLock
 
 from rtshell_lite.giop import cdr, descriptors, ior
 from rtshell_lite.giop.descriptors import (
-    ANY,
-    CHAR,
-    EXCEPTION,
-    FIXED,
-    LONGDOUBLE,
-    OBJECT,
-    OCTET,
-    PRINCIPAL,
-    STRING,
-    TYPECODE,
+    ANY, CHAR, EXCEPTION, FIXED, LONGDOUBLE, OBJECT, OCTET, PRINCIPAL, STRING, TYPECODE
 )
 from rtshell_lite.giop.fixed_size import Fault
 from rtshell_lite.giop import allowance

@@ -184,17 +184,11 @@ class Fragments:
             return data
         is_numbered = data[5] == 2
         # without numbers, parts follow at once
-        if is_numbered:
-            number_of_it = number(data)
-        else:
-            number_of_it = None
+        number_of_it = number(data) if is_numbered else None
         if is_first == (number_of_it in self.begun) or data[5] == 0:
             raise Garbled("fragments that make no message")
         begun = self.begun.setdefault(number_of_it, bytearray())
-        if is_first:
-            part = data
-        else:
-            part = data[HEADER + 4 * is_numbered :]
+        part = data if is_first else data[HEADER + 4 * is_numbered :]
         part = part[: max(0, most(number_of_it) + 1 - len(begun))]
         begun += part
         self.size += len(part)

@@ -97,10 +97,7 @@ def _long_double(order):
         exponent = high >> 48 & 0x7FFF
         fraction = (high & (1 << 48) - 1) << 64 | low
         if exponent == 0x7FFF:
-            if fraction:
-                value = math.nan
-            else:
-                value = math.inf
+            value = math.nan if fraction else math.inf
         else:
             value = _scaled((1 << 112 if exponent else 0) | fraction, max(exponent, 1) - 16383 - 112)
         return (-value if high >> 63 else value), at + 16

@@ -105,10 +105,7 @@ class Request:
 def answer(request, status=messages.NO_EXCEPTION):
     """A Reply as a bytearray, up to its results; `sized` ends it."""
     # 0: no service contexts
-    if request.minor == 2:
-        words = (request.id, status, 0)
-    else:
-        words = (0, request.id, status)
+    words = (request.id, status, 0) if request.minor == 2 else (0, request.id, status)
     return bytearray(_ANSWER.pack(b"GIOP", 1, request.minor, messages.LITTLE, messages.REPLY, 0, *words))
 
 

@@ -9,18 +9,7 @@ import struct
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    ALIAS,
-    ARRAY,
-    ENUM,
-    EXCEPTION,
-    FIXED,
-    INDIRECT,
-    OBJECT,
-    SEQUENCE,
-    STRING,
-    STRUCT,
-    UNION,
-    WSTRING,
+    ALIAS, ARRAY, ENUM, EXCEPTION, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING
 )
 from rtshell_lite.giop.fixed_size import Fault
 from rtshell_lite.giop import allowance
@@ -166,17 +155,8 @@ class _Reader:
         if not -1 <= default < len(cases):
             raise Fault("a union whose default is not one of its cases")
         described = tuple(descriptors.Case(case) for case in cases)
-        return (
-            UNION,
-            None,
-            type_id,
-            name,
-            switch,
-            default,
-            described,
-            described[default] if default >= 0 else None,
-            None,
-        )
+        other = described[default] if default >= 0 else None
+        return (UNION, None, type_id, name, switch, default, described, other, None)
 
 
 # ---- writing ----

@@ -6,16 +6,7 @@ import math
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.mount.nodes import (
-    Control,
-    Directory,
-    Items,
-    Link,
-    Text,
-    WritableItem,
-    line,
-    link_text,
-    meant,
-    unique,
+    Control, Directory, Items, Link, Text, WritableItem, line, link_text, meant, unique
 )
 from rtshell_lite.mount.ports import PortsDirectory
 from rtshell_lite.robot import component, composites, configuration, contexts, places, transitions, tree
@@ -31,14 +22,7 @@ class ComponentDirectory(Directory):
     """A component. What it has been asked for is shared by all that is below it."""
 
     __slots__ = (
-        "node",
-        "contexts",
-        "state",
-        "ports",
-        "profile",
-        "configuration",
-        "organisations",
-        "everything",
+        "node", "contexts", "state", "ports", "profile", "configuration", "organisations", "everything"
     )
 
     def __init__(self, above, name, node):
@@ -82,11 +66,7 @@ class ComponentDirectory(Directory):
     def renew(self, node):
         if not orb.same(self.node.ref, node.ref):
             for source in (
-                self.contexts,
-                self.ports,
-                self.profile,
-                self.configuration,
-                self.organisations,
+                self.contexts, self.ports, self.profile, self.configuration, self.organisations,
                 self.everything,
             ):
                 source.expire()
@@ -138,8 +118,7 @@ class ComponentDirectory(Directory):
         return {
             "events": (WatchStream, lambda: watch.Watch(watch.Events(watch.KINDS)), observer.event_line),
             "log": (
-                WatchStream,
-                lambda: watch.Watch(watch.Records("NORMAL", [])),
+                WatchStream, lambda: watch.Watch(watch.Records("NORMAL", [])),
                 lambda record: observer.record_line(record, self.name),
             ),
         }

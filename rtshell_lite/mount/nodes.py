@@ -117,10 +117,7 @@ def file_name(name):
     """`name`, a text or a path.Name, as the name of a file:
     escaped as in our paths, and if it is too long, shortened.
     """
-    if isinstance(name, str):
-        spelt = printable(name)
-    else:
-        spelt = str(name).replace("\\/", "/")
+    spelt = printable(name) if isinstance(name, str) else str(name).replace("\\/", "/")
     spelt = {"": "\\e", ".": "\\.", "..": "\\.\\."}.get(spelt) or spelt.replace("/", "\\x2f")
     raw = spelt.encode("utf-8")
     if len(raw) <= NAME_MAX:
@@ -386,10 +383,7 @@ def link_text(path, above):
     as the target of a link in the directory `above`.
     """
     try:
-        if path.startswith("/"):
-            parsed = parse(path)
-        else:
-            parsed = None
+        parsed = parse(path) if path.startswith("/") else None
     except errors.BadPath:
         parsed = None
     if parsed:

@@ -64,8 +64,7 @@ class PortDirectory(Directory):
         found = {"type": (Text, self.source, lambda snapshot: line(self.port(snapshot).type))}
         if port.type in ports.DATA:
             found["data_type"] = (
-                Text,
-                self.source,
+                Text, self.source,
                 lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")),
             )
         else:

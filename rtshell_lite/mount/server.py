@@ -201,10 +201,7 @@ class Server:
                 del node.above.known[node.name]
 
     def _attributes(self, node):
-        if self.mount.read_only:
-            mode = node.mode & ~0o222
-        else:
-            mode = node.mode
+        mode = node.mode & ~0o222 if self.mount.read_only else node.mode
         return wire.attributes(node.id, mode, *self._owner, node.size, self.mount.began)
 
     def _node(self, request, kind):

@@ -260,10 +260,7 @@ class Component:
             for key in ("type_name", "description", "version", "vendor", "category")
         ]
         return orb.struct("RTC.ComponentProfile")(
-            wire(self.instance_name),
-            *about,
-            [port.profile() for port in self.ports],
-            None,
+            wire(self.instance_name), *about, [port.profile() for port in self.ports], None,
             nvlist(self.properties + list(self.configuration.pairs())),
         )
 

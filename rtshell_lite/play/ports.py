@@ -41,12 +41,8 @@ class Port:
         for instance, kind, polarity in self.interfaces:
             interfaces.append(describe(wire(instance), wire(kind), polarities[polarity]))
         return orb.struct("RTC.PortProfile")(
-            wire(f"{self.component.instance_name}.{self.name}"),
-            interfaces,
-            self.reference,
-            list(self.connectors.values()),
-            self.component.reference,
-            nvlist(self.properties.items()),
+            wire(f"{self.component.instance_name}.{self.name}"), interfaces, self.reference,
+            list(self.connectors.values()), self.component.reference, nvlist(self.properties.items()),
         )
 
     def is_busy(self):

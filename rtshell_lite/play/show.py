@@ -52,10 +52,7 @@ class Show:
                 self._stage.show(self._recording.scenes[0], is_jump=True)
                 await self._bind()
                 count = len(self._bound.bound)
-                if count == 1:
-                    what = "1 component is"
-                else:
-                    what = f"{count} components are"
+                what = "1 component is" if count == 1 else f"{count} components are"
                 notes.note(f"{what} bound in {self._bound.server}")
                 await begin()
                 await self._play(pace)

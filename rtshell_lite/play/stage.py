@@ -296,9 +296,7 @@ def _unknown(source):
     """A model.Component of which only a path with an out port is known."""
     context = model.ExecutionContext(id="0", kind="PERIODIC", rate=RATE)
     return model.Component(
-        id="RTC::::",
-        path_uri=str(source.object()).lstrip("/"),
-        instance_name=source.instance,
+        id="RTC::::", path_uri=str(source.object()).lstrip("/"), instance_name=source.instance,
         execution_contexts=[context],
     )
 

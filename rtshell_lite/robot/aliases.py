@@ -70,9 +70,7 @@ async def is_foreign(above, node):
         return False
     try:  # keys of contexts are made of times and random numbers: only the server that made one knows it
         return not await orb.call(
-            node.path,
-            orb.reference_at(node.ref, host, port),
-            "_is_a",
+            node.path, orb.reference_at(node.ref, host, port), "_is_a",
             "IDL:omg.org/CosNaming/NamingContext:1.0",
         )
     except errors.Error:

@@ -73,13 +73,7 @@ async def profile(node, brief=False, names=False):
     texts = [
         from_wire(s)
         for s in (
-            raw.instance_name,
-            raw.type_name,
-            raw.description,
-            raw.version,
-            raw.vendor,
-            raw.category,
-            parent,
+            raw.instance_name, raw.type_name, raw.description, raw.version, raw.vendor, raw.category, parent
         )
     ]
     listed = raw.properties

@@ -186,10 +186,7 @@ async def check(node, organisation, joining, leaving):
             is_member = m.instance in known
         else:
             is_member = await _is(m, known.get(m.instance))
-        if m.ports:
-            lost = None
-        else:
-            lost = _lost(organisation, m.instance)
+        lost = None if m.ports else _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
         if not (m.ports or is_member):
@@ -213,10 +210,7 @@ def _stays(node, m, error):
     """The error for a Member that cannot be removed, as it, or one that may have its name,
     has failed with `error`.
     """
-    if isinstance(error, errors.Unanswered):
-        why = "a member that does not answer"
-    else:
-        why = "a dead member"
+    why = "a member that does not answer" if isinstance(error, errors.Unanswered) else "a dead member"
     return errors.Failed(
         str(node.path),
         f"cannot remove {printable(m.instance)}: letting go of {why} would end this composite's "

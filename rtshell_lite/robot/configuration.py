@@ -59,9 +59,7 @@ class Configuration:
     def _set(self, set_id):
         raw = self.raw[set_id]
         return Set(
-            set_id,
-            from_wire(raw.description),
-            dict(orb.properties(raw.configuration_data)),
+            set_id, from_wire(raw.description), dict(orb.properties(raw.configuration_data)),
             set_id == self.active,
         )
 

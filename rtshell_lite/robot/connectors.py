@@ -84,9 +84,7 @@ async def connect(ends, name="", connector_id="", given=None):
     )
     refs = [port.ref for port in sorted(ends, key=lambda port: port.type == "DataInPort")]
     asked = orb.struct(PROFILE)(
-        to_wire(name),
-        to_wire(connector_id),
-        refs,
+        to_wire(name), to_wire(connector_id), refs,
         orb.nvlist(sorted(ports.connection_properties(ends, given).items())),
     )
     code, raw = await orb.call(ports.between(ends), refs[0], "connect", asked)
@@ -117,10 +115,7 @@ def _why_refused(code, ends, connector_id):
         return f"already connected (id {printable(already[0].id)})"
     if code == "PRECONDITION_NOT_MET" and connector_id:
         return f"refused; id {printable(connector_id)} is in use, or the component takes no ids (RtORB)"
-    if already:
-        also = f"; it is connected already (id {printable(already[0].id)})"
-    else:
-        also = ""
+    also = f"; it is connected already (id {printable(already[0].id)})" if already else ""
     return f"refused by the component ({code}){also}"
 
 
@@ -147,8 +142,7 @@ async def disconnect(port, connector, is_forced=False):
         await blocking.until_safe(port, connector)
     connector_id = to_wire(connector.id)
     for operation in (
-        "disconnect",
-        "notify_disconnect",
+        "disconnect", "notify_disconnect"
     ):  # the second reaches this end alone, for a dead far end
         failure = await _forgetting_failed(port, operation, connector_id)
         if failure is None:

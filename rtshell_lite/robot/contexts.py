@@ -30,9 +30,7 @@ async def _entry(node, index, ref):
     if context is None:
         return Entry(index, None, "Unknown", "", [])
     return Entry(
-        index,
-        context,
-        (await component.states(node, [ref]))[0],
+        index, context, (await component.states(node, [ref]))[0],
         await component.instance_name(node, context.owner),
         [await component.instance_name(node, ref) for ref in context.participants],
     )

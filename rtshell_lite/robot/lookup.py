@@ -18,17 +18,7 @@ import os
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.path import (
-    ANY,
-    REFERENCES,
-    ROOT,
-    Name,
-    Path,
-    elements,
-    follow,
-    has_kind,
-    is_absolute,
-    parse,
-    split_address,
+    ANY, REFERENCES, ROOT, Name, Path, elements, follow, has_kind, is_absolute, parse, split_address,
     working_directory,
 )
 from rtshell_lite.robot import tree
@@ -50,10 +40,7 @@ async def tops(words, dotted=False):
     these are name servers in the first place (robot1.local), is a name server, too, where the working
     directory has no such entry. Raises Usage for a port.
     """
-    if dotted:
-        may_be_server = _may_be_dotted
-    else:
-        may_be_server = _may_be_host
+    may_be_server = _may_be_dotted if dotted else _may_be_host
     found = [await _path(word, may_be_server) for word in words]
     for word, path in zip(words, found):
         if path.port is not None:
@@ -116,10 +103,7 @@ def _is_found_below(above):
 async def _is_here(word, first, rest):
     """Whether the working directory has an entry for the first element of a relative path."""
     try:
-        if rest:
-            path = parse(first + "/x").parent()
-        else:
-            path = parse(word).object()
+        path = parse(first + "/x").parent() if rest else parse(word).object()
         await tree.resolve(path)
         return True
     except errors.Error:
@@ -199,10 +183,7 @@ async def below(path):
     if path.server == "**":
         wanted = (Name("**", ""),) + wanted
     nodes = await _walk(path.child(Name("", "")))
-    fitting = []
-    for node in nodes:
-        if _fits(node.path.names, wanted + node.path.names[-1:]):
-            fitting.append(node)
+    fitting = [node for node in nodes if _fits(node.path.names, wanted + node.path.names[-1:])]
     return fitting
 
 
@@ -239,10 +220,7 @@ async def _single(path):
 async def _walk(path):
     """The Nodes below what comes before the first pattern of a Path."""
     patterns = [name.id for name in path.names if _is_any(name)]
-    if path.server == "**" or "**" in patterns:
-        depth = None
-    else:
-        depth = len(path.names)
+    depth = None if path.server == "**" or "**" in patterns else len(path.names)
     if path.server in ANY:
         servers = [tree.name_server(address) for address in tree.servers()]
         return await tree.walk_servers(servers, depth or tree.DEPTH, managers=False)

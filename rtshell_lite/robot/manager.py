@@ -92,10 +92,7 @@ def check_argument(argument):
     Managers know no escaping: they refuse a second ? and skip what is not KEY=VALUE, both silently.
     """
     module, mark, pairs = argument.partition("?")
-    wrong = []
-    for pair in pairs.split("&"):
-        if pair and pair.count("=") != 1:
-            wrong.append(pair)
+    wrong = [pair for pair in pairs.split("&") if pair and pair.count("=") != 1]
     if not module or "?" in pairs or wrong:
         raise errors.Usage(f"not MODULE[?KEY=VALUE&KEY=VALUE…]: {printable(argument)}")
 
@@ -176,10 +173,7 @@ async def labels(node, operation, key=None):
 
 
 async def _modules(node, operation):
-    if operation == "get_loadable_modules":
-        seconds = MODULES_TIME
-    else:
-        seconds = None
+    seconds = MODULES_TIME if operation == "get_loadable_modules" else None
     return [dict(orb.properties(module.properties)) for module in await node.call(operation, seconds=seconds)]
 
 
@@ -324,10 +318,7 @@ async def whole_id(node, ident):
 async def _why_not(node, argument):
     """What can be found out of the reason: managers give none."""
     ident = argument.partition("?")[0]
-    if ident.count(":") > 3:
-        wanted = ident.split(":")[3]
-    else:
-        wanted = ident
+    wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
     factories = await modules(node, "get_factory_profiles")
     alike = [factory for factory in factories if factory.get("implementation_id") == wanted]
     if not alike:
@@ -336,10 +327,7 @@ async def _why_not(node, argument):
     if ident != wanted and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
-    if most != "0":
-        limit = f"its max_instance of {printable(most)} is reached, "
-    else:
-        limit = ""
+    limit = f"its max_instance of {printable(most)} is reached, " if most != "0" else ""
     return f"a wrong argument, {limit}or its own initialisation failed"
 
 
@@ -512,10 +500,7 @@ async def set_configuration(node, key, value):
     code = str(await node.call("set_configuration", to_wire(key), to_wire(value)))
     now = dict(await configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
-        if now is None:
-            shown = "missing"
-        else:
-            shown = printable(now) or "empty"
+        shown = "missing" if now is None else printable(now) or "empty"
         raise errors.Refused(
             str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})"
         )

@@ -15,8 +15,7 @@ DIRECTORIES = ("root", "server", "directory", "manager")
 DOUBTFUL = ("silent", "unasked")  # kinds of objects that may live, though nothing has come from them
 
 _COMPONENTS = (
-    "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0",
-    "IDL:omg.org/RTC/RTObject:1.0",
+    "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0", "IDL:omg.org/RTC/RTObject:1.0",
     "IDL:openrtm.aist.go.jp/OpenRTM/FiniteStateMachineComponent:1.0",
 )
 _RTOBJECT = "IDL:omg.org/RTC/RTObject:1.0"
@@ -95,10 +94,7 @@ class Node:
     def _narrowed(self):
         if self.kind in ("server", "directory"):
             return orb.context(self.ref)
-        if self.kind == "manager":
-            interface = "RTM.Manager"
-        else:
-            interface = "OpenRTM.DataFlowComponent"
+        interface = "RTM.Manager" if self.kind == "manager" else "OpenRTM.DataFlowComponent"
         return orb.narrow(self.ref, interface)
 
     async def call(self, operation, *args, **more):

@@ -24,9 +24,7 @@ DEFAULTS = (
 
 # where components look for the rate of a periodic connection
 RATES = (
-    "dataport.publisher.push_rate",
-    "dataport.push_rate",
-    "dataport.outport.publisher.push_rate",
+    "dataport.publisher.push_rate", "dataport.push_rate", "dataport.outport.publisher.push_rate",
     "dataport.outport.push_rate",
 )
 # Properties of a connection that OpenRTM-aist reads (InPortConnector, OutPortConnector, PublisherNew,
@@ -34,19 +32,9 @@ RATES = (
 PROPERTIES = [
     "dataport." + name
     for name in (
-        "buffer.length",
-        "buffer.read.empty_policy",
-        "buffer.read.timeout",
-        "buffer.write.full_policy",
-        "buffer.write.timeout",
-        "data_type",
-        "dataflow_type",
-        "interface_type",
-        "publisher.push_policy",
-        "publisher.push_rate",
-        "publisher.skip_count",
-        "serializer.cdr.endian",
-        "subscription_type",
+        "buffer.length", "buffer.read.empty_policy", "buffer.read.timeout", "buffer.write.full_policy",
+        "buffer.write.timeout", "data_type", "dataflow_type", "interface_type", "publisher.push_policy",
+        "publisher.push_rate", "publisher.skip_count", "serializer.cdr.endian", "subscription_type",
     )
 ]
 # of a component, of a port, of a connector; more are not taken
@@ -121,10 +109,7 @@ async def port(node, ref, failures=None, brief=False):
 
     `brief`: without interfaces, and with no property but its type: they take most of the memory.
     """
-    if brief:
-        part = KIND
-    else:
-        part = None
+    part = KIND if brief else None
     try:
         profile = await component.once_more(
             lambda: orb.call(node.path, ref, "get_port_profile", part=part), failures
@@ -148,14 +133,8 @@ async def port(node, ref, failures=None, brief=False):
     if kind not in DATA + ("CorbaPort",):
         kind = "Port"
     return Port(
-        node,
-        cut(from_wire(profile.name)),
-        kind,
-        properties,
-        [_interface(i) for i in interfaces],
-        [connector(c, node.path) for c in connectors],
-        ref,
-        orb.one_of(profile.owner, node.ref),
+        node, cut(from_wire(profile.name)), kind, properties, [_interface(i) for i in interfaces],
+        [connector(c, node.path) for c in connectors], ref, orb.one_of(profile.owner, node.ref),
     )
 
 
@@ -168,9 +147,7 @@ def connector(profile, where):
     """The Connector that a ConnectorProfile describes."""
     ends = notes.first(MOST_ENDS, profile.ports, where, "ends of a connector")
     return Connector(
-        from_wire(profile.connector_id),
-        cut(from_wire(profile.name)),
-        ends,
+        from_wire(profile.connector_id), cut(from_wire(profile.name)), ends,
         orb.properties(profile.properties),
     )
 
@@ -294,10 +271,7 @@ def _data_mismatches(ends, types, properties):
     if len(ends) == 1 and interface.lower() not in CORBA_INTERFACES:
         return _not_offered(ends, "dataport.interface_type", interface)
     if len(set(types)) == 1:
-        if len(ends) == 1:
-            each_is = "it is"
-        else:
-            each_is = "each is"
+        each_is = "it is" if len(ends) == 1 else "each is"
         return [f"{each_is} a {types[0]}; a connection needs an in port and an out port"]
     reasons = []
     data_types = [port.properties.get("dataport.data_type", "") for port in ends]
@@ -350,10 +324,7 @@ def _short_key(key):
 
 def _short_type(type_id):
     """RTC/TimedLong of IDL:RTC/TimedLong:1.0."""
-    if type_id.startswith("IDL:"):
-        name = type_id[4:]
-    else:
-        name = type_id
+    name = type_id[4:] if type_id.startswith("IDL:") else type_id
     return name.rpartition(":")[0] or name
 
 

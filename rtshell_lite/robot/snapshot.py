@@ -119,10 +119,7 @@ async def ask_all(snapshots, **parts):
 
     answers = await session.each(snapshots, ask, lambda snapshot: (snapshot.node.endpoint, snapshot.where))
     for snapshot, answer in zip(snapshots, answers):
-        if isinstance(answer, errors.Error):
-            snapshot.error = answer
-        else:
-            snapshot.error = None
+        snapshot.error = answer if isinstance(answer, errors.Error) else None
 
 
 # ---- how each part is asked for ----

@@ -101,10 +101,7 @@ async def _command(node, transition, index):
 
 
 def _words(transition, index, node):
-    if index is None:
-        option = []
-    else:
-        option = ["-e", str(index)]
+    option = [] if index is None else ["-e", str(index)]
     return " ".join([transition.command] + option + [shell_word(str(node.path))])
 
 
@@ -367,10 +364,7 @@ async def _reach(node, ref, transition, code, before, wait, start):
         raise errors.Refused(
             str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}"
         )
-    if wait is None:
-        seconds = session.current().timeout
-    else:
-        seconds = wait
+    seconds = session.current().timeout if wait is None else wait
     await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
         await check_still_active(node, ref, transition, start + seconds - loop.now())

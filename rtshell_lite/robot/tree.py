@@ -19,18 +19,8 @@ from rtshell_lite.path import DEFAULT_PORT, MANAGER_PORT, REFERENCES, ROOT, Name
 
 # other modules use these as tree.check_alive, tree.Node …
 from rtshell_lite.robot.node import (
-    DIRECTORIES,
-    DOUBTFUL,
-    Node,
-    bound,
-    check_alive,
-    classified,
-    classify_answer,
-    kind_of,
-    name_server_error,
-    on_nodes,
-    stream_nodes,
-    unusable,
+    DIRECTORIES, DOUBTFUL, Node, bound, check_alive, classified, classify_answer, kind_of, name_server_error,
+    on_nodes, stream_nodes, unusable,
 )
 from rtshell_lite.records import cached
 from rtshell_lite.text import closest, from_wire, printable, shell_word
@@ -148,8 +138,7 @@ async def _resolved(server, path):
     await _directory(server)
     for size, name in enumerate(path.names[:-1], 1):
         if name.kind in (
-            "rtc",
-            "mgr",
+            "rtc", "mgr"
         ):  # otherwise the name server asks this object whether it is a naming context
             above = await _directory(await _resolved(server, path._replace(names=path.names[:size])))
             if above.kind == "manager":
@@ -395,9 +384,7 @@ async def slaves(node):
         if e.name == "BAD_OPERATION":  # managers of RtORB have no slaves
             return []
         raise
-    asked = []
-    for i, ref in enumerate(refs):
-        asked.append(Node(node.path.child(Name(f"slave{i}", "")), "manager", ref))
+    asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
     answers = await on_nodes(asked, _manager_profile)
     nodes = []
     for slave, answer, name in zip(asked, answers, _distinct_names(answers)):
@@ -470,10 +457,7 @@ async def walk(node, depth=None, managers=True, objects=()):
     `silent`. Components are not asked whether they live. `objects` as in `children`, below one name server.
     What exceeds a _Limit is left out, which is reported.
     """
-    if depth is None:
-        depth = DEPTH
-    else:
-        depth = min(depth, DEPTH)
+    depth = DEPTH if depth is None else min(depth, DEPTH)
     if node.kind != "root":
         return await _walk(node, depth, managers, aliases.Known(), objects)
     if not depth:
@@ -487,8 +471,7 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
     what two of them share is an alias in the second.
     """
     parts = await session.each(
-        servers,
-        lambda server: _walk(server, depth, managers, aliases.Known(servers)),
+        servers, lambda server: _walk(server, depth, managers, aliases.Known(servers)),
         lambda server: (server.endpoint, str(server.path)),
     )
     known = aliases.Known(servers)

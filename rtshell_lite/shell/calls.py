@@ -40,10 +40,7 @@ def _named(member):
 def _arguments(operation, word, before):
     """The values of the next parameter, and the names of those that are not given yet."""
     inputs = operation.inputs()
-    named = []
-    for each in before:
-        if "=" in each:
-            named.append(each.partition("=")[0])
+    named = [each.partition("=")[0] for each in before if "=" in each]
     left = []
     for parameter in inputs[len(before) - len(named) :]:
         if parameter.name not in named:

@@ -20,10 +20,7 @@ def text():
     for name, path in sorted(installation.commands().items()):
         module = installation.load(path, "rtshell_lite command")
         parser = options.parser(module.arguments, module.__doc__, name)
-        own = []
-        for action in parser._actions:
-            if (action.dest, action.help) not in known:
-                own.append(action)
+        own = [action for action in parser._actions if (action.dest, action.help) not in known]
         parts.append(_part(name, parser, own))
     return "\n".join(parts)
 

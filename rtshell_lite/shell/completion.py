@@ -235,10 +235,7 @@ async def _entries_below(path):
     """The _Entries of all directories that a Path with * or ** fits; no component is asked."""
     entries = []
     for node in await lookup.below(path):
-        if node.kind == "server":
-            kind = "directory"
-        else:
-            kind = _BY_NAME.get(node.path.names[-1].kind, node.kind)
+        kind = "directory" if node.kind == "server" else _BY_NAME.get(node.path.names[-1].kind, node.kind)
         entries.append(_Entry(node.name, kind))
     return entries
 
@@ -251,10 +248,7 @@ async def _entries(path):
     if node.kind in ("server", "directory"):
         entries = []
         for name, is_context in await tree.bound(node):
-            if is_context:
-                kind = "directory"
-            else:
-                kind = _BY_NAME.get(name.kind, "object")
+            kind = "directory" if is_context else _BY_NAME.get(name.kind, "object")
             entries.append(_Entry(str(name), kind))
         return entries
     if node.kind not in tree.DIRECTORIES:
@@ -278,8 +272,7 @@ async def _ports(component, types):
     node = await tree.component(path)
     return [
         Candidate(
-            component + ports.label(port)[len(str(node.path)) :],
-            True,
+            component + ports.label(port)[len(str(node.path)) :], True,
             port.properties.get("dataport.data_type", ""),
         )
         for port in await ports.ports(node)
@@ -325,10 +318,7 @@ async def _calls(word, positional):
         return await _services(word, positional)
     from rtshell_lite.shell import calls
 
-    idl = []
-    for option, value in zip(positional.line, positional.line[1:]):
-        if option == "--idl":
-            idl.append(value)
+    idl = [value for option, value in zip(positional.line, positional.line[1:]) if option == "--idl"]
     return [Candidate(*found) for found in await calls.offered(word, positional, idl)]
 
 

@@ -50,10 +50,7 @@ def split(line):
         elif words:
             commands.append(words)
             words = []
-        if token.end() > position:
-            position = token.end()
-        else:
-            position = len(line)
+        position = token.end() if token.end() > position else len(line)
     if words:
         return commands + [words]
     return commands

@@ -79,9 +79,7 @@ def _command_page(name, path, date):
         lines += [".SH JSON"] + _entries(fields)
     lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
     lines += [
-        ".SH SEE ALSO",
-        ".BR rtshell_lite (7):",
-        "options of all commands, paths, exit statuses, environment",
+        ".SH SEE ALSO", ".BR rtshell_lite (7):", "options of all commands, paths, exit statuses, environment"
     ]
     return _page(lines)
 

@@ -102,10 +102,7 @@ def split(line, fish=False):
     redirected = False
     word = None  # type: str
     # within double quotes
-    if fish:
-        special = "$"
-    else:
-        special = "$`"
+    special = "$" if fish else "$`"
     rest = iter(line)
     for c in rest:
         if quote == "'":

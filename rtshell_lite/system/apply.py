@@ -193,10 +193,7 @@ async def _look(outcomes):
     ready = []
     todo = []
     for outcome in outcomes:
-        if outcome.step.tolerant:
-            dead = None
-        else:
-            dead = outcome.step.placement_error()
+        dead = None if outcome.step.tolerant else outcome.step.placement_error()
         if dead is not None:
             outcome.error = dead
         else:
@@ -241,10 +238,7 @@ async def _mark_dead(outcomes, others=()):
         )
     )
     for placement, node, is_unsure in zip(asked.values(), nodes, unsure):
-        if is_unsure:
-            placement.error = next(again).error
-        else:
-            placement.error = node.error
+        placement.error = next(again).error if is_unsure else node.error
 
 
 def _living_placements(outcomes):

@@ -60,23 +60,12 @@ async def ask(node, brief=False, states=True, everything=False):
         of_profile = NAMES
     else:
         of_ports = of_profile = FULL
-    if everything:
-        of_contexts = FULL
-    else:
-        of_contexts = PROFILE
-    if states:
-        in_contexts = {"participating": BRIEF, "states": FULL}
-    else:
-        in_contexts = {}
+    of_contexts = FULL if everything else PROFILE
+    in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
     if everything:
         in_contexts.update(participating=FULL, composites=FULL, members=FULL, names=FULL)
     shown = await snapshot.of(
-        node,
-        ports=of_ports,
-        owned=of_contexts,
-        **in_contexts,
-        configuration=FULL,
-        organisations=FULL,
+        node, ports=of_ports, owned=of_contexts, **in_contexts, configuration=FULL, organisations=FULL,
         profile=of_profile,
     )
     if states and not everything and len(shown.contexts) > 1:  # one context counts, whether it runs or not
@@ -108,15 +97,9 @@ def found_in(shown, brief=False):
         sets = []
         active = ""
     return ComponentState(
-        node,
-        ports.in_system(shown.ports),
-        contexts,
-        {context.handle: state for context, state in zip(shown.contexts, shown.states)},
-        sets,
-        active,
-        [member for each in shown.organisations for member in each.members],
-        shown.profile,
-        None,
+        node, ports.in_system(shown.ports), contexts,
+        {context.handle: state for context, state in zip(shown.contexts, shown.states)}, sets, active,
+        [member for each in shown.organisations for member in each.members], shown.profile, None,
     )
 
 
@@ -316,12 +299,8 @@ def _member(ref, found):
 def _component(each, found, notes):
     instance = each.profile.instance_name
     made = model.Component(
-        id=component_id(each.profile),
-        path_uri=path_uri(each.node),
-        active_configuration_set=each.active,
-        instance_name=instance,
-        is_required=True,
-        location=model.Location(),
+        id=component_id(each.profile), path_uri=path_uri(each.node), active_configuration_set=each.active,
+        instance_name=instance, is_required=True, location=model.Location(),
     )
     for kind in ("DataInPort", "DataOutPort"):
         names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == kind)
@@ -346,10 +325,7 @@ def _component(each, found, notes):
         if member is not None:
             made.participants.append(model.Participant(component=_target(model.TargetComponent, member)))
             continue
-        if isinstance(name, errors.Error):
-            name = "that does not answer"
-        else:
-            name = printable(name)
+        name = "that does not answer" if isinstance(name, errors.Error) else printable(name)
         notes.append(f"{each.node.path}: its member {name} is not in the system, left out")
     made.participants.sort(key=lambda one: one.component.instance_name)
     return made
@@ -379,10 +355,8 @@ def _context(each, context, found, notes):
 def _target(kind, each, **more):
     """A reference to a component inside a profile."""
     return kind(
-        component_id=component_id(each.profile),
-        instance_name=each.profile.instance_name,
-        properties=[model.Property(name=PATH_ID, value=path_uri(each.node))],
-        **more,
+        component_id=component_id(each.profile), instance_name=each.profile.instance_name,
+        properties=[model.Property(name=PATH_ID, value=path_uri(each.node))], **more,
     )
 
 

@@ -188,10 +188,7 @@ class _State(steps.Step):
             return None
         handle = int(self.handle)
         own = {context.handle: context for context in found.owned}
-        others = []
-        for other, state in found.states.items():
-            if (other in own) != (handle in own):
-                others.append(state)
+        others = [state for other, state in found.states.items() if (other in own) != (handle in own)]
         is_stopped = handle in own and not own[handle].running
         if "Active" in others or is_stopped and others:
             return None
@@ -251,10 +248,7 @@ def _end_names(step):
     """What the ends of a connection are called, also where the file has no component for one."""
     names = []
     for (placement, port), end in zip(step.ends, step.connector.ends):
-        if placement is None:
-            component = f"({printable(end.instance_name)})"
-        else:
-            component = placement.where
+        component = f"({printable(end.instance_name)})" if placement is None else placement.where
         names.append(f"{component}:{printable(port)}")
     return names
 
@@ -276,10 +270,7 @@ def _remarks(step):
     if any(placement.found is None for placement in step.placements):
         return []
     at = step.known_answers()
-    if errors.split(at)[1]:
-        actual = None
-    else:
-        actual = step.other_id(at)
+    actual = None if errors.split(at)[1] else step.other_id(at)
     if actual is None:
         return []
     remark = _in_words(step, steps.Difference("other id", None, step.connector.connector_id, actual, None))
@@ -324,10 +315,7 @@ def _in_words(step, difference):
 
 def _difference(step, template, path, expected=None, actual=None, words=()):
     """The Difference with a message as in MESSAGES; `words` are more that the template may name."""
-    if step.kind == "connect":
-        check = "connection"
-    else:
-        check = step.kind
+    check = "connection" if step.kind == "connect" else step.kind
     named = dict(words, path=path, expected=_shown(expected), actual=_shown(actual))
     message = re.sub(r"[][]", "", template).format(**named)
     brief = re.sub(r"\[.*?\]", "", template).format(**named)
@@ -397,10 +385,8 @@ def _extra(listed, there):
                 )
                 differences.append(
                     _beyond(
-                        "connection",
-                        placement.required,
-                        f"Connection not in the file: {printable(connector.id)} " f"between {ends}",
-                        ends,
+                        "connection", placement.required,
+                        f"Connection not in the file: {printable(connector.id)} " f"between {ends}", ends,
                         connector.id,
                     )
                 )
@@ -414,11 +400,9 @@ def _extra_configuration(placement):
     for one in placement.found.sets:
         if one.id not in listed:
             yield _beyond(
-                "configuration",
-                True,
+                "configuration", True,
                 f"Configuration set not in the file: {printable(one.id)} on component {placement.where}",
-                placement.where,
-                one.id,
+                placement.where, one.id,
             )
             continue
         for name in one.values:

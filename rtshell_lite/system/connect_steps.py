@@ -57,10 +57,7 @@ class Unplaced(steps.Step):
     def differences(self, answers):
         lost = next(end for end, (placement, _) in zip(self.connector.ends, self.ends) if placement is None)
         yield Difference(
-            "unplaced",
-            self.connector.connector_id,
-            None,
-            None,
+            "unplaced", self.connector.connector_id, None, None,
             errors.Failed(self.where, f"the file has no component for its end {printable(lost.port_name)}"),
         )
 

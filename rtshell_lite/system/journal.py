@@ -63,10 +63,7 @@ class Journal:
         if self._door is not None:
             logs.listen(self._door)
         while True:
-            new = []
-            for text, (node, _) in flight.components.items():
-                if text not in known:
-                    new.append(node.path)
+            new = [node.path for text, (node, _) in flight.components.items() if text not in known]
             known |= {str(path) for path in new}
             if new:
                 await self._begin(new, events, logs)

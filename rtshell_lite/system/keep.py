@@ -440,10 +440,7 @@ class Keeper(presence.Presence):
         begun = loop.now()
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
         for kept in todo:
-            own = []
-            for result in results:
-                if result.action.component is kept.placement.component:
-                    own.append(result.error)
+            own = [result.error for result in results if result.action.component is kept.placement.component]
             self._started(kept, list(filter(None, own)), begun)
 
     async def _carry_out(self, actions, transition, some, outcome_of):

@@ -34,10 +34,7 @@ class Placement:
         self.instance = component.instance_name
         self.required = component.is_required
         self.path = relocate.path_in(component.path_uri)
-        if self.path.names:
-            self.where = str(self.path)
-        else:
-            self.where = capture.shown_path(component)
+        self.where = str(self.path) if self.path.names else capture.shown_path(component)
         self.found = self.node = self.error = None
         if not self.path.names:
             self.error = errors.Failed(self.where, "not the path of a component")

@@ -84,16 +84,8 @@ def _actions(profile, start):
         for place, context in enumerate(contexts):
             actions.append(
                 Action(
-                    len(actions) + 1,
-                    component,
-                    context,
-                    place,
-                    capture.shown_path(component),
-                    start and component.is_required,
-                    None,
-                    None,
-                    (),
-                    (),
+                    len(actions) + 1, component, context, place, capture.shown_path(component),
+                    start and component.is_required, None, None, (), (),
                 )
             )
     return actions
@@ -127,10 +119,7 @@ class _Targets:
             self.problems.append(f"{called} may be {paths} (the property {capture.PATH_ID} decides)")
             return []
         actions = self._actions[id(component)]
-        found = []
-        for action in actions:
-            if target.id in ("", action.context):
-                found.append(action.number)
+        found = [action.number for action in actions if target.id in ("", action.context)]
         if not found:
             self.problems.append(
                 f"{actions[0].path} has no execution context {printable(target.id)} in the file"
@@ -167,9 +156,7 @@ def _with_conditions(action, conditions, targets, notes):
         )
     return action._replace(
         order=min([condition.sequence for condition in conditions], default=None),
-        wait=max(waits, default=None),
-        after=tuple(_once(after)),
-        texts=tuple(_once(texts)),
+        wait=max(waits, default=None), after=tuple(_once(after)), texts=tuple(_once(texts)),
     )
 
 
@@ -187,8 +174,7 @@ def _contradictions(action, conditions):
     for after in action.after:
         twice.setdefault(after.number, []).append("%s within %dms" % (after.text, after.timeout))
     for texts in [
-        ["Order %d" % one for one in sorted(plain)],
-        ["Wait %dms" % one for one in sorted(waits)],
+        ["Order %d" % one for one in sorted(plain)], ["Wait %dms" % one for one in sorted(waits)]
     ] + list(twice.values()):
         if len(texts) > 1:
             yield where + " contradicts ".join(texts)
@@ -334,10 +320,7 @@ def _steps(actions):
     for action in actions:
         if not _waits(action):
             is_member = (action.component.id, action.component.instance_name) in members
-            if action.order is None:
-                order = -1
-            else:
-                order = action.order
+            order = -1 if action.order is None else action.order
             steps.setdefault((order, is_member), []).append(action)
     return [steps[key] for key in sorted(steps)]
 
@@ -396,10 +379,7 @@ class Schedule:
             fresh = [action for action in self._waiting if action.number not in self.ended]
             judged = [(action, self._verdict(action, now)) for action in fresh]
             self._waiting = [action for action, verdict in judged if verdict == "wait"]
-            new = []
-            for action, verdict in judged:
-                if verdict != "wait":
-                    new.append(self._judged(action, verdict))
+            new = [self._judged(action, verdict) for action, verdict in judged if verdict != "wait"]
             found += new
             if all(reason is None for _, reason in new):  # what will not be tried stops others
                 break
@@ -449,10 +429,7 @@ class Schedule:
         return None
 
     def _reason(self, how, other):
-        if self.ended[other.number] == NOT_TRIED:
-            failed = "was not tried"
-        else:
-            failed = "failed"
+        failed = "was not tried" if self.ended[other.number] == NOT_TRIED else "failed"
         return f"it {how} {other.path}, which {failed}"
 
     def next_time(self, now):

@@ -81,10 +81,7 @@ class Trial:
         if self.failures and now - self.failures[-1] > HEALTH:
             self.failures = []
         self.failures.append(now)
-        recent = []
-        for when in self.failures:
-            if now - when < self.policy.within:
-                recent.append(when)
+        recent = [when for when in self.failures if now - when < self.policy.within]
         self.given_up = len(recent) > self.policy.burst
         delay = 0.0
         if len(self.failures) > 1:

@@ -34,20 +34,14 @@ def _report(args, outcomes):
             is_good = outcome.status in ("done", "already done") or args.dry_run and outcome.pending
             tally.done += is_good and not args.rollback
             if outcome.status != "already done":
-                if outcome.error:
-                    why = " because of " + outcome.error.where
-                else:
-                    why = ""
+                why = " because of " + outcome.error.where if outcome.error else ""
                 notes.detail(f"{outcome.step.title}: {outcome.status}{why}")
         elif outcome.step.required:
             tally.add(outcome.error)
         else:
             notes.note(f"{outcome.error} (not required)")
     if any(counts.values()) and not args.dry_run:
-        if tally.statuses:
-            tell = notes.note
-        else:
-            tell = notes.detail
+        tell = notes.note if tally.statuses else notes.detail
         parts = ["%d %s" % (number, status) for status, number in counts.items() if number]
         tell(", ".join(parts))
     return tally.status()

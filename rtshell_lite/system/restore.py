@@ -46,10 +46,7 @@ async def restoring(profile, options):
 async def commands(profile, planned, options):
     """The commands that would bring the system to what a profile says now, its states by its Plan."""
     outcomes = await restoring(profile, options)
-    found = []
-    for outcome in outcomes:
-        if outcome.pending and not outcome.likely:
-            found.append(outcome.step.command)
+    found = [outcome.step.command for outcome in outcomes if outcome.pending and not outcome.likely]
     states = dict(zip(map(id, profile.components), await capture.states(profile)))
     for action in plan.in_order(planned.actions):
         state = states.pop(id(action.component), "Active")
@@ -200,10 +197,7 @@ def _named_managers(profile, locate):
     for component in profile.components:
         own = component.property(capture.MANAGER)
         if own:
-            if own.startswith("corbaloc:"):
-                managers[id(component)] = own
-            else:
-                managers[id(component)] = "/" + own.lstrip("/")
+            managers[id(component)] = own if own.startswith("corbaloc:") else "/" + own.lstrip("/")
     return managers
 
 
@@ -348,10 +342,7 @@ async def tearing_down(profile, options, is_forced=False):
     for placement in lost:
         if not (some and placements.is_gone(placement.error)):
             outcomes.append(await presence(placement))
-    notes = []
-    for placement in lost:
-        if some and placements.is_gone(placement.error):
-            notes.append(str(placement.error))
+    notes = [str(placement.error) for placement in lost if some and placements.is_gone(placement.error)]
     placement_of = placements.finder(capture.locator(profile, options.strict), listed)
     removals = connect_steps.disconnecting(profile, placement_of)
     for step in removals:

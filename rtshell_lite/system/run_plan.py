@@ -111,10 +111,7 @@ class Run:
     async def find(self, profile):
         """Find the components; their contexts are asked for when it is their turn."""
         for wanted, answer in zip(profile.components, await self._look(profile, _unasked)):
-            if isinstance(answer, errors.Error):
-                self._found[id(wanted)] = answer
-            else:
-                self._found[id(wanted)] = (answer, None)
+            self._found[id(wanted)] = answer if isinstance(answer, errors.Error) else (answer, None)
 
     def take(self, nodes, ended):
         """Have only the actions done whose components are in `nodes`, {id of a model.Component: Node};

@@ -113,19 +113,13 @@ class Present(Step):
                 f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)
             ]
             yield Difference(
-                "instance name",
-                None,
-                wanted.instance_name,
-                profile.instance_name,
+                "instance name", None, wanted.instance_name, profile.instance_name,
                 errors.WrongKind(self.where, *names),
             )
         actual = capture.component_id(profile)
         if wanted.id and actual != wanted.id:  # a file that was converted has none
             yield Difference(
-                "id",
-                None,
-                wanted.id,
-                actual,
+                "id", None, wanted.id, actual,
                 errors.WrongKind(self.where, printable(wanted.id), printable(actual)),
             )
 
@@ -339,8 +333,7 @@ class Values(_Configuring):
                     value,
                     None,
                     errors.NoSuch(
-                        self.where,
-                        "configuration parameter",
+                        self.where, "configuration parameter",
                         f"{printable(name)} in set {printable(self.set_id)}",
                     ),
                 )
@@ -394,10 +387,7 @@ class Active(_Configuring):
         if self.set_id == "default" and all(map(configuration.hidden, present)):
             # components without configuration have no set at all, and files name this one nevertheless
             return
-        if self.set_id in present:
-            obstacle = None
-        else:
-            obstacle = self.unknown_set
+        obstacle = None if self.set_id in present else self.unknown_set
         yield Difference("active set", None, self.set_id, now.active or None, obstacle)
 
     async def act(self, answers):
@@ -422,8 +412,7 @@ class Participants(Step):
     def __init__(self, placement, index, handle, participants):
         names = ", ".join(printable(participant.instance) for participant in participants)
         super().__init__(
-            [placement] + participants,
-            placement.where,
+            [placement] + participants, placement.where,
             f"participants {names} in execution context {handle} of {placement.where}",
         )
         self.placement = placement
@@ -480,10 +469,7 @@ def own_contexts(placement):
     """(number as -e counts, handle, model.ExecutionContext) of the contexts that the file lists for a
     component and that it owns.
     """
-    if placement.found:
-        owned = [context.handle for context in placement.found.owned]
-    else:
-        owned = None
+    owned = [context.handle for context in placement.found.owned] if placement.found else None
     for place, wanted in enumerate(placement.component.execution_contexts):
         if wanted.id.isdigit() and owned is None:
             yield place, int(wanted.id), wanted

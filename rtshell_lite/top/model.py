@@ -223,18 +223,8 @@ class Entry:
         if self.links is not None:
             links = len(self.links)
         return Row(
-            path,
-            name,
-            self.kind,
-            self.state,
-            first and first.rate,
-            running,
-            self.ports,
-            links,
-            self.failure,
-            self.since and loop.now() - self.since,
-            self.event,
-            self.measured(),
+            path, name, self.kind, self.state, first and first.rate, running, self.ports, links,
+            self.failure, self.since and loop.now() - self.since, self.event, self.measured(),
         )
 
 
@@ -342,10 +332,7 @@ class Top:
             nodes, failed = await _walk(top, known)
             lost = any(isinstance(error, errors.Unreachable) for error in failed.values())
             # without their name server, they may still live
-            if lost:
-                identities = dict(self._found.get(top, {}))
-            else:
-                identities = {}
+            identities = dict(self._found.get(top, {})) if lost else {}
             for node in nodes:
                 identity = orb.identity(node.ref)
                 identities[str(node.path)] = identity
@@ -629,10 +616,7 @@ async def _description(node):
 async def _neighbours(node):
     """The paths, as text, of the components that one is connected with."""
     ends = await places.far_ends(await ports.ports(node))
-    found = []
-    for end in ends.values():
-        if end.port is not None and end.port.node is not None:
-            found.append(end.port.node)
+    found = [end.port.node for end in ends.values() if end.port is not None and end.port.node is not None]
     return {str(far.path.object()) for far in found}
 
 

@@ -88,10 +88,7 @@ def _group(words, kind):
     where = path.parse(words)
     if kind == "directory":
         return str(where.parent())
-    hosts = []
-    for name in where.names:
-        if name.kind == "host_cxt":
-            hosts.append(text.printable(name.id))
+    hosts = [text.printable(name.id) for name in where.names if name.kind == "host_cxt"]
     return (hosts + [text.printable(where.server or "")])[0]
 
 
@@ -123,10 +120,7 @@ def summary(rows):
 
 def line(row):
     """A Row as a line below HEAD; it begins with the state."""
-    if row.failure:
-        why = ": " + reason(row.path, row.failure)
-    else:
-        why = ""
+    why = ": " + reason(row.path, row.failure) if row.failure else ""
     return "%-8s  %8s  %4s  %s" % (row.state or "", _rate(row), _connections(row), _name(row) + why)
 
 
@@ -174,10 +168,7 @@ def wide_lines(shown, listed):
     """Yield a line for each Row of `shown`, which are some of those `listed`, below their `wide_head`."""
     names, directories = _widths(listed)
     for row in shown:
-        if row.failure:
-            why = reason(row.path, row.failure)
-        else:
-            why = row.event
+        why = reason(row.path, row.failure) if row.failure else row.event
         yield "%s  %s  %5s    %s" % (
             text.padded(_wide_line(row), len(WIDE_HEAD) - len("COMPONENT") + names),
             text.padded(group(row, "directory"), directories),

@@ -160,10 +160,7 @@ class Site:
     def _note(self, row):
         """Note what a rows.Row says, if that is new."""
         state = {"?": "Unknown", "~": "Unknown", "-": "Unknown", None: None}.get(row.state, row.state)
-        if row.failure:
-            why = rows.reason(row.path, row.failure)
-        else:
-            why = safe(row.event)
+        why = rows.reason(row.path, row.failure) if row.failure else safe(row.event)
         _, (known, words) = self._now.get(row.path, (0, (None, "")))
         if state == known and words.startswith(why) and bool(why) == bool(words):
             return
@@ -202,10 +199,7 @@ class Site:
                 shown = answer.snapshot
                 shown.states = ["as above"] * len(shown.states)  # which the page keeps live
             self._details[path] = Detail(shown, entries[path].links, loop.now())
-        known = []
-        for detail in self._details.values():
-            if detail.snapshot is not None:
-                known.append(detail.snapshot)
+        known = [detail.snapshot for detail in self._details.values() if detail.snapshot is not None]
         ends = await places.far_ends([port for each in known for port in each.ports])
         lost = {}
         for path, entry in entries.items():

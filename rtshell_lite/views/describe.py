@@ -41,10 +41,7 @@ def lines(snapshot, level, ends, paint):
     """
     profile = snapshot.profile
     yield f"{snapshot.node.name}  {paint(component.merged(snapshot.states))}"
-    if snapshot.organisations:
-        kind = "Composite"
-    else:
-        kind = "Monolithic"
+    kind = "Composite" if snapshot.organisations else "Monolithic"
     if snapshot.composites:
         kind += " composite member"
     yield from _pairs(
@@ -90,10 +87,7 @@ def composition_lines(snapshot, level, tag, more, paint):
 
     Here and below, `tag` comes before headings, `more` before what is below them.
     """
-    if level:
-        sign = "-"
-    else:
-        sign = "+"
+    sign = "-" if level else "+"
     for organisation in snapshot.organisations:
         yield f"{tag}{sign}Composition {paint(printable(snapshot.profile.instance_name), 'bold')}"
         if level:
@@ -109,10 +103,7 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
     """The lines of one execution context; with the state of the component there if it is in several,
     and the owner if that is another.
     """
-    if level:
-        sign = "-"
-    else:
-        sign = "+"
+    sign = "-" if level else "+"
     if context.handle is None:
         yield f"{tag}+Execution Context of another component, which does not answer  {paint(state)}"
         return
@@ -124,10 +115,7 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
     yield words
     if not level:
         return
-    if context.running:
-        runs = "Running"
-    else:
-        runs = "Stopped"
+    runs = "Running" if context.running else "Stopped"
     items = [("State", runs), ("Kind", context.kind), ("Rate", str(float(context.rate)))]
     owner = instance(context.owner, snapshot)
     if owner:
@@ -208,12 +196,9 @@ def _shown(connector):
 def as_dict(snapshot, ends):
     """The JSON object of a component."""
     fields = dict(
-        snapshot.profile._asdict(),
-        properties=dict(snapshot.profile.properties),
-        path=str(snapshot.node.path),
-        state=component.merged(snapshot.states),
-        composite=bool(snapshot.organisations),
-        composite_member=bool(snapshot.composites),
+        snapshot.profile._asdict(), properties=dict(snapshot.profile.properties),
+        path=str(snapshot.node.path), state=component.merged(snapshot.states),
+        composite=bool(snapshot.organisations), composite_member=bool(snapshot.composites),
     )
     fields["compositions"] = [
         {"id": organisation.id, "members": snapshot.members[organisation.id]}

@@ -54,11 +54,8 @@ async def collect(node):
     loaded = [module.get("file_path", "") for module in await manager.modules(node, "get_loaded_modules")]
     try:
         return About(
-            node,
-            profile,
-            loaded,
-            sorted(module.get("module_file_path", "") for module in await manager.modules(node)),
-            None,
+            node, profile, loaded,
+            sorted(module.get("module_file_path", "") for module in await manager.modules(node)), None,
         )
     except errors.Refused as e:
         return About(node, profile, loaded, None, e)

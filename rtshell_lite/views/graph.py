@@ -206,10 +206,7 @@ def in_order(graph):
     waiting = collections.OrderedDict.fromkeys(range(len(left)))
     order = []
     while waiting:
-        if ready:
-            number = ready.popleft()
-        else:
-            number = next(iter(waiting))
+        number = ready.popleft() if ready else next(iter(waiting))
         if number not in waiting:
             continue
         del waiting[number]

@@ -118,10 +118,7 @@ def _port_ids(box):
             and short.lower() not in _KEYWORDS
             and short not in _COMPASS
         )
-        if plain and short not in ids.values():
-            ids[port] = short
-        else:
-            ids[port] = f"port{number}"
+        ids[port] = short if plain and short not in ids.values() else f"port{number}"
     return ids
 
 

@@ -129,10 +129,7 @@ def _path(start, end, way):
 
 
 def _line(path, service, name):
-    if service:
-        looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"'
-    else:
-        looks = 'marker-end="url(#arrow)"'
+    looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"' if service else 'marker-end="url(#arrow)"'
     return f'<path d="{path}" fill="none" stroke="black" {looks}><title>{_escaped(name)}</title></path>'
 
 

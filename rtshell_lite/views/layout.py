@@ -328,10 +328,7 @@ def _turns(detours):
     turns = collections.defaultdict(list)
     for number, detour in enumerate(detours):
         for end, (item, y, side) in enumerate(detour.ends):
-            if detour.lanes[-end] < item.row:
-                order = (1, y, number, end)
-            else:
-                order = (0, -y, number, end)
+            order = (1, y, number, end) if detour.lanes[-end] < item.row else (0, -y, number, end)
             turns[item.column, side].append((order, detour, end))
     return {key: sorted(found, key=lambda turn: turn[0]) for key, found in turns.items()}
 

@@ -24,8 +24,7 @@ async def all_blocks(paths, recurse, typed):
     `typed` is for the headers.
     """
     return await session.each(
-        list(zip(paths, typed)),
-        lambda item: blocks(item[0], recurse, text.safe(item[1])),
+        list(zip(paths, typed)), lambda item: blocks(item[0], recurse, text.safe(item[1])),
         lambda item: (tree.server_endpoint(item[0]), str(item[0])),
     )
 

@@ -66,10 +66,7 @@ def _tie(loose, profile, lost):
     else:
         host, port = loose.endpoint
         other = model.TargetPort(instance_name=f"{host}:{port}", port_name=NOT_KNOWN)
-    if loose.connector.source is None:
-        loose.connector.ends = [other] + ends
-    else:
-        loose.connector.ends = ends + [other]
+    loose.connector.ends = [other] + ends if loose.connector.source is None else ends + [other]
     if isinstance(loose.connector, model.ServicePortConnector):
         profile.service_port_connectors.append(loose.connector)
     else:

@@ -110,9 +110,7 @@ def _ports_section(profile, listed, graph):
     if types:
         parts.append(
             Table(
-                "Data types",
-                ("DataType", "Members"),
-                (15, 35),
+                "Data types", ("DataType", "Members"), (15, 35),
                 [(type_id, ", ".join(map(": ".join, members))) for type_id, members in types],
             )
         )
@@ -139,9 +137,7 @@ def _configuration_section(sets):
     if not metadata:
         return [
             Table(
-                "Configuration parameters",
-                ("Name", "Description"),
-                (12, 38),
+                "Configuration parameters", ("Name", "Description"), (12, 38),
                 [(name, described.get(name, "")) for name in values],
             )
         ]

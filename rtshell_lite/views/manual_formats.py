@@ -31,10 +31,8 @@ def _underlined(title, mark):
 def _rst_part(part):
     if isinstance(part, Table):
         lines = [
-            ".. csv-table:: " + part.title,
-            "   :header: " + _csv(part.header),
-            "   :widths: " + ", ".join(str(width) for width in part.widths),
-            "   ",
+            ".. csv-table:: " + part.title, "   :header: " + _csv(part.header),
+            "   :widths: " + ", ".join(str(width) for width in part.widths), "   ",
         ]
         return lines + ["   " + _csv(row) for row in part.rows]
     if isinstance(part, Graph):
@@ -62,17 +60,8 @@ def html(manual):
     """One self-contained HTML page."""
     title = _html(manual.title)
     lines = [
-        "<!DOCTYPE html>",
-        '<html lang="en">',
-        "<head>",
-        '<meta charset="utf-8">',
-        f"<title>{title}</title>",
-        "<style>",
-        _STYLE,
-        "</style>",
-        "</head>",
-        "<body>",
-        f"<h1>{title}</h1>",
+        "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">', f"<title>{title}</title>",
+        "<style>", _STYLE, "</style>", "</head>", "<body>", f"<h1>{title}</h1>",
         f"<p>{_html(manual.description)}</p>",
     ]
     lines += ["<dl>"] + [f"<dt>{_html(n)}</dt><dd>{_html(v)}</dd>" for n, v in manual.fields] + ["</dl>"]

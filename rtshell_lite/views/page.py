@@ -179,10 +179,7 @@ def _origin(box):
 def _end(end, locate, numbers):
     """[number of a box or None, port] of an end of a connection."""
     component = locate(end)
-    if component is None:
-        key = (end.component_id, end.instance_name)
-    else:
-        key = id(component)
+    key = (end.component_id, end.instance_name) if component is None else id(component)
     return [numbers.get(key), shown(capture.port_of(end))]
 
 

@@ -108,10 +108,7 @@ def _of_snapshot(snapshot):
 def _context(context, state, snapshot):
     if context.handle is None:
         return "Execution context of another component, which does not answer", [("State here", state)]
-    if context.running:
-        runs = "Running"
-    else:
-        runs = "Stopped"
+    runs = "Running" if context.running else "Stopped"
     rows = [
         ("State here", state),
         ("Runs", runs),
@@ -136,10 +133,7 @@ def _port_rows(port):
 def _of_file(component):
     kind, _, rest = component.id.partition(":")
     vendor, category, type_name, version = (rest.split(":") + [""] * 4)[:4]
-    if component.is_required:
-        required = "yes"
-    else:
-        required = "no"
+    required = "yes" if component.is_required else "no"
     rows = [
         ("Instance name", component.instance_name),
         ("Type name", type_name),

@@ -221,10 +221,7 @@ def _connected(picture, boxes, places, folded=()):
     for start, out, end, into, _ in edges:
         boxes[start].use(out, boxes[start].right)
         boxes[end].use(into, boxes[end].left)
-    tops = []
-    for number, box in enumerate(boxes):
-        if box.composite is None:
-            tops.append(number)
+    tops = [number for number, box in enumerate(boxes) if box.composite is None]
     return graph.Graph(boxes, edges, tops)
 
 
@@ -234,19 +231,13 @@ def _joined(boxes, folded, start, end, service, both):
         out = "services" if service else "data"
     else:
         out = _one([out for out, _ in both])
-    if end in folded:
-        into = "from " + boxes[start].name
-    else:
-        into = _one([into for _, into in both])
+    into = "from " + boxes[start].name if end in folded else _one([into for _, into in both])
     if service and end in folded:
         into += " (services)"
     if len(both) > 1:
         label = f"×{len(both)}"
         before = boxes[end].labels.get(into)
-        if before:
-            boxes[end].labels[into] = f"{before}, {label}"
-        else:
-            boxes[end].labels[into] = label
+        boxes[end].labels[into] = f"{before}, {label}" if before else label
     return start, out, end, into, service
 
 

@@ -63,10 +63,7 @@ class Field:
             self._take(element, f"{name}[{number}]", place + 1, found)
 
     def _member(self, value, member):
-        if isinstance(value, dict):
-            members = value
-        else:
-            members = getattr(value, "__dict__", {})
+        members = value if isinstance(value, dict) else getattr(value, "__dict__", {})
         if member in members:
             return members[member]
         if "_d" in members and "_v" in members:  # a union, which may hold it at other times
@@ -315,10 +312,7 @@ def ticks(low, high, most):
     found = []
     for place in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
         value = place * step
-        if abs(value) >= 1e15 or digits > 5:
-            words = "%.10g" % value
-        else:
-            words = "%.*f" % (digits, value + 0.0)
+        words = "%.10g" % value if abs(value) >= 1e15 or digits > 5 else "%.*f" % (digits, value + 0.0)
         found.append((value, words))
     return found
 
@@ -332,10 +326,7 @@ def time_ticks(first, last, most):
                 (first + int(value / scale * 1e9), words) for value, words in ticks(0, span * scale, most)
             ], unit
     step = next((step for step in _TICKS if span / step <= most), 86400 * math.ceil(span / 86400 / most))
-    if span < 7200:
-        unit, parts = "min:s", 1
-    else:
-        unit, parts = "h:min", 60
+    unit, parts = ("min:s", 1) if span < 7200 else ("h:min", 60)
     marks = range(int(span // step) + 1)
     return [
         (first + mark * step * 10**9, "%d:%02d" % divmod(mark * step // parts, 60)) for mark in marks

@@ -35,10 +35,7 @@ class Channel:
         self.field = field
         self.path = str(target.port.node.path.with_port(target.port.name.rpartition(".")[2]))
         self.type_id = target.port.properties.get("dataport.data_type", "")
-        if type:
-            members = datatypes.members(self.type_id)
-        else:
-            members = None
+        members = datatypes.members(self.type_id) if type else None
         self.stamped = bool(members) and members[0] == ("tm", "Time")
         self.flow = statistics.Flow()
         self.shown = self.failed = (
@@ -58,10 +55,7 @@ class Channel:
     def line(self, message):
         """A Message as a line for people; its bytes are several lines."""
         if self.type is None:
-            if sys.stdout.isatty():
-                limit = 4 * LONG
-            else:
-                limit = None
+            limit = 4 * LONG if sys.stdout.isatty() else None
             return "\n".join(text.safe(line) for line in values.raw(message.data, message.little, limit))
         value = self.value(message)
         if self.formatter is None:
@@ -89,10 +83,7 @@ class Channel:
                 return None
             sec, nsec = struct.unpack_from("<LL" if message.little else ">LL", message.data)
             return sec * 10**9 + nsec
-        if self.type:
-            stamp = values.timestamp(self.type.decode(message.data, message.little))
-        else:
-            stamp = None
+        stamp = values.timestamp(self.type.decode(message.data, message.little)) if self.type else None
         return stamp and stamp[0] * 10**9 + stamp[1]
 
 
@@ -109,10 +100,7 @@ def formatter(name, directories=()):
     before = list(sys.path)
     sys.path[:0] = [os.path.abspath(directory) for directory in directories]
     try:
-        if module:
-            function = getattr(importlib.import_module(module), attribute, None)
-        else:
-            function = None
+        function = getattr(importlib.import_module(module), attribute, None) if module else None
     except (ImportError, SyntaxError) as e:
         raise errors.Failed("#" + name, f"cannot import {module} ({e})")
     finally:

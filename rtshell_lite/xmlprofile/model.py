@@ -8,27 +8,14 @@ A field that is not given has its default. `foreign` holds what is not in the sc
 """
 
 from rtshell_lite.xmlprofile.fields import (
-    BOOLEAN,
-    DATE,
-    INTEGER,
-    NUMBER,
-    TEXT,
-    Child,
-    Children,
-    Element,
-    Field,
+    BOOLEAN, DATE, INTEGER, NUMBER, TEXT, Child, Children, Element, Field
 )
 
 # Files spell these in any case, version 0.1 has other names, and rtsprofile misspells one.
 COMPOSITE_TYPES = {
     name.lower(): name
     for name in (
-        "None",
-        "PeriodicECShared",
-        "PeriodicStateShared",
-        "Grouping",
-        "FsmECShared",
-        "FsmStateShared",
+        "None", "PeriodicECShared", "PeriodicStateShared", "Grouping", "FsmECShared", "FsmStateShared"
     )
 }
 COMPOSITE_TYPES.update(
@@ -247,9 +234,7 @@ class Preceding(Element):
         Field("timeout", "rts:timeout", INTEGER, 0, always=True),  # milliseconds; 0: for ever
         Field("sending_timing", "rts:sendingTiming"),  # SYNC, ASYNC, NO_SYNC; often missing
         Children(
-            "preceding_components",
-            "rts:PrecedingComponents",
-            TargetExecutionContext,
+            "preceding_components", "rts:PrecedingComponents", TargetExecutionContext,
             also=("PrecedingComponent",),
         ),
     )

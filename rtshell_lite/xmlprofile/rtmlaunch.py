@@ -128,10 +128,7 @@ class _Launch:
         if path not in self.components:
             instance = path.rpartition("/")[2].rpartition(".")[0] or path
             self.components[path] = model.Component(
-                id="",
-                path_uri=f"{self.server}/{path}",
-                instance_name=instance,
-                is_required=True,
+                id="", path_uri=f"{self.server}/{path}", instance_name=instance, is_required=True,
                 location=model.Location(),
             )
         return self.components[path]
@@ -147,9 +144,7 @@ class _Launch:
         ends = [self.end(node, "from"), self.end(node, "to")]
         targets = [
             model.TargetPort(
-                component_id="",
-                instance_name=component.instance_name,
-                port_name=port,
+                component_id="", instance_name=component.instance_name, port_name=port,
                 properties=[model.Property(name=PATH_ID, value=component.path_uri)],
             )
             for component, port in ends
@@ -175,10 +170,7 @@ class _Launch:
         if "buffer_length" in node.attributes:
             properties.append(("dataport.buffer.length", self.value(node, "buffer_length")))
         return model.DataPortConnector(
-            connector_id=name,
-            name=name,
-            interface_type="corba_cdr",
-            dataflow_type="push",
+            connector_id=name, name=name, interface_type="corba_cdr", dataflow_type="push",
             subscription_type=kind,
             properties=[model.Property(name=key, value=value) for key, value in properties],
         )

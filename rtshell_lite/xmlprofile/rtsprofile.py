@@ -28,9 +28,7 @@ def load(data, name, form=None):
         raise errors.BadProfile(name, 1, 1, "the file is empty")
     if data.startswith(b"#!"):
         raise errors.BadProfile(
-            name,
-            1,
-            1,
+            name, 1, 1,
             "a script, not an RtsProfile: " + printable(data[:60].split(b"\n")[0].decode("latin-1")),
         )
     collecting = gc.isenabled()

@@ -123,10 +123,7 @@ class _Hoist:
 
 def _milliseconds(wait, fail):
     """0.1 has a duration such as PT1.5S as the text of the element, 0.2 has milliseconds in an attribute."""
-    if not wait.children():
-        text = "".join(wait.content).strip()
-    else:
-        text = ""
+    text = "" if wait.children() else "".join(wait.content).strip()
     if not text:
         return
     duration = _DURATION.match(text)

@@ -104,9 +104,7 @@ class _Reader:
         if len(self.open) >= DEEPEST:
             self.fail("more than %d levels of elements" % DEEPEST)
         node = Node(
-            tag,
-            attributes or _NO_ATTRIBUTES,
-            self.parser.CurrentLineNumber,
+            tag, attributes or _NO_ATTRIBUTES, self.parser.CurrentLineNumber,
             self.parser.CurrentColumnNumber + 1,
         )
         node.before = self.taken()
@@ -166,10 +164,7 @@ def nodes(data, name):
 def _decoder(data, reader):
     """The decoder for a declared encoding that expat lacks; None for UTF-8."""
     declaration = _DECLARATION.match(data[3:] if data.startswith(codecs.BOM_UTF8) else data, 0)
-    if declaration:
-        encoding = declaration.group(1).decode("ascii").lower().replace("-", "_")
-    else:
-        encoding = "utf_8"
+    encoding = declaration.group(1).decode("ascii").lower().replace("-", "_") if declaration else "utf_8"
     if encoding in ("utf_8", "utf8", "us_ascii", "ascii"):
         return None
     try:
@@ -214,10 +209,7 @@ def _element(node, cls, fail):
         if field is None or field.kind == fields.TEXT and not _is_plain_text(child):
             _keep_element(found, cls, child)
         elif field.many:
-            if field.kind == fields.TEXT:
-                item = child.text()
-            else:
-                item = _element(child, field.kind, fail)
+            item = child.text() if field.kind == fields.TEXT else _element(child, field.kind, fail)
             found.setdefault(field.name, []).append(item)
         elif field.name in found:
             fail(child, f"more than one {child.local} in {node.local}")

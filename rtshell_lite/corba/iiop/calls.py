@@ -33,21 +33,8 @@ class Request:
     """
 
     __slots__ = (
-        "call",
-        "resume",
-        "ref",
-        "endpoint",
-        "name",
-        "operation",
-        "is_oneway",
-        "is_once",
-        "asks_others",
-        "seconds",
-        "sent",
-        "retried",
-        "_forwards",
-        "_spent",
-        "_mode",
+        "call", "resume", "ref", "endpoint", "name", "operation", "is_oneway", "is_once", "asks_others",
+        "seconds", "sent", "retried", "_forwards", "_spent", "_mode",
     )
 
     def __init__(self, call, resume, timeout):
@@ -104,17 +91,10 @@ class Request:
         arguments of another type.
         """
         version, mode, target = self.ref.target(self._mode, via)
+        version = min(version, latest)
         arguments = list(zip(self.operation.arguments, self.call.args))
         try:
-            return messages.request(
-                number,
-                version if version < latest else latest,
-                mode,
-                target,
-                self.name,
-                arguments,
-                self.is_oneway,
-            )
+            return messages.request(number, version, mode, target, self.name, arguments, self.is_oneway)
         except marshal.Unsendable as e:
             raise errors.Refused(str(self.call.where), f"cannot be asked: {e}", name="BAD_PARAM")
         except (ValueError, StructError) as e:
@@ -173,10 +153,7 @@ class Request:
         if status not in (messages.FORWARD, messages.FORWARD_PERM):
             raise ValueError(f"a reply of status {status}")
         interface = self.call.ref.interface
-        if interface:
-            descriptor = idl.descriptor(interface)
-        else:
-            descriptor = _OBJECT
+        descriptor = idl.descriptor(interface) if interface else _OBJECT
         self.ref, _ = operations.reader(descriptor, little)(data, at)
         if self.ref is None:
             raise ValueError("forwarded to nobody")
@@ -248,10 +225,7 @@ def _system_exception(data, at, little):
     name, at = operations.reader(marshal.TEXT, little)(data, at)
     minor, at = operations.reader(descriptors.ULONG, little)(data, at)
     completed, at = operations.reader(descriptors.ULONG, little)(data, at)
-    if name.count(":") == 2:
-        name = name.split(":")[1].rpartition("/")[2]
-    else:
-        name = "UNKNOWN"
+    name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
     meaning = idl.MINORS.get(name, {}).get(minor)
     if meaning:
         return name, f"{name}_{meaning}", completed

@@ -110,10 +110,7 @@ def properties(nvlist, only=None):
     for name, value in nvlist:
         if only and name != only:
             continue
-        if type(value) is bytes:
-            text = _text(value)
-        else:
-            text = _as_text(value.content, value.descriptor)
+        text = _text(value) if type(value) is bytes else _as_text(value.content, value.descriptor)
         found.append((sys.intern(_text(name)), text))
     return found
 

@@ -190,10 +190,7 @@ class _Peer:
         """
         late = []
         for number, request in self.connection.requests.items():
-            if _is_naming(request):
-                begun = self.heard
-            else:
-                begun = self.moved_on
+            begun = self.heard if _is_naming(request) else self.moved_on
             if now - max(request.sent, begun) > request.seconds:
                 late.append(number)
         return [self.connection.give_up(number) for number in late]
@@ -424,10 +421,7 @@ class Peers:
         if connection.waits_for:
             lost += peer.take_all()
         is_cut = isinstance(e, (connections.Closed, ConnectionResetError, BrokenPipeError))
-        if getattr(e, "not_started", False):
-            not_started = connection.not_started()
-        else:
-            not_started = ()
+        not_started = connection.not_started() if getattr(e, "not_started", False) else ()
         if is_cut:
             # the others are no better, where the peer has been started again
             connections.forget(self.session.memory, peer.endpoint)

@@ -86,10 +86,7 @@ def _setting(name):
     """
     words = os.environ.get("RTCTREE_ORB_ARGS", "").split(";")
     option = "-ORB" + name
-    if option in words[:-1]:
-        text = words[words.index(option) + 1]
-    else:
-        text = os.environ.get("ORB" + name, "")
+    text = words[words.index(option) + 1] if option in words[:-1] else os.environ.get("ORB" + name, "")
     found = _ENDPOINT.match(text)
     if not found:
         return "", 0
@@ -136,10 +133,7 @@ class Caller:
         self.begin = 0
         self.end = left
         if self.end == len(self.data):
-            if self.end:
-                wanted = messages.HEADER + messages.size(self.data)
-            else:
-                wanted = 0
+            wanted = messages.HEADER + messages.size(self.data) if self.end else 0
             grown = bytearray(max(ROOM, min(wanted, 2 * self.end)))
             grown[: self.end] = self.data
             self.data = grown
@@ -348,10 +342,7 @@ class Server:
         self.loop.call_later(SWEEP, self.sweep)
         now = loop.now()
         for caller in list(self.callers):
-            if caller.is_unfinished():
-                limit = UNFINISHED
-            else:
-                limit = IDLE
+            limit = UNFINISHED if caller.is_unfinished() else IDLE
             if now - caller.since > limit:
                 self.close(caller)
 

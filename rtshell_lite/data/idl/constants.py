@@ -2,16 +2,7 @@
 
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    BOOLEAN,
-    CHAR,
-    DOUBLE,
-    ENUM,
-    FLOAT,
-    RANGES,
-    STRING,
-    WCHAR,
-    WSTRING,
-    kind,
+    BOOLEAN, CHAR, DOUBLE, ENUM, FLOAT, RANGES, STRING, WCHAR, WSTRING, kind
 )
 from rtshell_lite.data.idl import scanner
 from rtshell_lite.text import literal
@@ -145,10 +136,7 @@ def _number(parser, token):
 
 def text(parser, token):
     """The text of a literal; apart from a few escapes, Python spells it as C and IDL do."""
-    if token.word[0] == "L":
-        word = token.word[1:]
-    else:
-        word = token.word
+    word = token.word[1:] if token.word[0] == "L" else token.word
     try:
         return literal(_of_python(word))
     except ValueError as e:

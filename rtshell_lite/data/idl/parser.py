@@ -10,15 +10,7 @@ from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
 WITHIN_INTERFACES = (
-    "typedef",
-    "const",
-    "exception",
-    "struct",
-    "union",
-    "enum",
-    "native",
-    "typeid",
-    "typeprefix",
+    "typedef", "const", "exception", "struct", "union", "enum", "native", "typeid", "typeprefix"
 )  # beside operations and attributes
 
 
@@ -239,10 +231,7 @@ class Parser:
     def look_up(self):
         """The Entry of the scoped name that comes next. Raises BadIdl."""
         start = self.token
-        if self.accept("::"):
-            found = self.file_scope.own(self.plain())
-        else:
-            found = self.scope.find(self.plain())
+        found = self.file_scope.own(self.plain()) if self.accept("::") else self.scope.find(self.plain())
         written = self._last
         self._same_case(found, written, start)
         while self.accept("::"):

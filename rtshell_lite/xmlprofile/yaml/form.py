@@ -164,10 +164,7 @@ def _date(doc, node):
     numbers = [parts.pop(key, 0) for key in _DATE_KEYS]
     rest = "".join(str(parts.pop(key, "")) for key in ("fraction", "zone"))
     for key, value in zip(_DATE_KEYS, numbers):
-        if key == "year":
-            most = 9999
-        else:
-            most = 99
+        most = 9999 if key == "year" else 99
         if not isinstance(value, int) or not 0 <= value <= most:
             doc.fail(node.pos, f"not a date: {key} is {values.shown(value)}")
     text = "%04d-%02d-%02dT%02d:%02d:%02d" % tuple(numbers) + rest
@@ -206,10 +203,7 @@ def _elements(doc, node, table, depth):
 
 
 def _foreign_element(doc, node, table, depth):
-    if isinstance(node.value, dict):
-        parts = dict(node.value)
-    else:
-        parts = {}
+    parts = dict(node.value) if isinstance(node.value, dict) else {}
     tag = parts.pop("element", None)
     if tag:
         place = tag
@@ -217,10 +211,7 @@ def _foreign_element(doc, node, table, depth):
     else:
         tag = ""
         place = node
-    if "attributes" in parts:
-        attributes = _attributes(doc, parts.pop("attributes"))
-    else:
-        attributes = {}
+    attributes = _attributes(doc, parts.pop("attributes")) if "attributes" in parts else {}
     content = parts.pop("content", None)
     if (
         not names.is_clark(tag)
@@ -251,10 +242,7 @@ def _data(element):
     data = {}
     for field in element.FIELDS:
         value = getattr(element, field.name)
-        if field.within is None:
-            target = data
-        else:
-            target = data.setdefault(field.within, {})
+        target = data if field.within is None else data.setdefault(field.within, {})
         if field.many:
             if value:
                 if field.kind != fields.TEXT:

@@ -51,10 +51,7 @@ def parse(text, name):
 
 
 def _decoded(doc, data):
-    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        encoding = "utf-16"
-    else:
-        encoding = "utf-8"
+    encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8"
     try:
         return data.decode(encoding)
     except UnicodeDecodeError as e:
@@ -69,10 +66,7 @@ def _document(doc):
     begins = column < 0 and doc.text.startswith("---", pos)
     if column < 0 and doc.text[pos] == ".":
         doc.fail(pos, "the end of a document that has not begun")
-    if begins:
-        pos, node = _value(doc, pos + 3, -1, 0, False)
-    else:
-        pos, node = _value(doc, pos, -1, 0, True)
+    pos, node = _value(doc, pos + 3, -1, 0, False) if begins else _value(doc, pos, -1, 0, True)
     while doc.text.startswith("...", pos) and doc.token_column(pos) < 0:
         pos = _line_end(doc, pos + 3)
     if doc.text[pos] != "\0":
@@ -293,10 +287,7 @@ def _anchored(doc, anchor, count, result):
 def _measure(node):
     """Set and return the height of a node; a node is visited once, however often it is used."""
     if not node.height:
-        if isinstance(node.value, dict):
-            children = node.value.values()
-        else:
-            children = node.value
+        children = node.value.values() if isinstance(node.value, dict) else node.value
         node.height = 1
         if not isinstance(children, str):
             node.height += max([_measure(child) for child in children] or [0])
@@ -305,10 +296,7 @@ def _measure(node):
 
 def _alias(doc, pos, depth):
     found = _ANCHOR.match(doc.text, pos)
-    if found:
-        name = found.group(2)
-    else:
-        name = ""
+    name = found.group(2) if found else ""
     if name not in doc.anchors:
         doc.fail(pos, "an alias of nothing that was anchored before")
     node, count = doc.anchors[name]
@@ -340,10 +328,7 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
             doc.fail(pos, "an alias with a tag")
         return _alias(doc, pos, depth)
     quotes = c in "'\""
-    if quotes:
-        end, text = scalars.quoted(doc, pos)
-    else:
-        end, text = scalars.bare(doc, pos, indent, flow, key)
+    end, text = scalars.quoted(doc, pos) if quotes else scalars.bare(doc, pos, indent, flow, key)
     if tag in ("map", "seq"):
         doc.fail(pos, f"the tag !!{tag} does not fit")
     if tag == "!":
@@ -359,10 +344,7 @@ def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
 def _flow(doc, pos, depth, tag):
     """[...] or {...}: (pos after it, node)."""
     mapping = doc.text[pos] == "{"
-    if mapping:
-        items = {}
-    else:
-        items = []
+    items = {} if mapping else []
     node = doc.node(items, pos, depth)
     _tagged(doc, pos, node, tag)
     start = pos

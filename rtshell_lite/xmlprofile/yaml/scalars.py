@@ -218,10 +218,7 @@ def block(doc, pos, indent):
         line = _LINE.match(text, pos)
         pieces.append(line.group())
         pos = line.end()
-        if text[pos] == "\0":
-            ending = ""
-        else:
-            ending = text[pos]
+        ending = "" if text[pos] == "\0" else text[pos]
         pos, empty, here = _empty_lines(text, pos + len(ending), width)
         _check_length(doc, start, pos)
         if here != width or text[pos] == "\0":
@@ -327,10 +324,7 @@ def _null(text):
 
 def _integer(text):
     found = _matched(_INTEGER, text, "whole number").groupdict()
-    if text[0] == "-":
-        sign = -1
-    else:
-        sign = 1
+    sign = -1 if text[0] == "-" else 1
     if found["two"]:
         base = 2
     elif found["eight"]:
