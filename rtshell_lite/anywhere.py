@@ -27,12 +27,8 @@ def main(doc):
 
 def arguments(parser):
     """Declare the options."""
-    parser.add_argument(
-        "--unpack", metavar="DIR", help="lay out the commands, and what they import, under DIR"
-    )
-    parser.add_argument(
-        "words", nargs="*", metavar="WHEEL", help="more wheels to lay out there, such as omniORBpy's"
-    )
+    parser.option("--unpack DIR", "lay out the commands, and what they import, under DIR")
+    parser.option("[WHEEL ...]", "more wheels to lay out there, such as omniORBpy's", dest="words")
 
 
 def run(args):

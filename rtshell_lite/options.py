@@ -10,6 +10,8 @@ FOREVER = float("inf")  # s
 DIGITS = frozenset("0123456789.")
 # how many words an option or argument takes at least and at most, by its `nargs`
 COUNTS = {None: (1, 1), "?": (0, 1), "*": (0, FOREVER), "+": (1, FOREVER)}
+# `nargs` by whether a value may be left out, and repeated
+NARGS = {(False, False): None, (True, False): "?", (False, True): "+", (True, True): "*"}
 
 EXIT_STATUSES = """exit status:
   0 done, 1 the answer is no or local work failed, 2 wrong usage,
@@ -29,6 +31,38 @@ class Parser(argparse.ArgumentParser):
     synonyms = {}  # type: dict
     # {an option of rtshell up to 3.0, which later ones do not have: what is written instead}
     former = {}  # type: dict
+
+    def option(self, spelling, help, **more):
+        """Declare an option or an argument, spelt as in a manual. `more` is for add_argument.
+
+        -d --dry-run              a flag
+        -i --id ID                an option with a value
+        --measure [SECONDS]       whose value may be left out: it is `const` then
+        --property KEY=VALUE ...  may be repeated: a list, empty where it is not given
+        PATH                      an argument, args.path unless `dest` says otherwise
+        [COMMAND]                 may be left out
+        PATH ..., [ARG ...]       any number of them, at least one or none
+
+        Returns the Action.
+        """
+        words = spelling.split(" ")
+        names = [word for word in words if word.startswith("-")]
+        value = " ".join(words[len(names) :])
+        if not value:
+            return self.add_argument(*names, action="store_true", help=help, **more)
+        is_optional = value.startswith("[") and value.endswith("]")
+        if is_optional:
+            value = value[1:-1]
+        is_list = value.endswith(" ...")
+        if is_list:
+            value = value[: -len(" ...")]
+        if names and is_list:
+            more.update(action="append", default=[])
+        else:
+            more["nargs"] = NARGS[is_optional, is_list]
+        if not names:
+            names = [more.pop("dest", value.lower())]
+        return self.add_argument(*names, metavar=value, help=help, **more)
 
     def error(self, message):
         message = message.replace("invalid int value", "not a whole number")
@@ -212,13 +246,13 @@ def parser(arguments, doc, prog):
         *[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
         help="report on stderr what is done",
     )
-    parser.add_argument("-q", "--quiet", action="store_true", help="no notes on stderr, errors only")
+    parser.option("-q --quiet", "no notes on stderr, errors only")
     if "--timeout" in taken:  # how long rtprint, rtinject and rtlog run
         parser.set_defaults(timeout=_default_timeout())
     else:
-        parser.add_argument(
-            "--timeout", type=seconds, metavar="SECONDS", default=_default_timeout(),
-            help="give up after SECONDS without an answer (default: $RTSHELL_TIMEOUT or 3)",
+        parser.option(
+            "--timeout SECONDS", "give up after SECONDS without an answer (default: $RTSHELL_TIMEOUT or 3)",
+            type=seconds, default=_default_timeout(),
         )
     parser.add_argument(
         "--version", action=_Version, nargs=0,
@@ -333,63 +367,54 @@ def command(args, known):
 
 def execution_context(parser):
     """-e: which execution context."""
-    parser.add_argument(
-        "-e", "--exec-context", "--exec_context", type=int, metavar="N",
-        help="only in execution context N, as rtec numbers them: from 0, the component's own first",
+    parser.option(
+        "-e --exec-context --exec_context N",
+        "only in execution context N, as rtec numbers them: from 0, the component's own first",
+        type=int,
     )
 
 
 def wait(parser, what):
     """--wait[=SECONDS]: args.wait is None, or how long to wait."""
-    parser.add_argument(
-        "--wait", nargs="?", type=seconds, const=5.0, metavar="SECONDS",
-        help=f"wait until {what}, at most SECONDS (default: 5)",
+    parser.option(
+        "--wait [SECONDS]", f"wait until {what}, at most SECONDS (default: 5)", type=seconds, const=5.0
     )
 
 
 def all_below(parser, verb):
     """--all: args.all."""
-    parser.add_argument(
-        "--all", action="store_true",
-        help=f"{verb} all components at and below each PATH, in parallel, and print what became of each",
+    parser.option(
+        "--all", f"{verb} all components at and below each PATH, in parallel, and print what became of each"
     )
 
 
 def dry_run(parser):
     """--dry-run."""
-    parser.add_argument(
-        "--dry-run", action="store_true", help="print what would be done, as commands, and change nothing"
-    )
+    parser.option("--dry-run", "print what would be done, as commands, and change nothing")
 
 
 def force_disconnect(parser):
     """--force, of commands that remove connections."""
-    parser.add_argument(
-        "--force", action="store_true",
-        help="remove a connection with full_policy=block at once, even if that may end a process",
+    parser.option(
+        "--force", "remove a connection with full_policy=block at once, even if that may end a process"
     )
 
 
 def json_output(parser):
     """--json."""
-    parser.add_argument("--json", action="store_true", help="print JSON, one object a line")
+    parser.option("--json", "print JSON, one object a line")
 
 
 def null(parser):
     """-0."""
-    parser.add_argument(
-        "-0", "--null", action="store_true",
-        help="print full paths, each followed by a NUL byte (for xargs -0)",
-    )
+    parser.option("-0 --null", "print full paths, each followed by a NUL byte (for xargs -0)")
 
 
 def profile_file(parser):
     """The RtsProfile that a command works with:
     args.file, - for stdin, args.form (see `profile_form`), args.map.
     """
-    parser.add_argument(
-        "file", nargs="?", default="-", metavar="FILE", help="an RtsProfile in XML or YAML (default: stdin)"
-    )
+    parser.option("[FILE]", "an RtsProfile in XML or YAML (default: stdin)", default="-")
     profile_options(parser)
 
 
@@ -409,9 +434,8 @@ def moves(parser, *names):
 
 def strict_path(parser):
     """--strict-path: args.strict_path."""
-    parser.add_argument(
-        "--strict-path", action="store_true",
-        help="an end of a connection is a component only if path, id and instance name agree",
+    parser.option(
+        "--strict-path", "an end of a connection is a component only if path, id and instance name agree"
     )
 
 
@@ -429,19 +453,15 @@ def duration(parser, help):
 
     Only RTSHELL_TIMEOUT then says how long a peer may stay silent.
     """
-    parser.add_argument(
-        "-t", "--timeout", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS", help=help
-    )
+    parser.option("-t --timeout SECONDS", help, dest="duration", type=_duration, default=FOREVER)
 
 
 def limits(parser, what):
     """-n and -t: args.number, below 0 where not given, and args.duration, infinite where not given."""
-    parser.add_argument(
-        "-n", "--number", type=int, default=-1, metavar="N", help=f"end after N {what} (default: never)"
-    )
-    parser.add_argument(
-        "-t", dest="duration", type=_duration, default=FOREVER, metavar="SECONDS",
-        help=f"end after SECONDS; status 1 when there were fewer than N {what}",
+    parser.option("-n --number N", f"end after N {what} (default: never)", type=int, default=-1)
+    parser.option(
+        "-t SECONDS", f"end after SECONDS; status 1 when there were fewer than N {what}",
+        dest="duration", type=_duration, default=FOREVER,
     )
 
 
@@ -453,19 +473,17 @@ def listen(parser):
     """--listen [[HOST:]PORT] and --from: args.listen is None or (host, TCP port), args.senders a list of
     addresses; `check_listen` checks them.
     """
-    parser.add_argument(
-        "--listen",
-        nargs="?",
-        type=place,
-        const=(HERE, FLUENTD),
-        metavar="[HOST:]PORT",
-        help="receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: "
+    parser.option(
+        "--listen [[HOST:]PORT]",
+        "receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: "
         f"{FLUENTD}; 0: any) of {HERE}, where only this host can send, or of the address HOST: "
         f"0.0.0.0:{FLUENTD} lets anybody send who reaches it",
+        type=place, const=(HERE, FLUENTD),
     ).value_like = is_place
-    parser.add_argument(
-        "--from", dest="senders", action="append", default=[], type=_address, metavar="ADDRESS",
-        help="with --listen: only from this IP address; may be repeated (default: from anybody)",
+    parser.option(
+        "--from ADDRESS ...",
+        "with --listen: only from this IP address; may be repeated (default: from anybody)",
+        dest="senders", type=_address,
     )
 
 
@@ -550,9 +568,9 @@ def _positive(value, wanted):
 
 def types(parser, *path_options):
     """Where data types come from: args.modules, args.python_path, args.idl, args.include; all lists."""
-    parser.add_argument(
-        "-m", "--mod", action="append", default=[], dest="modules", metavar="MODULE",
-        help="Python module with data types, made by omniidl; may be repeated",
+    parser.option(
+        "-m --mod MODULE ...", "Python module with data types, made by omniidl; may be repeated",
+        dest="modules",
     )
     parser.add_argument(
         *path_options, action="append", default=[], dest="python_path", metavar="DIR",
@@ -563,32 +581,26 @@ def types(parser, *path_options):
 
 def idl(parser, what):
     """--idl and -I: args.idl and args.include, lists."""
-    parser.add_argument(
-        "--idl", action="append", default=[], metavar="FILE", help=f"IDL file with {what}; may be repeated"
-    )
-    parser.add_argument(
-        "-I", "--include", action="append", default=[], metavar="DIR",
-        help="directory for #include in IDL files; may be repeated",
-    )
+    parser.option("--idl FILE ...", f"IDL file with {what}; may be repeated")
+    parser.option("-I --include DIR ...", "directory for #include in IDL files; may be repeated")
 
 
 def properties(parser):
     """--property KEY=VALUE: args.properties, a list of words for `pairs`."""
-    parser.add_argument(
-        "--property", action="append", default=[], metavar="KEY=VALUE", dest="properties",
-        help="a property of the connection, as with rtcon -p; may be repeated",
+    parser.option(
+        "--property KEY=VALUE ...", "a property of the connection, as with rtcon -p; may be repeated",
+        dest="properties",
     )
 
 
 def delivery(parser):
     """--linger and --anyway: args.linger, seconds or None, and args.anyway."""
-    parser.add_argument(
-        "--linger", type=_linger, metavar="SECONDS",
-        help="stay connected at most SECONDS after the last value (default: until all can have been read)",
+    parser.option(
+        "--linger SECONDS",
+        "stay connected at most SECONDS after the last value (default: until all can have been read)",
+        type=_linger,
     )
-    parser.add_argument(
-        "--anyway", action="store_true", help="send even to a component that will not read the values now"
-    )
+    parser.option("--anyway", "send even to a component that will not read the values now")
 
 
 def _linger(value):
