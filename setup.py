@@ -1,5 +1,5 @@
-"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page, and what a
-checkout only needs.
+"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page; the words of
+modules stay in the checkout.
 """
 import glob
 import io
@@ -22,8 +22,6 @@ os.umask(0o022)
 zlib.Z_DEFAULT_COMPRESSION = zlib.Z_BEST_COMPRESSION  # what zipfile uses where no level is given
 sys.path.insert(0, os.getcwd())
 from rtshell_lite.shell import installation  # noqa: E402: the path first
-TOOLS = ["idl_stubs/generate.py", "idl_stubs/tabulate.py", "shell/command_line.py",
-         "shell/documentation.py", "shell/manpages.py"]
 LIBRARY = [os.path.join("rtshell_lite", name) for name in ["api.py", "errors.py"]]
 COMMANDS = sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum())
 PAGES = {}
@@ -66,9 +64,7 @@ def without_words(path, is_command=False):
 
 
 class Modules(build_py):
-    """Leaves out of the wheel what writes generated files, and makes commands modules, whose bytecode Python
-    keeps.
-    """
+    """Makes commands modules, whose bytecode Python keeps."""
 
     def run(self):
         super().run()
@@ -80,11 +76,10 @@ class Modules(build_py):
             without_words(target, True)
 
     def build_module(self, module, module_file, package):
-        if module_file not in [os.path.join("rtshell_lite", tool) for tool in TOOLS]:
-            built = super().build_module(module, module_file, package)
-            if module_file not in LIBRARY:
-                without_words(built[0], module == "__main__")
-            return built
+        built = super().build_module(module, module_file, package)
+        if module_file not in LIBRARY:
+            without_words(built[0], module == "__main__")
+        return built
 
 
 class Starters(build_scripts):

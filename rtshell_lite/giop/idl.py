@@ -1,5 +1,5 @@
 """The interfaces and types of OpenRTM's IDL,
-from the tables that are generated from it (see idl_stubs/generate.py).
+from the tables that are generated from it (see tools/stubs.py).
 """
 
 from rtshell_lite.giop import descriptors

@@ -19,13 +19,6 @@ WHEEL, OMNIORB_WHEEL = (
     os.environ.get(name) and os.path.abspath(os.environ[name])
     for name in ("RTSHELL_WHEEL", "RTSHELL_OMNIORB_WHEEL")
 )
-TOOLS = {
-    "rtshell_lite/idl_stubs/generate.py",
-    "rtshell_lite/idl_stubs/tabulate.py",
-    "rtshell_lite/shell/command_line.py",
-    "rtshell_lite/shell/documentation.py",
-    "rtshell_lite/shell/manpages.py",
-}  # they write generated files
 REPORTING = {"rtsh", "rtdoctor"}  # that nobody listens is what their commands say, or a finding
 
 

@@ -3,11 +3,10 @@ written over.
 """
 
 import os
-import re
 import subprocess
 import unittest
 
-from robots import OMNIORB_WHEEL, ROOT, TOOLS, Robot, files, names, run
+from robots import OMNIORB_WHEEL, ROOT, Robot, files, names, run
 
 
 class Unpacked(Robot):
@@ -53,17 +52,14 @@ class Unpacked(Robot):
         self.assertEqual(again, (0, "export PATH=%s/bin:$PATH\n" % moved, ""))
         self.assertEqual(files(moved, kept), before)
 
-    def test_checkout_and_wheel_lay_out_the_same_but_for_tools(self):
+    def test_checkout_and_wheel_lay_out_the_same(self):
         place = self.unpack()
         other = os.path.join(self.directory, "other")
         self.assertEqual(
             run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0],
             0,
         )
-        tools = "|".join(map(re.escape, TOOLS))
-        self.assertEqual(
-            sorted(files(place, r"dist-info|\.pyc$")), sorted(files(other, r"\.pyc$|\.idl$|" + tools))
-        )
+        self.assertEqual(sorted(files(place, r"dist-info|\.pyc$")), sorted(files(other, r"\.pyc$|\.idl$")))
 
     def test_modules_come_from_one_compiled_file(self):
         """But for what has changed since, and where it is damaged."""

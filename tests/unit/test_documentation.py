@@ -87,7 +87,7 @@ class Help(unittest.TestCase):
 def generated(function, *arguments):
     """What a function of documentation.py returns, which is in the checkout only."""
     environment = dict(os.environ, PYTHONPATH=ROOT, PYTHONDONTWRITEBYTECODE="1")
-    program = "import json, sys; from rtshell_lite.shell import documentation as d; " \
+    program = "import json, sys; from tools import documentation as d; " \
               f"print(json.dumps(d.{function}(*json.loads(sys.argv[1]))))"
     return json.loads(
         subprocess.check_output(
@@ -106,8 +106,7 @@ class Generated(unittest.TestCase):
         for name in "README.ja.md", os.path.join("docs", "command-line.txt"):
             there[name] = read(name)
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
-        self.assertEqual(stale, [], "to bring them up to date, run: python3 -m "
-                                    "rtshell_lite.shell.documentation")
+        self.assertEqual(stale, [], "to bring them up to date, run: python3 -m tools.documentation")
 
     def test_rows_of_commands(self):
         """A command without a row gets the English one, the row of a command that no longer exists goes;

@@ -108,12 +108,12 @@ class Tables(unittest.TestCase):
         with tempfile.TemporaryDirectory() as directory:
             fresh = os.path.join(directory, "tables.py")
             subprocess.check_call(
-                [sys.executable, "-m", "rtshell_lite.idl_stubs.generate", fresh],
+                [sys.executable, "-m", "tools.stubs", fresh],
                 cwd=ROOT,
                 env=dict(os.environ, PYTHONPATH=ROOT),
             )
             with open(fresh) as new, open(os.path.join(STUBS, "tables.py")) as old:
-                self.assertTrue(new.read() == old.read(), "run python3 -m rtshell_lite.idl_stubs.generate")
+                self.assertTrue(new.read() == old.read(), "run python3 -m tools.stubs")
 
     def files(self):
         return sorted(glob.glob(os.path.join(glob.escape(OWN), "*", "*.idl")))

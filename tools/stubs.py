@@ -1,7 +1,8 @@
-"""Generate the tables: python3 -m rtshell_lite.idl_stubs.generate [FILE], in a checkout.
+"""Write the tables of IDL: `python3 -m tools.stubs [FILE]`, in a checkout.
 
-FILE is by default tables.py, which says what the .idl files below idl/ say. To add an interface, edit or drop
-in an .idl file, run this command and commit everything; tests/unit/test_tables.py fails until then.
+FILE is by default rtshell_lite/idl_stubs/tables.py, which says what the .idl files beside it say. To add an
+interface, edit or drop in an .idl file, run this command and commit everything; tests/unit/test_tables.py
+fails until then.
 
 It needs omniORBpy, and omniidl with its back end for Python (pip install jeteve-omniorb).
 """
@@ -14,8 +15,9 @@ import subprocess
 import sys
 import tempfile
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-IDL = os.path.join(HERE, "idl")
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+STUBS = os.path.join(ROOT, "rtshell_lite", "idl_stubs")
+IDL = os.path.join(STUBS, "idl")
 
 
 class NoOmniidl(Exception):
@@ -50,13 +52,10 @@ def tables():
     """The text of tables.py."""
     found = glob.glob(os.path.join(glob.escape(IDL), "*", "*.idl"))
     files = sorted(os.path.relpath(path, IDL) for path in found)
-    root = os.path.dirname(os.path.dirname(HERE))
     with tempfile.TemporaryDirectory() as directory:
         subprocess.check_call([omniidl(), "-I.", "-bpython", "-C" + directory] + files, cwd=IDL)
         return subprocess.check_output(
-            [sys.executable, "-m", "rtshell_lite.idl_stubs.tabulate", directory],
-            cwd=root,
-            universal_newlines=True,
+            [sys.executable, "-m", "tools.tabulate", directory], cwd=ROOT, universal_newlines=True
         )
 
 
@@ -67,11 +66,8 @@ def main(arguments):
     try:
         text = tables()
     except (NoOmniidl, subprocess.CalledProcessError) as error:
-        sys.exit("generate: {}".format(error))
-    if arguments:
-        path = arguments[0]
-    else:
-        path = os.path.join(HERE, "tables.py")
+        sys.exit(f"stubs: {error}")
+    path = arguments[0] if arguments else os.path.join(STUBS, "tables.py")
     with open(path, "w", newline="\n") as stream:
         stream.write(text)
 

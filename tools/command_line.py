@@ -8,7 +8,7 @@ from rtshell_lite import options
 from rtshell_lite.shell import installation
 
 HEAD = """Every option of every command, its default and one sentence.
-Written by python3 -m rtshell_lite.shell.documentation; the tests compare it with the commands.
+Written by python3 -m tools.documentation; the tests compare it with the commands.
 """
 
 

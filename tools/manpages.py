@@ -6,7 +6,8 @@ import argparse
 import re
 
 from rtshell_lite import __version__, options
-from rtshell_lite.shell import command_line, installation
+from rtshell_lite.shell import installation
+from tools import command_line
 
 # Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from the README, the heading of
 # SEE ALSO.
@@ -106,7 +107,7 @@ def _page(lines):
 
 def _header(name, section, date):
     return (
-        '.\\" Written by python3 -m rtshell_lite.shell.documentation\n.TH %s %d %s "rtshell_lite %s" '
+        '.\\" Written by python3 -m tools.documentation\n.TH %s %d %s "rtshell_lite %s" '
         '"rtshell_lite"\n.nh\n.ad l' % (name.upper(), section, date, __version__)
     )
 

@@ -1,4 +1,4 @@
-"""Writes the documents that are generated: `python3 -m rtshell_lite.shell.documentation`, in a checkout.
+"""Writes the documents that are generated: `python3 -m tools.documentation`, in a checkout.
 
 They are the manual pages below man/, docs/command-line.txt, and in README.ja.md a row for each command that
 its table lacks, in English until somebody translates it. tests/unit/test_documentation.py fails when one of
@@ -9,7 +9,8 @@ import os
 import re
 
 from rtshell_lite import __version__, files
-from rtshell_lite.shell import command_line, installation, manpages
+from rtshell_lite.shell import installation
+from tools import command_line, manpages
 
 ROOT = os.path.dirname(installation.PACKAGE)
 ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
