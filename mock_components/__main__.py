@@ -104,7 +104,7 @@ def play(args, worlds, flavour):
     server = args.nameserver or os.environ.get("RTCTREE_NAMESERVERS", "localhost").split(";")[0]
     options = Options(context=args.context, rate=args.rate, sync=args.sync, contexts=1, running=True,
                       arguments={}, control=args.control, consumers=None, size=0, fate="")
-    stage = staging.Stage(here, naming.Naming(here.orb, server), flavour, options)
+    stage = staging.Stage(here, naming.Naming(here, server), flavour, options)
     for number in (signal.SIGTERM, signal.SIGINT):
         # On a thread of its own: the handler may run while this one holds the lock of the event.
         signal.signal(number, lambda *_: threading.Thread(target=stage.finish.set).start())

@@ -30,7 +30,7 @@ def crossed(stage):
     there = stage.port("Out1:in")
     there.profiles = {only_id(there): retold(only(there), "dataport.subscription_type", "new")}
     stage.connect("Sensor0:out", "Out2:in")
-    gone = stage.process.orb.object_to_string(stage.process.ghost(OpenRTM.InPortCdr._NP_RepositoryId))
+    gone = stage.process.text(stage.process.ghost(OpenRTM.InPortCdr._NP_RepositoryId))
     port = stage.port("In3:out")
     code, _ = port.connect(RTC.ConnectorProfile("print", "", [port.reference], nvlist(
         PUSH + [("dataport.corba_cdr.inport_ior", gone)])))
@@ -97,7 +97,7 @@ def aliased(stage, *others):
         stage.names.bind_context(home + name, real)
     stage.names.bind_context(home + [("top", "cxt")], stage.names.root)
     for number, other in enumerate(others):
-        stage.names.bind_context(home + [("far%d" % number, "cxt")], naming.root(stage.process.orb, other))
+        stage.names.bind_context(home + [("far%d" % number, "cxt")], naming.root(stage.process, other))
 
 
 def idle(stage):
@@ -124,9 +124,9 @@ def secured(stage):
         ("Alternate0", [(3, b"\1\0\0\0" + giop.cdr(host.encode()) + port.to_bytes(2, "little"))]),
     ):
         mock = stage.add("Mock", name, names=[])
-        key = ior.address(stage.process.orb.object_to_string(mock.reference)).key
+        key = ior.address(stage.process.text(mock.reference)).key
         text = giop.stringified(0, key=key, components=components)
-        stage.names.bind(stage.home() + [(name, "rtc")], stage.process.orb.string_to_object(text))
+        stage.names.bind(stage.home() + [(name, "rtc")], stage.process.reference(text))
 
 
 WORLDS = {world.__name__: world for world in (crossed, astray, aliased, idle, secured)}

@@ -2,8 +2,8 @@
 connectors.
 """
 import collections
-import threading
 
+from . import carrier
 from .properties import get
 
 LENGTH = 8              # values, where no connector has asked for another length
@@ -24,7 +24,7 @@ class RingBuffer:
         self.policy = "overwrite"
         self.timeout = 1.0
         self.waiting = 0  # values that wait for room
-        self.changed = threading.Condition()
+        self.changed = carrier.Condition()
 
     def configure(self, properties, side):
         """Apply a connector's properties; those of this side override those of both."""

@@ -1,10 +1,8 @@
 """A chain of components that pass values on, one of which may do so badly."""
 import collections
 import functools
-import time
 
-
-from . import dataport, values
+from . import carrier, dataport, values
 from .components import Spec
 from .idl import RTC
 from .rtc import Component
@@ -30,14 +28,14 @@ class Link(Component):
 
     def receive(self, port, value):
         dataport.InPort.take(port, value)
-        self.waiting.append((time.monotonic(), value))
+        self.waiting.append((carrier.now(), value))
 
     def on_execute(self, handle):
         if self.has_in():
             self.read_ports(handle)
         else:
-            value = values.make("TimedLong", int(time.time() * 1e3) % 10**9, True)
-            self.waiting.append((time.monotonic(), value))
+            value = values.make("TimedLong", int(carrier.wall() * 1e3) % 10**9, True)
+            self.waiting.append((carrier.now(), value))
         while self.waiting and self.is_due():
             self.pass_on(self.waiting.popleft()[1])
         return RTC.RTC_OK
@@ -46,7 +44,7 @@ class Link(Component):
         return any(port.port_type == "DataInPort" for port in self.ports)
 
     def is_due(self):
-        return self.fault != "delayed" or time.monotonic() - self.waiting[0][0] > LATE
+        return self.fault != "delayed" or carrier.now() - self.waiting[0][0] > LATE
 
     def pass_on(self, value):
         self.number += 1

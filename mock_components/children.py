@@ -4,10 +4,7 @@ it.
 import os
 import sys
 
-from omniORB import CORBA
-
 from .idl import RTM
-from .process import address as endpoint_of
 
 GRACE = 3               # seconds that a process gets for ending in good order
 
@@ -69,12 +66,7 @@ def end(stage):
             child.kill()
 
 
-def manager_at(orb, place):
+def manager_at(process, place):
     """The manager that listens on HOST:PORT."""
-    reference = orb.string_to_object(f"corbaloc:iiop:1.2@{place}/manager")
+    reference = process.reference(f"corbaloc:iiop:1.2@{place}/manager")
     return reference._unchecked_narrow(RTM.Manager)
-
-
-def address(reference):
-    """HOST:PORT of an object."""
-    return "%s:%d" % endpoint_of(CORBA.ORB_init([], CORBA.ORB_ID).object_to_string(reference))

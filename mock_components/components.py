@@ -1,8 +1,5 @@
 """The components that can be played: what their profiles say, and what they do while active."""
-import time
-
-
-from . import arm, values
+from . import arm, carrier, values
 from .composite import Composite
 from .fsm import StateMachine
 from .idl import RTC
@@ -115,7 +112,7 @@ class Slow(Component):
     DELAY = 0.8
 
     def activated(self, handle):
-        time.sleep(self.DELAY)
+        carrier.sleep(self.DELAY)
         return RTC.RTC_OK
 
     deactivated = reset = activated
@@ -125,7 +122,7 @@ class Stuck(Component):
     """Never comes back from a change of state."""
 
     def activated(self, handle):
-        time.sleep(3600)
+        carrier.sleep(3600)
         return RTC.RTC_OK
 
     deactivated = reset = activated

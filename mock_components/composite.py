@@ -1,14 +1,9 @@
 """Composite components: one execution context and one face for several components, through an Organization.
 """
-import time
-import uuid
-
-from rtshell_lite.corba import stubs
-
+from . import carrier
 from .context import TRANSITION_TIMEOUT
 from .idl import RTC, OpenRTM, SDOPackage
 from .port import is_alive
-from .process import later
 from .rtc import Component
 
 LATE = 1.0              # seconds: C++ 1.2 waits no longer than that for all members
@@ -29,12 +24,12 @@ class Member:
         return not is_alive(self.reference)
 
 
-class Organization(stubs.skeleton("SDOPackage.Organization")):
+class Organization(carrier.skeleton("SDOPackage.Organization")):
     """The members of a composite; adding one stops its own contexts, removing it starts them."""
 
     def __init__(self, composite):
         self.composite = composite
-        self.id = str(uuid.uuid4())
+        self.id = carrier.unique_id(by_time=False)
         self.members = []
         self.properties = []
         self.owner_told = False
@@ -221,7 +216,7 @@ class Composite(Component):
         """
         self.doomed = self.flavour.dead_member == "process"
         if self.doomed and self.awake:
-            later(1.0 / self.owned[0].rate, self.process.die)
+            self.process.later(1.0 / self.owned[0].rate, self.process.die)
         if self.flavour.dead_member == "thread":
             self.owned[0].wreck()
 
@@ -250,7 +245,7 @@ class Composite(Component):
         for member in members:
             member.wanted = after
         if self.flavour.composite == "late":
-            time.sleep(min(TRANSITION_TIMEOUT * len(members), LATE))
+            carrier.sleep(min(TRANSITION_TIMEOUT * len(members), LATE))
         if self.flavour.composite == "blocks" and before == RTC.ACTIVE_STATE:
             for member in members:
                 context.poll(member)
@@ -268,7 +263,7 @@ class Composite(Component):
     def _exit_stumbling(self):
         """Dead members cannot be released: C++ answers and ends with its process, others do not change."""
         if self.flavour.dead_member == "process":
-            later(0.1, self.process.die)
+            self.process.later(0.1, self.process.die)
             return RTC.RTC_OK
         self.stumble()
         return RTC.RTC_ERROR

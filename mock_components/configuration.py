@@ -1,7 +1,5 @@
 """The configuration of a component: its sets of parameters, one of them active."""
-from omniORB import CORBA
-from rtshell_lite.corba import stubs
-
+from . import carrier
 from .idl import SDOPackage
 from .properties import is_text, nvlist
 
@@ -10,7 +8,7 @@ def error(name, description):
     """An SDO exception or, if the name is not one of theirs, a system exception."""
     if hasattr(SDOPackage, name):
         return getattr(SDOPackage, name)(description)
-    return getattr(CORBA, name)(0, CORBA.COMPLETED_NO)
+    return carrier.failure(name, may_be_done=False)
 
 
 def of_a_set(key):
@@ -18,7 +16,7 @@ def of_a_set(key):
     return key.startswith("conf.") and key.count(".") > 1
 
 
-class Configuration(stubs.skeleton("SDOPackage.Configuration")):
+class Configuration(carrier.skeleton("SDOPackage.Configuration")):
     """Sets are kept in order of registration; a set whose id starts with `_` is data about the others."""
 
     def __init__(self, component, sets, active):
@@ -90,8 +88,8 @@ class Configuration(stubs.skeleton("SDOPackage.Configuration")):
         if name == "":
             raise error("InvalidParameter", "Name is empty.")
         if self.flavour.parameter_value == "null":
-            return CORBA.Any(CORBA.TC_null, None)
-        raise CORBA.BAD_PARAM(0, CORBA.COMPLETED_MAYBE)
+            return carrier.Any(carrier.NULL, None)
+        raise carrier.failure("BAD_PARAM")
 
     # changing
 

@@ -1,12 +1,7 @@
 """Execution contexts: the life cycle of their components, driven by a thread that sleeps when there is no
 work.
 """
-import threading
-import time
-
-from omniORB import CORBA
-from rtshell_lite.corba import stubs
-
+from . import carrier
 from .idl import RTC
 from .properties import nvlist
 
@@ -42,9 +37,9 @@ class Behaviour:
         self.owner = None
         self.members = []
         self.participants = []
-        self.changed = threading.Condition()
+        self.changed = carrier.Condition()
         self.thread = None
-        self.born = time.monotonic()
+        self.born = carrier.now()
         self.dead = False
         # 2.x, no component Active: what is asked while it is stopped does not wake it
         self.asleep = False
@@ -178,7 +173,7 @@ class Behaviour:
 
     def _change(self, comp, state, wanted):
         if comp is None and self.flavour.nil_component == "BAD_PARAM":
-            raise CORBA.BAD_PARAM(0x41540000, CORBA.COMPLETED_NO)
+            raise carrier.failure("BAD_PARAM", 0x41540000, may_be_done=False)
         member = self._find(comp)
         if member is None:
             return RTC.BAD_PARAMETER
@@ -212,14 +207,14 @@ class Behaviour:
     def poll(self, member):
         """C++ 1.1 looks every ten periods whether the component has stopped, a thousand times."""
         for _ in range(1000):
-            time.sleep(10.0 / self.rate)
+            carrier.sleep(10.0 / self.rate)
             if member.state != RTC.ACTIVE_STATE:
                 return RTC.RTC_OK
         return RTC.RTC_ERROR
 
     def _add_in_time(self, comp, handle):
         """The context of 2.x knows a component from its next cycle on."""
-        time.sleep(self._to_cycle())
+        carrier.sleep(self._to_cycle())
         self._add(comp, handle)
 
     def _add(self, comp, handle):
@@ -233,12 +228,12 @@ class Behaviour:
         self.participants = [p for p in self.participants if not p._is_equivalent(member.reference)]
 
     def _remove(self, member):
-        time.sleep(self._to_cycle())
+        carrier.sleep(self._to_cycle())
         self.members.remove(member)
         self._unlist(member)
         try:
             member.reference.detach_context(member.handle)
-        except CORBA.SystemException:
+        except carrier.SystemException:
             self._stumble()
         self._wake()
 
@@ -278,7 +273,7 @@ class Behaviour:
                 return
             period = QUICKEST
         with self.changed:
-            self.changed.wait_for(lambda: self.dead, period - (time.monotonic() - self.born) % period)
+            self.changed.wait_for(lambda: self.dead, period - (carrier.now() - self.born) % period)
 
     def _transit(self, member, wanted):
         name = {
@@ -290,19 +285,19 @@ class Behaviour:
             self._enter(member, wanted)
         elif wanted == RTC.ACTIVE_STATE and self.flavour.late_error:
             self._enter(member, wanted)
-            member.falls = time.monotonic() + 1.0 / self.rate
+            member.falls = carrier.now() + 1.0 / self.rate
             self.process.thread(self._fall_in_time, member, 1.0 / self.rate)
         else:
             self._enter(member, RTC.ERROR_STATE, "on_aborting")
 
     def _fall_in_time(self, member, seconds):
-        time.sleep(seconds)
+        carrier.sleep(seconds)
         self._fall(member)
 
     def _fall(self, member):
         """The state machine notices in its next cycle that a component did not become active."""
         with self.changed:
-            if member.falls is None or time.monotonic() < member.falls:
+            if member.falls is None or carrier.now() < member.falls:
                 return
             member.falls = None
         if member.state == RTC.ACTIVE_STATE:
@@ -323,15 +318,15 @@ class Behaviour:
     def _tell(self, member, callback):
         try:
             return getattr(member.component, callback)(member.handle)
-        except CORBA.SystemException:
+        except carrier.SystemException:
             return RTC.RTC_ERROR
 
 
-class PeriodicContext(Behaviour, stubs.skeleton("RTC.ExecutionContextService")):
+class PeriodicContext(Behaviour, carrier.skeleton("RTC.ExecutionContextService")):
     """An ordinary context."""
 
 
-class ExtTrigContext(Behaviour, stubs.skeleton("OpenRTM.ExtTrigExecutionContextService")):
+class ExtTrigContext(Behaviour, carrier.skeleton("OpenRTM.ExtTrigExecutionContextService")):
     """The type that C++ 1.1 gives to every context."""
 
     def tick(self):

@@ -70,7 +70,7 @@ class Commands:
     def references(self, port):
         port = self.stage.port(port)
         served = [carrier.reference for carrier in list(port.transports.values()) if carrier.servant]
-        return [port.process.orb.object_to_string(reference) for reference in served]
+        return [port.process.text(reference) for reference in served]
 
     def forget(self, port):
         port = self.stage.port(port)

@@ -1,10 +1,7 @@
 """What a mock notes about the calls that it receives, and the faults it is to show."""
 import collections
-import os
-import threading
-import time
 
-from omniORB import CORBA
+from . import carrier
 
 FOR_EVER = 3600
 # the minor codes with which omniORB itself raises these
@@ -20,8 +17,8 @@ class Ledger:
     """Calls by owner and operation, calls in flight, and the faults still to come."""
 
     def __init__(self):
-        self.lock = threading.Condition()
-        self.local = threading.local()
+        self.lock = carrier.Condition()
+        self.local = carrier.Local()
         self.calls = collections.Counter()      # (owner, operation) -> calls
         self.in_flight = 0
         self.highwater = 0
@@ -51,7 +48,7 @@ class Ledger:
                 return None
 
         def suffer():
-            time.sleep(delay)
+            carrier.sleep(delay)
             self._hold(owner)
             if kind == "LOST":
                 self.local.lost = True
@@ -66,19 +63,19 @@ class Ledger:
                 self.in_flight -= 1
             if getattr(self.local, "lost", False):
                 self.local.lost = False
-                time.sleep(FOR_EVER)
+                carrier.sleep(FOR_EVER)
 
     def fail(self, operation, nth=1, kind="TRANSIENT"):
-        """Let the nth next call of the operation end badly."""
-        if kind not in ("HANG", "DIE", "LOST") and not hasattr(CORBA, kind):
-            raise ValueError("no such failure: " + kind)
+        """Let the nth next call of the operation end badly. Raises AttributeError for an unknown kind."""
+        if kind not in ("HANG", "DIE", "LOST"):
+            carrier.failure(kind)
         with self.lock:
             self.faults.append([operation, nth, kind])
 
     def hang(self, owner, seconds):
         """Let all calls of one component wait; 0 lets them go."""
         with self.lock:
-            self.holds[owner] = time.monotonic() + seconds
+            self.holds[owner] = carrier.now() + seconds
             self.lock.notify_all()
 
     def delay(self, operation, seconds):
@@ -114,49 +111,12 @@ class Ledger:
 
     def _hold(self, owner):
         with self.lock:
-            self.lock.wait_for(lambda: time.monotonic() >= self.holds.get(owner, 0),
-                               max(0, self.holds.get(owner, 0) - time.monotonic()))
+            self.lock.wait_for(lambda: carrier.now() >= self.holds.get(owner, 0),
+                               max(0, self.holds.get(owner, 0) - carrier.now()))
 
     def _fail(self, kind):
         if kind == "HANG":
-            time.sleep(FOR_EVER)
+            carrier.sleep(FOR_EVER)
         if kind == "DIE":
-            os._exit(1)
-        raise getattr(CORBA, kind)(MINORS.get(kind, 0), CORBA.COMPLETED_MAYBE)
-
-
-def stand_in(servant, ledger, owner):
-    """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger.
-    """
-    def passed_on(operation):
-        def call(self, *args):
-            suffer = ledger.begin(owner, operation)
-            try:
-                if suffer:
-                    suffer()
-                return getattr(servant, operation)(*args)
-            finally:
-                ledger.end()
-        return call
-    return _like(servant, passed_on)
-
-
-def suffering(servant, suffer):
-    """A servant that passes calls on after `suffer`.
-
-    A locator that waited would keep omniORB from reading the next call on the connection; a servant that
-    waits does not.
-    """
-    def passed_on(operation):
-        def call(self, *args):
-            suffer()
-            return getattr(servant, operation)(*args)
-        return call
-    return _like(servant, passed_on)
-
-
-def _like(servant, passed_on):
-    lineage = type(servant).__mro__
-    skeleton = next(kind for kind in lineage if "_omni_op_d" in vars(kind))
-    operations = {name for kind in lineage for name in vars(kind).get("_omni_op_d", ())}
-    return type("StandIn", (skeleton,), {name: passed_on(name) for name in operations})()
+            carrier.die()
+        raise carrier.failure(kind, MINORS.get(kind, 0))

@@ -1,7 +1,5 @@
 """Data ports: what they publish, negotiate and carry."""
-from omniORB import CORBA
-
-from . import buffer, transport, values
+from . import buffer, carrier, transport, values
 from .idl import RTC
 from .port import Port, is_alive
 from .properties import get, is_text, put, text
@@ -86,8 +84,8 @@ class DataPort(Port):
             return RTC.RTC_OK
         ior = get(profile.properties, f"dataport.{transport.KEYS[interface]}.{self.other_side}_ior")
         try:
-            reference = ior and self.process.orb.string_to_object(ior)
-        except CORBA.SystemException:
+            reference = ior and self.process.reference(ior)
+        except carrier.SystemException:
             reference = None
         if not reference:
             return RTC.BAD_PARAMETER
@@ -96,7 +94,7 @@ class DataPort(Port):
     def rewrite(self, profile):
         """Spoil or remove object references, as some implementations do when they pass a connector on."""
         fate = self.flavour.reference
-        refs = [item for item in profile.properties if item.value.typecode().kind() == CORBA.tk_objref]
+        refs = [item for item in profile.properties if carrier.is_of(item.value, carrier.REFERENCE)]
         if fate == "kept":
             return
         for item in refs:
@@ -121,12 +119,12 @@ class DataPort(Port):
 
     def _serve(self, profile, interface):
         """Publish the object that this port offers to the others."""
-        carrier = self.carrier(profile, interface)
-        self.transports[profile.connector_id] = carrier
+        made = self.carry(profile, interface)
+        self.transports[profile.connector_id] = made
         key = f"dataport.{transport.KEYS[interface]}.{self.side}"
-        put(profile.properties, key + "_ior", self.process.orb.object_to_string(carrier.reference))
+        put(profile.properties, key + "_ior", self.process.text(made.reference))
         if self.flavour.reference != "never":
-            put(profile.properties, key + "_ref", transport.reference_any(carrier.reference))
+            put(profile.properties, key + "_ref", transport.reference_any(made.reference))
 
 
 class OutPort(DataPort):
@@ -153,7 +151,7 @@ class OutPort(DataPort):
     def properties(self):
         pairs = super().properties()
         if self.flavour.data_value:
-            pairs.append(("dataport.data_value", CORBA.Any(values.typecode(self.type_name), self.last)))
+            pairs.append(("dataport.data_value", carrier.Any(values.typecode(self.type_name), self.last)))
         return pairs
 
     def write(self, value):
@@ -161,11 +159,11 @@ class OutPort(DataPort):
         self.last = value
         self.sent += 1
         self.moved("SEND:OutPort:")
-        for connector_id, carrier in list(self.transports.items()):
-            if not carrier.write(values.encode(self.type_name, value, carrier.little)):
+        for connector_id, one in list(self.transports.items()):
+            if not one.write(values.encode(self.type_name, value, one.little)):
                 self.process.thread(self.disconnect, connector_id)
 
-    def carrier(self, profile, interface):
+    def carry(self, profile, interface):
         return transport.Provider(self, profile, interface)
 
     def use(self, profile, interface, reference):
@@ -209,7 +207,7 @@ class InPort(DataPort):
     def modes(self):
         return [("dataport.subscription_type", "Any")]
 
-    def carrier(self, profile, interface):
+    def carry(self, profile, interface):
         self.buffer.configure(profile.properties, self.side)
         return transport.Receiver(self, profile, interface)
 
@@ -244,8 +242,8 @@ class InPort(DataPort):
         value = self.buffer.read()
         if value is not None:
             self.take(value)
-        for carrier in connections:
-            carrier.fetch()
+        for one in connections:
+            one.fetch()
 
     def take(self, value):
         """The component has read a value."""

@@ -86,7 +86,7 @@ def slave(stage, place, name="manager", *lines):
     here = Manager(stage, name, master=False)
     stage.ready.append(str(port(stage)))
     populate(stage, lines)
-    here.join(children.manager_at(stage.process.orb, place))
+    here.join(children.manager_at(stage.process, place))
 
 
 WORLDS = {

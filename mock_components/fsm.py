@@ -1,6 +1,5 @@
 """A state machine component with the service of FSM4RTC."""
-from rtshell_lite.corba import stubs
-
+from . import carrier
 from .idl import RTC, SDOPackage
 from .rtc import Component
 
@@ -16,7 +15,7 @@ STRUCTURE = """\
 EVENTS = [("open", "TimedLong"), ("close", "TimedLong"), ("start", "TimedLong"), ("stop", "TimedLong")]
 
 
-class Service(stubs.skeleton("RTC.ExtendedFsmService")):
+class Service(carrier.skeleton("RTC.ExtendedFsmService")):
     """The service of a state machine; it returns the structure that was set."""
 
     def __init__(self, fate):

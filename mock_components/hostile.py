@@ -1,7 +1,7 @@
 """A component that puts something hostile into every string it reports."""
-from omniORB import CORBA, any as omniany, tcInternal
+from rtshell_lite.giop import descriptors
 
-from . import odd, values
+from . import carrier, odd, values
 from .components import Spec
 from .idl import RTC
 from .properties import nvlist
@@ -32,12 +32,12 @@ class Hostile(Component):
                 "vendor": odd.JAPANESE + SHELL, "category": "a.b/c:" + ESCAPES}
 
     def properties(self):
-        wide = CORBA.Any(tcInternal.createTypeCode((tcInternal.tv_wstring, 0)), "wide \u65e5\u672c")
+        wide = carrier.Any(carrier.typecode((descriptors.WSTRING, 0)), "wide \u65e5\u672c")
         return super().properties() + [
-            (SHELL, ESCAPES), ("", ""), (ESCAPES, MARKUP), ("long", LONG), ("integer", omniany.to_any(5)),
-            ("real", omniany.to_any(1.5)), ("wide", wide), ("null", CORBA.Any(CORBA.TC_null, None)),
-            ("struct", CORBA.Any(values.typecode("TimedLong"), RTC.TimedLong(RTC.Time(1, 2), 3))),
-            ("object", omniany.to_any(self.reference))]
+            (SHELL, ESCAPES), ("", ""), (ESCAPES, MARKUP), ("long", LONG), ("integer", carrier.to_any(5)),
+            ("real", carrier.to_any(1.5)), ("wide", wide), ("null", carrier.Any(carrier.NULL, None)),
+            ("struct", carrier.Any(values.typecode("TimedLong"), RTC.TimedLong(RTC.Time(1, 2), 3))),
+            ("object", carrier.to_any(self.reference))]
 
 
 SPEC = Spec(

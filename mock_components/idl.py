@@ -1,15 +1,13 @@
 """The modules of OpenRTM's IDL, as stubs that omniidl makes would have them."""
 import types
 
-from rtshell_lite.corba import stubs
-
-stubs.register()
+from . import carrier
 
 
 def module(*scopes):
     """The contents of IDL modules by how the repository ids of what is in them begin."""
     return types.SimpleNamespace(
-        **{name: value for scope in scopes for name, value in stubs.contents(scope).items()}
+        **{name: value for scope in scopes for name, value in carrier.contents(scope).items()}
     )
 
 

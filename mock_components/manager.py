@@ -2,21 +2,16 @@
 """
 import itertools
 
-import omniORB
-from omniORB import CORBA
-from rtshell_lite.corba import stubs
-
-from . import children, composite, modules
+from . import carrier, children, composite, modules
 from .creation import Wanted, extract
 from .idl import RTC, RTM
-from .process import later
 from .properties import get, nvlist
 
 KEY = "manager"             # its object key, whatever its name
 SHUTDOWN_TIME = 0.5         # seconds from the answer to shutdown() to the end of the process
 
 
-class Manager(stubs.skeleton("RTM.Manager")):
+class Manager(carrier.skeleton("RTM.Manager")):
     """Lives in the process of a stage, whose components are its own."""
 
     def __init__(self, stage, name="manager", master=True):
@@ -43,10 +38,10 @@ class Manager(stubs.skeleton("RTM.Manager")):
 
     def unload_module(self, path):
         if path not in self.modules.loaded:
-            raise CORBA.UNKNOWN(self.flavour.exception_minor, CORBA.COMPLETED_MAYBE)
+            raise carrier.failure("UNKNOWN", self.flavour.exception_minor)
         self.modules.unload(path)
         if any(self.modules.lacks_code(component.spec) for component in list(self.stage.components.values())):
-            later(0.1, self.stage.process.die)
+            self.stage.process.later(0.1, self.stage.process.die)
         return RTC.RTC_OK
 
     def get_loadable_modules(self):
@@ -122,7 +117,7 @@ class Manager(stubs.skeleton("RTM.Manager")):
         address, line = extract(line, "manager_address")
         slaves = self._live_slaves(name)
         if address:
-            if any(children.address(slave) == address for slave in slaves):
+            if any(self.stage.process.address(slave) == address for slave in slaves):
                 return None
             slaves = []
         for slave in slaves or self._started(name, address):
@@ -162,8 +157,8 @@ class Manager(stubs.skeleton("RTM.Manager")):
     def _create_at(self, address, line):
         """Create it in the manager at HOST:PORT."""
         try:
-            return children.manager_at(self.stage.process.orb, address).create_component(line)
-        except CORBA.SystemException:
+            return children.manager_at(self.stage.process, address).create_component(line)
+        except carrier.SystemException:
             return None
 
     def delete_component(self, instance_name):
@@ -184,7 +179,7 @@ class Manager(stubs.skeleton("RTM.Manager")):
     def get_components_by_name(self, pattern):
         """NAME, */NAME or CATEGORY/NAME; of a master, its own only."""
         if not self.flavour.by_name:
-            raise CORBA.BAD_OPERATION(0, CORBA.COMPLETED_NO)
+            raise carrier.failure("BAD_OPERATION", may_be_done=False)
         category, _, name = pattern.rpartition("/")
         return [component.reference for component in list(self.stage.listed.values())
                 if component.instance_name == name and category in ("", "*", component.spec.category)]
@@ -248,10 +243,10 @@ class Manager(stubs.skeleton("RTM.Manager")):
         """Sign off at the other managers; the slaves of a master live on."""
         for others, tell in ((self.masters, "remove_slave_manager"), (self.slaves, "remove_master_manager")):
             for other in list(others):
-                omniORB.setClientCallTimeout(other, 1000)
+                carrier.set_timeout(other, 1000)
                 try:
                     getattr(other, tell)(self.reference)
-                except CORBA.SystemException:
+                except carrier.SystemException:
                     pass
 
     def _of_slaves(self, operation):
@@ -260,7 +255,7 @@ class Manager(stubs.skeleton("RTM.Manager")):
         for slave in list(self.slaves):
             try:
                 answers += getattr(slave, operation)()
-            except CORBA.SystemException:
+            except carrier.SystemException:
                 _remove(self.slaves, slave)
         return answers
 
@@ -271,7 +266,7 @@ class Manager(stubs.skeleton("RTM.Manager")):
             try:
                 if name in (None, get(slave.get_profile().properties, "instance_name")):
                     found.append(slave)
-            except CORBA.SystemException:
+            except carrier.SystemException:
                 _remove(self.slaves, slave)
         return found
 
@@ -287,7 +282,7 @@ class Manager(stubs.skeleton("RTM.Manager")):
         self.stage.children = []        # they live on
         if self.flavour.dead_member == "process" and self.flavour.modern and self._has_composite():
             return self.stage.process.die()  # its members are gone first: CORBA::BAD_PARAM
-        later(SHUTDOWN_TIME, self.stage.finish.set)
+        self.stage.process.later(SHUTDOWN_TIME, self.stage.finish.set)
         return RTC.RTC_OK
 
     def _has_composite(self):

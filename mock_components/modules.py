@@ -1,10 +1,7 @@
 """Modules: the files that a manager can load, and the component factories in them."""
-import os
 import re
 
-from omniORB import any as omniany
-
-from . import components
+from . import carrier, components
 from .properties import nvlist
 
 ROOTS = {"C++": "/opt/openrtm/components/c++/examples/rtc", "Python": "/opt/openrtm/components/python",
@@ -135,9 +132,9 @@ def configuration(flavour, modules, name, context, endpoint, master):
     above = ""
     if "/" in context:
         above = context.rpartition("/")[0] + "/"
-    pid = str(os.getpid())
+    pid = str(carrier.PID)
     if flavour.integer_pid:
-        pid = omniany.to_any(os.getpid())
+        pid = carrier.to_any(carrier.PID)
     pairs = [
         ("config.version", flavour.version),
         ("openrtm.name", product),

@@ -1,26 +1,26 @@
 """Binding names in a name server as OpenRTM components do. A name is a list of (id, kind) pairs."""
-from omniORB import CORBA
-import CosNaming
+from . import carrier
+from .carrier import CosNaming
 
 
 def _name(pairs):
     return [CosNaming.NameComponent(*pair) for pair in pairs]
 
 
-def root(orb, address):
+def root(process, address):
     """The root context of the name server at HOST:PORT, which is not contacted; its reference has no type id.
     """
     host, _, port = address.partition(":")
     uri = f"corbaloc:iiop:1.2@{host}:{port or '2809'}/NameService"
-    return orb.string_to_object(uri)._unchecked_narrow(CosNaming.NamingContext)
+    return process.reference(uri)._unchecked_narrow(CosNaming.NamingContext)
 
 
 class Naming:
     """One name server, and the names bound in it."""
 
-    def __init__(self, orb, address):
+    def __init__(self, process, address):
         self.address = address
-        self.root = root(orb, address)
+        self.root = root(process, address)
         self.bound = []
 
     def bind(self, name, reference):
@@ -57,7 +57,7 @@ class Naming:
         """Remove a name, if it and the server still exist."""
         try:
             self.root.unbind(_name(name))
-        except CORBA.Exception:
+        except carrier.Raised:
             pass
 
     def unbind_all(self):

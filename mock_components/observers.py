@@ -1,10 +1,5 @@
 """The services to which a component reports: observers of two kinds, and loggers."""
-import threading
-import time
-
-import omniORB
-from omniORB import CORBA
-
+from . import carrier
 from .idl import RTC, OpenRTM
 from .properties import get
 
@@ -25,8 +20,8 @@ class Consumer:
         self.component = component
         self.interface_type = profile.interface_type
         self.reference = profile.service._unchecked_narrow(kind)
-        omniORB.setClientCallTimeout(self.reference, CONNECT_LIMIT)
-        self.ended = threading.Event()
+        carrier.set_timeout(self.reference, CONNECT_LIMIT)
+        self.ended = carrier.Event()
         self.configure(profile.properties)
 
     def configure(self, properties):
@@ -54,7 +49,7 @@ class Observer(Consumer):
 
     def __init__(self, component, profile):
         self.last = {}              # hint -> time of the last event of a kind that must not come too often
-        self.lock = threading.Lock()
+        self.lock = carrier.Lock()
         self.failed = 0             # reports of connections
         self.is_lost = False
         super().__init__(component, profile, self.module.ComponentObserver)
@@ -63,7 +58,7 @@ class Observer(Consumer):
         """Apply the properties, again if they have changed; old heartbeats stop."""
         super().configure(properties)
         self.ended.set()
-        self.ended = threading.Event()
+        self.ended = carrier.Event()
         self.wanted = [word.strip() for word in get(properties, "observed_status", "ALL").split(",")]
         for kind, hint, prefix in self.heartbeats:
             if self.switch(prefix + ".enable"):
@@ -91,7 +86,7 @@ class Observer(Consumer):
         direction = hint.partition(":")[0].lower()
         if direction not in ("send", "receive"):
             return True
-        now = time.monotonic()
+        now = carrier.now()
         if now - self.last.get(hint, 0) < self.interval(f"port_profile.{direction}_event.min_interval"):
             return False
         self.last[hint] = now
@@ -101,7 +96,7 @@ class Observer(Consumer):
         """Whether the observer can still be reached; if not, it is forgotten."""
         try:
             self.reference.update_status(getattr(self.module, kind), hint)
-        except CORBA.SystemException:
+        except carrier.SystemException:
             self._lost(hint)
             return False
         return True
@@ -122,7 +117,7 @@ class Observer(Consumer):
             self.component.hang()
 
     def _remove(self):
-        time.sleep(REMOVAL)
+        carrier.sleep(REMOVAL)
         self.component.observers.drop(self)
 
 
@@ -146,11 +141,11 @@ class Logger(Consumer):
             return
         if "ALL" not in names and name not in names:
             return
-        now = time.time()
+        now = carrier.wall()
         stamp = RTC.Time(int(now), int(now % 1 * 1e9))
         try:
             self.reference.publish(OpenRTM.LogRecord(stamp, name, getattr(OpenRTM, "RTM_" + level), message))
-        except CORBA.SystemException:
+        except carrier.SystemException:
             self.component.observers.drop(self)
 
 
@@ -182,7 +177,7 @@ class Observers:
         if consumer:
             consumer.close()
             if self.component.flavour.heart_stops_late:
-                time.sleep(consumer.pulse())
+                carrier.sleep(consumer.pulse())
         return consumer is not None
 
     def forget(self, count):

@@ -1,16 +1,12 @@
 """Ports: profiles, connecting and disconnecting. No lock is held during a call to another port."""
-import threading
-
-from omniORB import CORBA
-from rtshell_lite.corba import stubs
-
+from . import carrier
 from .idl import RTC
 from .properties import get, nvlist
 
 TRANSIENT_CONNECT_FAILED = 0x41540002
 
 
-class Port(stubs.skeleton("RTC.PortService")):
+class Port(carrier.skeleton("RTC.PortService")):
     """What data ports and service ports share."""
 
     def __init__(self, component, name):
@@ -20,7 +16,7 @@ class Port(stubs.skeleton("RTC.PortService")):
         self.short_name = name
         self.name = component.instance_name + "." + name if self.flavour.port_prefix else name
         self.reference = self.process.serve(self, component.instance_name)
-        self.lock = threading.Lock()
+        self.lock = carrier.Lock()
         self.profiles = {}              # connector id -> connector profile, in order of connecting
         self.transports = {}            # connector id -> what carries its data
         # by a connector that no profile shows: the next disconnection never ends
@@ -89,7 +85,7 @@ class Port(stubs.skeleton("RTC.PortService")):
             any(connector_id not in self.profiles for connector_id in dead)
             and self.flavour.dead_peer != "clean"
         ):
-            raise CORBA.TRANSIENT(TRANSIENT_CONNECT_FAILED, CORBA.COMPLETED_MAYBE)
+            raise carrier.failure("TRANSIENT", TRANSIENT_CONNECT_FAILED)
 
     def prune_for_component(self):
         """The same for the component's profile, where C++ 2.1 ends its process."""
@@ -104,13 +100,11 @@ class Port(stubs.skeleton("RTC.PortService")):
         if refusal:
             return refusal, profile
         if not profile.connector_id:
-            import uuid
-            make = uuid.uuid1 if self.flavour.uuid == "time" else uuid.uuid4
-            profile.connector_id = str(make())
+            profile.connector_id = carrier.unique_id(self.flavour.uuid == "time")
         self.prepare(profile)
         try:
             code, profile = profile.ports[0].notify_connect(profile)
-        except CORBA.SystemException:
+        except carrier.SystemException:
             code = RTC.BAD_PARAMETER
         if code != RTC.RTC_OK:
             self.disconnect(profile.connector_id)
@@ -155,7 +149,7 @@ class Port(stubs.skeleton("RTC.PortService")):
         self.rewrite(profile)
         try:
             return port.notify_connect(profile)
-        except CORBA.SystemException:
+        except carrier.SystemException:
             return RTC.BAD_PARAMETER, profile
 
     def rewrite(self, profile):
@@ -190,7 +184,7 @@ class Port(stubs.skeleton("RTC.PortService")):
         for port in profile.ports:
             try:
                 return port.notify_disconnect(connector_id)
-            except CORBA.SystemException:
+            except carrier.SystemException:
                 continue
         return RTC.RTC_ERROR
 
@@ -219,7 +213,7 @@ def forward_disconnect(port, connector_id):
     """Remove a connection from its next port, too; returns that port's code."""
     try:
         return port.notify_disconnect(connector_id)
-    except CORBA.SystemException:
+    except carrier.SystemException:
         return RTC.RTC_ERROR
 
 
@@ -227,5 +221,5 @@ def is_alive(port):
     """Whether the object answers: its process lives, and it has not been removed."""
     try:
         return not port._non_existent()
-    except CORBA.SystemException:
+    except carrier.SystemException:
         return False

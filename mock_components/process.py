@@ -1,13 +1,13 @@
 """A mock's end of CORBA: one ORB, and one object adapter through which every call to every object passes."""
 import itertools
-import os
 import struct
 import sys
 import threading
 
 from omniORB import CORBA, PortableServer, PortableServer__POA
 
-from .counting import MINORS, Ledger, stand_in, suffering
+from . import carrier
+from .counting import MINORS, Ledger
 
 
 class Locator(PortableServer__POA.ServantLocator):
@@ -70,9 +70,7 @@ class Process:
         self.poa.set_servant_manager(self.locator._this())
         self.keys = self.orb.resolve_initial_references("omniINSPOA")
         self.keys._get_the_POAManager().activate()
-        self.endpoint = "%s:%d" % address(
-            self.orb.object_to_string(self.ghost("IDL:omg.org/CORBA/Object:1.0"))
-        )
+        self.endpoint = self.address(self.ghost("IDL:omg.org/CORBA/Object:1.0"))
 
     def serve(self, servant, owner, exists=lambda: True):
         """Make a servant callable; its reference, with the type id of the servant's class."""
@@ -119,9 +117,27 @@ class Process:
         started.start()
         return started
 
+    def later(self, seconds, function, *arguments):
+        """Call a function from a thread of its own, in a while."""
+        timer = threading.Timer(seconds, function, arguments)
+        timer.daemon = True
+        timer.start()
+
     def die(self):
         """End at once, all names left bound, as a crash does."""
-        os._exit(1)
+        carrier.die()
+
+    def text(self, reference):
+        """A reference as a stringified IOR."""
+        return self.orb.object_to_string(reference)
+
+    def reference(self, text):
+        """The reference in a stringified IOR or a corbaloc. Raises SystemException."""
+        return self.orb.string_to_object(text)
+
+    def address(self, reference):
+        """HOST:PORT of an object."""
+        return "%s:%d" % address(self.text(reference))
 
 
 def address(ior):
@@ -140,8 +156,38 @@ def address(ior):
     return host, struct.unpack_from(order + "H", data, at(profile + 8 + size, 2))[0]
 
 
-def later(seconds, function, *arguments):
-    """Call a function from a thread of its own, in a while."""
-    timer = threading.Timer(seconds, function, arguments)
-    timer.daemon = True
-    timer.start()
+def stand_in(servant, ledger, owner):
+    """A servant that notes each call and passes it on, for object adapters that know nothing of the ledger.
+    """
+    def passed_on(operation):
+        def call(self, *args):
+            suffer = ledger.begin(owner, operation)
+            try:
+                if suffer:
+                    suffer()
+                return getattr(servant, operation)(*args)
+            finally:
+                ledger.end()
+        return call
+    return _like(servant, passed_on)
+
+
+def suffering(servant, suffer):
+    """A servant that passes calls on after `suffer`.
+
+    A locator that waited would keep omniORB from reading the next call on the connection; a servant that
+    waits does not.
+    """
+    def passed_on(operation):
+        def call(self, *args):
+            suffer()
+            return getattr(servant, operation)(*args)
+        return call
+    return _like(servant, passed_on)
+
+
+def _like(servant, passed_on):
+    lineage = type(servant).__mro__
+    skeleton = next(kind for kind in lineage if "_omni_op_d" in vars(kind))
+    operations = {name for kind in lineage for name in vars(kind).get("_omni_op_d", ())}
+    return type("StandIn", (skeleton,), {name: passed_on(name) for name in operations})()

@@ -1,14 +1,11 @@
 """Name-value lists: what profiles carry in their `properties`."""
-from omniORB import CORBA, tcInternal
-
+from . import carrier
 from .idl import SDOPackage
-
-_STRING = tcInternal.createTypeCode((tcInternal.tv_string, 0))
 
 
 def text(value):
     """A string in an any; a value that is an any already stays itself."""
-    return value if isinstance(value, CORBA.Any) else CORBA.Any(_STRING, value)
+    return value if isinstance(value, carrier.Any) else carrier.Any(carrier.TEXT, value)
 
 
 def nvlist(pairs):
@@ -18,7 +15,7 @@ def nvlist(pairs):
 
 def is_text(value):
     """Whether an any holds a string."""
-    return value.typecode().kind() == CORBA.tk_string
+    return carrier.is_of(value, carrier.TEXT)
 
 
 def get(properties, name, default=""):

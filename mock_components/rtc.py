@@ -1,10 +1,5 @@
 """An RT Component: profile, contexts, ports and configuration behind one CORBA object."""
-import time
-
-from omniORB import CORBA
-from rtshell_lite.corba import stubs
-
-from . import configuration, context, dataport, naming, observers, serviceport
+from . import carrier, configuration, context, dataport, naming, observers, serviceport
 from .counting import FOR_EVER
 from .idl import RTC, SDOPackage
 from .properties import nvlist
@@ -18,7 +13,7 @@ KINDS = {
 }
 
 
-class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
+class Component(carrier.skeleton("OpenRTM.DataFlowComponent")):
     """A component without behaviour; others derive from it."""
 
     busy = False        # whether an active one has work in every cycle
@@ -198,7 +193,7 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         cycles = driving.cycles() if driving else 1
         for _ in range(max(1, cycles - self.between)):
             self._read()
-        self.executed = time.monotonic()
+        self.executed = carrier.now()
         self.cycles = cycles
         self.between = 0
 
@@ -206,7 +201,7 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         """Read what the cycles since the last execution have to read: a short buffer would be full for most
         of the time.
         """
-        due = min(self.cycles - 1, int((time.monotonic() - self.executed) / context.QUICKEST * self.cycles))
+        due = min(self.cycles - 1, int((carrier.now() - self.executed) / context.QUICKEST * self.cycles))
         while self.between < due:
             self.between += 1
             self._read()
@@ -248,7 +243,7 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
         for organization in self.get_organizations():
             try:
                 organization.remove_member(self.instance_name)
-            except CORBA.Exception:
+            except carrier.Raised:
                 pass                    # the composite has died, or has just let it go
 
     def configured(self, config_id):
@@ -266,7 +261,7 @@ class Component(stubs.skeleton("OpenRTM.DataFlowComponent")):
     def hang(self):
         """Answer no more."""
         self.process.ledger.hang(self.instance_name, FOR_EVER)
-        time.sleep(FOR_EVER)
+        carrier.sleep(FOR_EVER)
 
     # callbacks: what contexts call, and the part of it that components have their own way of doing
 

@@ -1,24 +1,27 @@
 """Service ports: interfaces provided and required, and the service of the stock examples."""
-from omniORB import CORBA, PortableServer, tcInternal as tc
+from rtshell_lite.giop import descriptors
 
+from . import carrier
 from .idl import RTC
 from .port import Port
 from .properties import get, put
 
-_ECHOES = (tc.tv_alias, "IDL:SimpleService/EchoList:1.0", "EchoList", (tc.tv_sequence, (tc.tv_string, 0), 0))
-_VALUES = (tc.tv_alias, "IDL:SimpleService/ValueList:1.0", "ValueList", (tc.tv_sequence, tc.tv_float, 0))
-_TEXT = (tc.tv_string, 0)
+_TEXT = (descriptors.STRING, 0)
+_ECHOES = (descriptors.SEQUENCE, _TEXT, 0)
+_ECHOES = (descriptors.ALIAS, "IDL:SimpleService/EchoList:1.0", "EchoList", _ECHOES)
+_VALUES = (descriptors.SEQUENCE, descriptors.FLOAT, 0)
+_VALUES = (descriptors.ALIAS, "IDL:SimpleService/ValueList:1.0", "ValueList", _VALUES)
+_OPERATIONS = {
+    "echo": ((_TEXT,), (_TEXT,)),
+    "get_echo_history": ((), (_ECHOES,)),
+    "set_value": ((descriptors.FLOAT,), ()),
+    "get_value": ((), (descriptors.FLOAT,)),
+    "get_value_history": ((), (_VALUES,)),
+}
 
 
-class MyService(PortableServer.Servant):
+class MyService(carrier.servant("IDL:SimpleService/MyService:1.0", _OPERATIONS)):
     """SimpleService::MyService of the examples: echoes and remembers."""
-
-    _NP_RepositoryId = "IDL:SimpleService/MyService:1.0"
-    _omni_op_d = {"echo": ((_TEXT,), (_TEXT,), None),
-                  "get_echo_history": ((), (_ECHOES,), None),
-                  "set_value": ((tc.tv_float,), (), None),
-                  "get_value": ((), (tc.tv_float,), None),
-                  "get_value_history": ((), (_VALUES,), None)}
 
     def __init__(self):
         self.echoes = []
@@ -39,9 +42,6 @@ class MyService(PortableServer.Servant):
 
     def get_value_history(self):
         return self.values
-
-
-MyService._omni_skeleton = MyService    # omniORB aborts the process without it
 
 
 def _servant(type_name):
@@ -90,7 +90,7 @@ class ServicePort(Port):
     def publish(self, profile):
         for polarity, instance, type_name in self.entries:
             if polarity == "provided":
-                ior = self.process.orb.object_to_string(self.services[instance])
+                ior = self.process.text(self.services[instance])
                 put(profile.properties, self._key(polarity, instance, type_name), ior)
                 put(profile.properties, f"port.{type_name}.{instance}", ior)
         return RTC.RTC_OK
@@ -110,8 +110,8 @@ class ServicePort(Port):
 
     def _object(self, ior):
         try:
-            return self.process.orb.string_to_object(ior)
-        except CORBA.SystemException:
+            return self.process.reference(ior)
+        except carrier.SystemException:
             return None
 
     def release(self, connector_id):

@@ -1,9 +1,5 @@
 """A component that sends at a rate of its own, faster than contexts of mocks run."""
-import threading
-import time
-
-
-from . import values
+from . import carrier, values
 from .idl import RTC
 from .rtc import Component
 
@@ -16,7 +12,7 @@ class Source(Component):
     """
 
     def activated(self, handle):
-        self.halt = threading.Event()
+        self.halt = carrier.Event()
         self.process.thread(self._send, self.halt)
         return RTC.RTC_OK
 
@@ -26,13 +22,13 @@ class Source(Component):
 
     def _send(self, halt):
         number = 0
-        due = time.monotonic()
-        while not halt.wait(max(0, due - time.monotonic())):
+        due = carrier.now()
+        while not halt.wait(max(0, due - carrier.now())):
             number += 1
             stamped = values.make("TimedLong", number, True)
             self.port("number").write(stamped)
             self.port("block").write(RTC.TimedOctetSeq(stamped.tm, self._octets(number)))
-            due = max(due + 1.0 / self.owned[0].rate, time.monotonic() - PATIENCE)
+            due = max(due + 1.0 / self.owned[0].rate, carrier.now() - PATIENCE)
 
     def _octets(self, number):
         """The number, least significant octet first, then zeros."""

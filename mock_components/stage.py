@@ -1,10 +1,6 @@
 """Setting up a world: its process, its name server, its components."""
-import threading
-
-
-from . import children, components, naming
+from . import carrier, children, components, naming
 from .idl import RTC
-from .process import later
 from .properties import nvlist
 
 PUSH = [("dataport.dataflow_type", "push"), ("dataport.interface_type", "corba_cdr"),
@@ -30,7 +26,7 @@ class Stage:
         self.controls = []              # their control sockets
         self.ready = []                 # what is said after `ready` and the number of components
         self.after_ready = None         # called once `ready` has been printed
-        self.finish = threading.Event()     # set: the process is to end in good order
+        self.finish = carrier.Event()     # set: the process is to end in good order
 
     def add(self, type_name, instance_name=None, names=None, **changes):
         """Start a component and bind it: under `names`, lists of (id, kind), or as its naming.formats say.
@@ -98,7 +94,7 @@ class Stage:
         name = component.instance_name
         if self.components.get(name) is component:
             del self.components[name]
-        later(linger, self._forget, component)
+        self.process.later(linger, self._forget, component)
 
     def _forget(self, component):
         """Unbind it and remove it from the manager; with two components of one name, a process of C++ 1.x

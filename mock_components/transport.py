@@ -1,12 +1,7 @@
 """The ends of a data connection: four classes, for push and pull."""
 import collections
-import threading
-import time
 
-from omniORB import CORBA, tcInternal
-from rtshell_lite.corba import stubs
-
-from . import values
+from . import carrier, values
 from .idl import RTC, OpenRTM
 from .properties import get
 
@@ -15,8 +10,6 @@ KEYS = {"corba_cdr": "corba_cdr", "shared_memory": "corba_cdr", "data_service": 
         "csp_channel": "csp_channel"}
 _GHOSTS = {"shared_memory": "IDL:OpenRTM/PortSharedMemory:1.0",
            "csp_channel": "IDL:openrtm.aist.go.jp/CSP/InPortCsp:1.0"}
-_REFERENCE = tcInternal.createTypeCode((tcInternal.tv_objref, "IDL:omg.org/CORBA/Object:1.0", "Object"))
-
 
 _PUSH = {"corba_cdr": (OpenRTM.InPortCdr, "put"), "data_service": (RTC.DataPushService, "push")}
 _PULL = {"corba_cdr": (OpenRTM.OutPortCdr, "get"), "data_service": (RTC.DataPullService, "pull")}
@@ -32,7 +25,7 @@ def operation(interface, reference, kinds):
 
 def reference_any(reference):
     """An any with a reference, for properties of connectors."""
-    return CORBA.Any(_REFERENCE, reference)
+    return carrier.Any(carrier.REFERENCE, reference)
 
 
 class Transport:
@@ -77,13 +70,13 @@ class Receiver(Transport):
             return self.port.status
         try:
             return self.port.put(data, self.little)
-        except CORBA.MARSHAL:
+        except carrier.Garbled:
             if self.port.flavour.short_put == "MARSHAL":
                 raise
         return "PORT_OK"
 
 
-class InPortCdr(stubs.skeleton("OpenRTM.InPortCdr")):
+class InPortCdr(carrier.skeleton("OpenRTM.InPortCdr")):
     def __init__(self, receiver):
         self.receiver = receiver
 
@@ -91,7 +84,7 @@ class InPortCdr(stubs.skeleton("OpenRTM.InPortCdr")):
         return getattr(OpenRTM, self.receiver.answer(data))
 
 
-class DataPushService(stubs.skeleton("RTC.DataPushService")):
+class DataPushService(carrier.skeleton("RTC.DataPushService")):
     def __init__(self, receiver):
         self.receiver = receiver
 
@@ -117,7 +110,7 @@ class Sender(Transport):
         self.put = operation(interface, reference, _PUSH)
         self.mode = mode
         self.policy = get(profile.properties, "dataport.publisher.push_policy", "new")
-        self.news = threading.Condition()
+        self.news = carrier.Condition()
         self.waiting = collections.deque(maxlen=int(get(profile.properties, "dataport.buffer.length", "8")))
         self.lost = self.closed = self.in_use = False
         if mode != "flush":
@@ -144,7 +137,7 @@ class Sender(Transport):
         try:
             if self.put:
                 self.put(data)
-        except CORBA.SystemException:
+        except carrier.SystemException:
             self.lost = True
         return not self.lost
 
@@ -158,12 +151,12 @@ class Sender(Transport):
                 batch = list(self.waiting) if self.policy in ("all", "fifo") else [self.waiting.pop()]
                 self.waiting.clear()
             self.in_use = True
-            time.sleep(HOLDS)
+            carrier.sleep(HOLDS)
             sent = all(self._send(data) for data in batch)
             self.in_use = False
             if not sent:
                 return
-            time.sleep(pause)
+            carrier.sleep(pause)
 
 
 ANSWERING = 0.02  # seconds after its answer for which a get() counts as still being served
@@ -182,7 +175,7 @@ class Provider(Transport):
         self.buffer = collections.deque(maxlen=int(get(profile.properties, "dataport.buffer.length", "8")))
         self.policy = get(profile.properties, "dataport.buffer.read.empty_policy", "readback")
         self.limit = float(get(profile.properties, "dataport.buffer.read.timeout", "1.0"))
-        self.news = threading.Condition()
+        self.news = carrier.Condition()
         self.last = None
         self.serving = 0
         self.answered = -ANSWERING
@@ -202,10 +195,10 @@ class Provider(Transport):
             return self._get()
         finally:
             self.serving -= 1
-            self.answered = time.monotonic()
+            self.answered = carrier.now()
 
     def close(self):
-        if self.fragile and (self.serving or time.monotonic() < self.answered + ANSWERING):
+        if self.fragile and (self.serving or carrier.now() < self.answered + ANSWERING):
             self.process.die()
         super().close()
 
@@ -218,13 +211,13 @@ class Provider(Transport):
                 self.last = self.buffer.popleft()
                 return "PORT_OK", self.last
         if self.port.flavour.empty_get == "BAD_PARAM":
-            raise CORBA.BAD_PARAM(0x41540000, CORBA.COMPLETED_MAYBE)
+            raise carrier.failure("BAD_PARAM", 0x41540000)
         if self.last is None or self.policy == "do_nothing":
             return "BUFFER_EMPTY", b""
         return "PORT_OK", self.last
 
 
-class OutPortCdr(stubs.skeleton("OpenRTM.OutPortCdr")):
+class OutPortCdr(carrier.skeleton("OpenRTM.OutPortCdr")):
     def __init__(self, provider):
         self.provider = provider
 
@@ -233,7 +226,7 @@ class OutPortCdr(stubs.skeleton("OpenRTM.OutPortCdr")):
         return getattr(OpenRTM, status), data
 
 
-class DataPullService(stubs.skeleton("RTC.DataPullService")):
+class DataPullService(carrier.skeleton("RTC.DataPullService")):
     def __init__(self, provider):
         self.provider = provider
 
@@ -254,7 +247,7 @@ class Fetcher(Transport):
             return
         try:
             status, data = self.get()
-        except CORBA.SystemException:
+        except carrier.SystemException:
             return
         if str(status) == "PORT_OK":
             self.port.take(self.port.decode(data, self.little))

@@ -1,10 +1,7 @@
 """Values of the basic data types and of a user's own, and their CDR form."""
 import os
-import time
 
-import omniORB
-
-from . import arm
+from . import arm, carrier
 from .idl import RTC
 from .properties import get
 
@@ -20,7 +17,7 @@ def typecode(type_name):
 
 def make(type_name, number, stamped=False):
     """The value of a type for a number; a sequence holds numbers from there on."""
-    now = (time.time() + CLOCK)
+    now = carrier.wall() + CLOCK
     tm = RTC.Time(int(now), int(now % 1 * 1e9)) if stamped else RTC.Time(0, 0)
     if type_name == arm.NAME:
         return arm.make(tm, number)
@@ -53,12 +50,12 @@ def _one(kind, number):
 
 def encode(type_name, value, little):
     """The CDR bytes of a value."""
-    return omniORB.cdrMarshal(typecode(type_name), value, little)
+    return carrier.marshal(typecode(type_name), value, little)
 
 
 def decode(type_name, data, little):
     """The value in CDR bytes."""
-    return omniORB.cdrUnmarshal(typecode(type_name), data, little)
+    return carrier.unmarshal(typecode(type_name), data, little)
 
 
 def little_endian(profile):

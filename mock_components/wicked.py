@@ -4,10 +4,8 @@ are made of it.
 Those that hold shell commands make a file called canary when a shell runs them.
 """
 import base64
-import time
 
-
-from . import modules, observers
+from . import carrier, modules, observers
 from .components import Spec
 from .fsm import StateMachine
 from .idl import RTC
@@ -66,7 +64,7 @@ class Wicked(StateMachine):
             said, said, [RTC.FsmEventProfile(said, said)], nvlist([(said, said)])
         )
         while True:
-            time.sleep(PERIOD)
+            carrier.sleep(PERIOD)
             self.observers.log("ERROR", said, said)
             self.report("RTC_STATUS", said)
             self.report("CONFIGURATION", "SET_CONFIG_SET:" + said)

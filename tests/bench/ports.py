@@ -36,7 +36,7 @@ def sender():
         size=MB,
         dies=False,
     )
-    stage = Stage(here, naming.Naming(here.orb, sys.argv[2]), flavour.Flavour("cpp2"), options)
+    stage = Stage(here, naming.Naming(here, sys.argv[2]), flavour.Flavour("cpp2"), options)
     source = stage.add("Source", size=MB)
     print("ready", flush=True)
     here.ledger.own_thread()

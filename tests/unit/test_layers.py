@@ -58,6 +58,24 @@ BESIDE_THE_DOOR = {
     "top/page.py": {"_signal"},
     "views/playing.py": {"_signal"},
 }
+# What the behaviour of mocks takes from its carrier, and the modules of mock_components that are about real
+# processes, sockets or omniORB, and so import it themselves.
+CARRIED = OMNIORB | {"time", "threading", "uuid", "socket", "subprocess", "signal"}
+CARRIED |= {"rtshell_lite.corba", "rtshell_lite.net"}
+OF_THE_MACHINE = (
+    "__main__",
+    "asking",
+    "carrier",
+    "children",
+    "control",
+    "faulty",
+    "nameserver",
+    "orphans",
+    "process",
+    "robotservice",
+    "running",
+    "worlds",
+)
 
 
 def below(directory):
@@ -380,6 +398,17 @@ class Rules(unittest.TestCase):
         """No file has a fault; faults(path, tree) gives line numbers."""
         found = {path: list(faults(path, tree)) for path, tree in self.trees.items()}
         self.assertEqual({path: lines for path, lines in found.items() if lines}, {})
+
+    def test_mocks_leave_the_orb_and_the_machine_to_their_carrier(self):
+        wrong = []
+        for path in below("mock_components"):
+            if os.path.basename(path)[: -len(".py")] in OF_THE_MACHINE:
+                continue
+            for dotted, _ in imports(self.trees[path]):
+                parts = dotted.split(".")
+                if {parts[0], ".".join(parts[:2])} & CARRIED:
+                    wrong.append((path, dotted))
+        self.assertEqual(wrong, [])
 
     def test_nothing_is_evaluated(self):
         self.check(lambda path, tree: calls(tree, {"eval", "exec"}))

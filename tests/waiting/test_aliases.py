@@ -4,6 +4,7 @@ rtdel and rtdoctor take a robot's own directories for those of another name serv
 import shutil
 import subprocess
 import tempfile
+import types
 import unittest
 
 import processes
@@ -44,7 +45,8 @@ class PublishedOtherwise(unittest.TestCase):
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
         worlds.eventually(lambda: processes.nameserver.answers(self.port), "omniNames answers")
-        self.names = mock_naming.Naming(omniorb.start(), "127.0.0.1:%d" % self.port)
+        self.mocks = types.SimpleNamespace(reference=omniorb.start().string_to_object)
+        self.names = mock_naming.Naming(self.mocks, "127.0.0.1:%d" % self.port)
         self.names.contexts([("own", "cxt"), ("inner", "cxt")])
 
     def at(self, *names):
@@ -80,7 +82,7 @@ class PublishedOtherwise(unittest.TestCase):
 
     def test_another_server_at_the_same_port_is_foreign(self):
         self.names.bind_context(
-            [("root", "cxt")], mock_naming.root(omniorb.start(), "127.0.0.9:%d" % self.port)
+            [("root", "cxt")], mock_naming.root(self.mocks, "127.0.0.9:%d" % self.port)
         )
         self.assertEqual(self.foreign(), ["root.cxt"])
 

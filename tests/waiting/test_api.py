@@ -55,7 +55,7 @@ from mock_components import __main__ as mocks, flavour, naming, process, stage, 
 here = process.Process(0, "127.0.0.1", None)
 options = mocks.Options(context="test.host_cxt/%n.rtc", rate=1000.0, sync=True, contexts=1, running=True, arguments={}, control=None,
                         consumers=None, size=0, fate="")
-worlds.WORLDS["these"](stage.Stage(here, naming.Naming(here.orb, sys.argv[2]), flavour.Flavour("py2"), options), "Motor:Own0")
+worlds.WORLDS["these"](stage.Stage(here, naming.Naming(here, sys.argv[2]), flavour.Flavour("py2"), options), "Motor:Own0")
 from rtshell_lite import api
 own, other = (api.component(sys.argv[1] + name) for name in ("Own0.rtc", "ConsoleIn0.rtc"))
 def use(component, said):
