@@ -23,14 +23,13 @@ import contextlib
 import functools
 import math
 import os
-import signal
 from _thread import allocate_lock
 
 from rtshell_lite import errors, notes, path as paths, text
 from rtshell_lite.corba import orb
 from rtshell_lite.corba.session import Session
 from rtshell_lite.errors import Error
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
 __all__ = [
     "Component",
@@ -130,10 +129,9 @@ def _signals():
     """What the program's own handlers of signals raise, see loop.run:
     they run, but never in the middle of a call.
     """
-    found = {number: signal.getsignal(number) for number in range(1, signal.NSIG)}
     return {
         number: functools.partial(_raised, number, handler)
-        for number, handler in found.items()
+        for number, handler in real.handlers().items()
         if callable(handler)
     }
 

@@ -3,7 +3,6 @@
 Libraries print nothing: what they remark (notes.py) is printed here.
 """
 
-import _signal  # see start.py
 import errno
 import io
 import os
@@ -12,7 +11,7 @@ from _thread import allocate_lock
 
 from rtshell_lite import errors, notes, options, text
 from rtshell_lite.corba.session import Session
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 from rtshell_lite.notes import Tally  # noqa: F401: commands use it as cli.Tally
 
 FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader may have stopped
@@ -36,8 +35,8 @@ def main(arguments, run, doc, argv=None):
     _prepare_streams()
     notes.listener = _hear
     try:
-        if _signal.getsignal(_signal.SIGINT) != _signal.SIG_IGN:
-            _signal.signal(_signal.SIGINT, _signal.default_int_handler)
+        if real.handler(real.SIGINT) != real.IGNORED:
+            real.handle(real.SIGINT, real.interrupt)
         _leave(command(arguments, run, doc, sys.argv[1:] if argv is None else argv))
     except KeyboardInterrupt:
         _leave_soon(130)
@@ -96,13 +95,12 @@ def command(arguments, run, doc, argv, memory=None):
         _settle(*before)  # the settings of rtsh, if it runs this command
 
 
-SIGHUP = getattr(_signal, "SIGHUP", None)  # not every system has it
 SIGNALS = {  # type: dict
-    _signal.SIGINT: KeyboardInterrupt,
-    _signal.SIGTERM: lambda: Ended(128 + _signal.SIGTERM),
+    real.SIGINT: KeyboardInterrupt,
+    real.SIGTERM: lambda: Ended(128 + real.SIGTERM),
 }
-if SIGHUP is not None:
-    SIGNALS[SIGHUP] = lambda: Ended(128 + SIGHUP)
+if real.SIGHUP is not None:
+    SIGNALS[real.SIGHUP] = lambda: Ended(128 + real.SIGHUP)
 
 
 def unwind_when_ended():
@@ -113,13 +111,14 @@ def unwind_when_ended():
     """
 
     def end(number, frame):
-        for other in SIGNALS.keys() - {_signal.SIGINT}:
-            _signal.signal(other, _signal.SIG_IGN)
+        for other in SIGNALS.keys() - {real.SIGINT}:
+            world.handle(other, real.IGNORED)
         raise SIGNALS[number]()
 
-    for number in SIGNALS.keys() - {_signal.SIGINT}:
-        if _signal.getsignal(number) == _signal.SIG_DFL:  # nohup ignores SIGHUP
-            _signal.signal(number, end)
+    world = loop.world()
+    for number in SIGNALS.keys() - {real.SIGINT}:
+        if world.handler(number) == real.DEFAULT:  # nohup ignores SIGHUP
+            world.handle(number, end)
 
 
 def _settle(quiet, verbose):
@@ -174,7 +173,7 @@ def _leave(status):
 def _leave_soon(status):
     """Exit because of a signal, whether or not anybody reads the rest of the output."""
     for number in SIGNALS:
-        _signal.signal(number, _signal.SIG_IGN)
+        real.handle(number, real.IGNORED)
     done = allocate_lock()
     done.acquire()
     found = []
@@ -223,8 +222,9 @@ async def reader_leaves():
     except OSError:  # no such descriptor
         return
     await loop.ready(output, 0)
-    if SIGHUP is not None:
-        _signal.signal(SIGHUP, lambda *_: None)  # of a closed terminal; it would interrupt the clean-up
+    if real.SIGHUP is not None:
+        # that of a closed terminal would interrupt the clean-up
+        loop.world().handle(real.SIGHUP, lambda *_: None)
     raise BrokenPipeError(errno.EPIPE, "nobody reads the output")
 
 

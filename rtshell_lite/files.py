@@ -13,6 +13,7 @@ import stat
 import sys
 
 from rtshell_lite import errors
+from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
 LIMIT = 16 << 20  # octets of a file that is read as a whole
@@ -107,7 +108,7 @@ def _replace(target, data):
         with temporary.file as out:
             out.write(data)
             out.flush()
-            os.fsync(out.fileno())
+            sync(out)
             temporary.take_place()
     finally:  # Ctrl-C may have come, too
         temporary.remove()
@@ -182,7 +183,7 @@ class Temporary:
     def take_place(self):
         """Replace the target, keeping its mode; a new target gets the usual mode of new files."""
         os.fchmod(self.file.fileno(), self._mode())
-        os.replace(self.path, self.target)
+        replace(self.path, self.target)
         self.path = None
 
     def _mode(self):
@@ -232,7 +233,7 @@ def create(path, mode=0o666, buffering=-1):
     fd = os.open(
         path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode
     )
-    return open(fd, "ab", buffering)
+    return loop.world().file(fd, "ab", buffering)
 
 
 def append(path):
@@ -249,7 +250,22 @@ def append(path):
     if not stat.S_ISREG(os.fstat(fd).st_mode):
         os.close(fd)
         raise OSError(errno.EINVAL, "not a regular file", path)
-    return open(fd, "ab")
+    return loop.world().file(fd, "ab")
+
+
+def reopened(path):
+    """A file that is there, open for reading and writing bytes, without a buffer. Raises OSError."""
+    return loop.world().file(os.open(path, os.O_RDWR | os.O_CLOEXEC), "r+b", 0)
+
+
+def sync(file):
+    """Have what is in an open file survive a power failure. Raises OSError."""
+    loop.world().sync(file.fileno())
+
+
+def replace(path, target):
+    """Give a file the name of another, which it replaces. Raises OSError."""
+    loop.world().replace(path, target)
 
 
 def umask():

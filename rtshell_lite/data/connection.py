@@ -6,13 +6,11 @@
 However the block ends, the connectors are removed.
 """
 
-import _signal  # see start.py
-import os
 import sys
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 from rtshell_lite.robot import component, connectors, ports
 from rtshell_lite.text import printable, shell_word, to_wire
 
@@ -317,7 +315,7 @@ class Connections:
 
     async def _close(self):
         if self._hears_stop:
-            loop.current().hear(_signal.SIGTSTP, None)
+            loop.current().hear(real.SIGTSTP, None)
         for connection in self.connections:
             connection.stop()
             connection.is_closing = True
@@ -343,8 +341,8 @@ class Connections:
 
         A stopped process would stop the components that wait for its answers.
         """
-        if hasattr(_signal, "SIGTSTP") and _signal.getsignal(_signal.SIGTSTP) == _signal.SIG_DFL:
-            loop.current().hear(_signal.SIGTSTP, self._stop.ring)
+        if real.SIGTSTP is not None and loop.world().handler(real.SIGTSTP) == real.DEFAULT:
+            loop.current().hear(real.SIGTSTP, self._stop.ring)
             self._hears_stop = True
 
     async def add(self, connections):
@@ -397,5 +395,5 @@ class Connections:
     async def _step_aside(self):
         self.absences += 1
         await loop.finish(self._each("close", self.connections))
-        os.kill(os.getpid(), _signal.SIGSTOP)
+        loop.world().stop_here()
         await loop.finish(self._each("come_back", self.connections))

@@ -7,7 +7,7 @@ import stat
 from rtshell_lite import errors, files, notes, text
 from rtshell_lite.datalog import writer
 from rtshell_lite.datalog.ring import EACH
-from rtshell_lite.net import calendar, loop
+from rtshell_lite.net import calendar, loop, real
 
 HEAD = b"rtlog --trigger\n"  # how the file begins by which another command triggers
 WORD = b"now\n"  # what that command appends
@@ -143,12 +143,10 @@ class Hook:
         notes.note("kept " + text.printable(name))
         if self._command is None:
             return
-        import subprocess
-
         self._processes = [process for process in self._processes if process.poll() is None]
         words = ["/bin/sh", "-c", self._command + ' "$1"', "sh", name]
         try:
-            self._processes.append(subprocess.Popen(words, stdin=subprocess.DEVNULL))
+            self._processes.append(loop.world().start_process(words, stdin=real.NOTHING))
         except OSError as e:
             notes.fail(e)
 

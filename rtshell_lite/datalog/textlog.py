@@ -78,7 +78,7 @@ class Writer:
     def sync(self):
         """Flush to the disk."""
         if stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
-            os.fsync(self._file.fileno())
+            files.sync(self._file)
 
     def close(self):
         """Flush to the disk, and close. Raises errors.Failed as writer.Writer does."""

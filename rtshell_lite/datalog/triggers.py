@@ -5,14 +5,13 @@ silent PATH:PORT SECONDS      no value has come for so long, after one had come
 PATH:PORT.FIELD OP VALUE      a value is <, <=, >, >=, ==, != a number or a word, which those before were not
 """
 
-import _signal  # see start.py
 import operator
 import re
 
 from rtshell_lite import errors, notes
 from rtshell_lite.data import values
 from rtshell_lite.datalog import records, schemas
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 from rtshell_lite.text import printable
 
 LOOK = 0.05  # seconds between two looks
@@ -177,7 +176,7 @@ def _number(word):
         return word.strip("'\"")
 
 
-SIGNAL = getattr(_signal, "SIGUSR1", None)  # not every system has it
+SIGNAL = real.SIGUSR1
 
 
 class Triggers:

@@ -118,7 +118,7 @@ class Writer:
         """Write the header of a new file to the disk."""
         self._lock(self._file, path)
         self._start(channels)
-        os.fsync(self._file.fileno())
+        files.sync(self._file)
 
     def _start(self, channels):
         self._put([mcap.MAGIC + mcap.header("rtlog " + __version__)])
@@ -143,7 +143,7 @@ class Writer:
     def _go_on(self, channels):
         from rtshell_lite.datalog import logfile
 
-        self._file = open(self._target, "r+b", 0)
+        self._file = files.reopened(self._target)
         lock(self._file, self.name)
         if self._file.read(len(mcap.MAGIC)) != mcap.MAGIC:
             raise errors.Failed(text.printable(self.name), "not a log that can be appended to")
@@ -277,7 +277,7 @@ class Writer:
         """Flush to the disk: what was written survives a power failure."""
         if self._synced or not stat.S_ISREG(os.fstat(self._file.fileno()).st_mode):
             return
-        os.fsync(self._file.fileno())
+        files.sync(self._file)
         self._synced = True
 
     def close(self):

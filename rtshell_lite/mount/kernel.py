@@ -2,16 +2,14 @@
 Linux only.
 """
 
-import array
 import errno
 import os
 import re
-import socket
 import sys
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 from rtshell_lite.text import printable
 
 DEVICE = "/dev/fuse"
@@ -153,37 +151,25 @@ def _system_call(name, *args):
 
 def _by_helper(directory, read_only):
     """Have fusermount3 mount: it sends the descriptor over a socket whose number is in _FUSE_COMMFD."""
-    import subprocess
-
+    world = loop.world()
     options = f"default_permissions,subtype={NAME},fsname={NAME}{',ro' if read_only else ''}"
     for more in (",allow_other", ""):  # which /etc/fuse.conf may forbid
-        ours, theirs = socket.socketpair()
+        ours, theirs = world.pair()
         with ours, theirs:
-            done = subprocess.Popen(
+            done = world.start_process(
                 [_helper(), "-o", options + more, "--", directory],
                 pass_fds=[theirs.fileno()],
                 env=dict(os.environ, _FUSE_COMMFD=str(theirs.fileno())),
-                stderr=subprocess.PIPE,
+                stderr=real.PIPE,
             )
             theirs.close()
-            fd = _received(ours)
+            fd = world.received(ours)
             said = done.communicate()[1].decode("utf-8", "replace").strip()
         if fd is not None:
             return fd
     raise errors.Failed(
         printable(directory), "cannot mount: " + printable(said or "fusermount gave no reason")
     )
-
-
-def _received(channel):
-    """The file descriptor that comes over a socket, None if it is closed first."""
-    _, ancillary, _, _ = channel.recvmsg(1, socket.CMSG_SPACE(4))
-    for level, kind, data in ancillary:
-        if (level, kind) == (socket.SOL_SOCKET, socket.SCM_RIGHTS):
-            fd = array.array("i", data[:4])[0]
-            os.set_inheritable(fd, False)
-            return fd
-    return None
 
 
 def hold(directory):
@@ -227,13 +213,11 @@ def unmount(directory):
     """Take a mount away, also one in use: its open files work on until they are closed. Raises Failed."""
     try:
         if os.geteuid():
-            import subprocess
-
-            done = subprocess.run(
-                [_helper() or HELPERS[0], "-u", "-z", "--", directory], stderr=subprocess.PIPE
-            )
+            words = [_helper() or HELPERS[0], "-u", "-z", "--", directory]
+            done = loop.world().start_process(words, stderr=real.PIPE)
+            said = done.communicate()[1].decode("utf-8", "replace").strip()
             if done.returncode:
-                raise OSError(errno.EPERM, done.stderr.decode("utf-8", "replace").strip())
+                raise OSError(errno.EPERM, said)
         else:
             _system_call("umount2", os.fsencode(directory), DETACH)
     except OSError as e:

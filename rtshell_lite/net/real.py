@@ -1,15 +1,23 @@
-"""The world as it is: the clocks, the network and the threads of this computer.
+"""The world as it is: the clocks, the network, the threads, signals, processes and files of this computer.
 
 A Loop has a world, this module or an object with the same names: tests put a simulated one in its place.
 """
 
-import _socket  # which `socket` is made of: that one takes long to import
+# which `signal` and `socket` are made of: those take long to import
+import _signal
+import _socket
 import os
 import select
 import struct
 import time
 
 from rtshell_lite import errors
+
+
+def _if_there(*names):
+    """The numbers of signals, None for those that this system lacks."""
+    return [getattr(_signal, name, None) for name in names]
+
 
 now = time.monotonic  # seconds by a clock that is never set
 wall = time.time  # seconds since 1970
@@ -26,6 +34,22 @@ LISTEN = 128  # connections that wait to be accepted
 # of Linux
 SIOCGIFADDR = 0x8915
 SIOCGIFNETMASK = 0x891B
+
+SIGINT = _signal.SIGINT
+SIGTERM = _signal.SIGTERM
+SIGHUP, SIGKILL, SIGCHLD, SIGCONT, SIGSTOP, SIGTSTP, SIGUSR1, SIGWINCH = _if_there(
+    "SIGHUP", "SIGKILL", "SIGCHLD", "SIGCONT", "SIGSTOP", "SIGTSTP", "SIGUSR1", "SIGWINCH"
+)
+IGNORED = _signal.SIG_IGN
+DEFAULT = _signal.SIG_DFL
+interrupt = _signal.default_int_handler  # the handler that raises KeyboardInterrupt
+handler = _signal.getsignal  # handler(number): of a signal, or IGNORED, DEFAULT
+handle = _signal.signal  # handle(number, handler), on the main thread
+# of subprocess, which takes long to import: what a process reads or writes
+PIPE = -1
+SAME = -2  # stderr: as stdout
+NOTHING = -3
+file = open  # file(descriptor, mode, buffering) of one that is to be written
 
 looking_up = {}  # type: dict  # {host: hosts.LookUp} that a thread is asking for
 
@@ -199,3 +223,78 @@ def start_thread(function, *args):
         threading.Thread(target=function, args=args, daemon=True).start()
     except RuntimeError as e:
         raise errors.Shortage("threads", str(e))
+
+
+# ---- signals ----
+
+
+def handlers():
+    """{number: its handler} of all signals, also of those without a name."""
+    return {number: handler(number) for number in range(1, _signal.NSIG)}
+
+
+def signals():
+    """{name: number} of all signals."""
+    names = [name for name in sorted(vars(_signal)) if name.startswith("SIG") and name[3:].isalnum()]
+    return {name: getattr(_signal, name) for name in names}
+
+
+def stop_here():
+    """SIGSTOP this process."""
+    os.kill(os.getpid(), SIGSTOP)
+
+
+# ---- processes and files of this computer ----
+
+
+def start_process(words, **more):
+    """A subprocess.Popen. Raises OSError."""
+    import subprocess
+
+    return subprocess.Popen(words, **more)
+
+
+def sync(descriptor):
+    """What an open file has is on the disk then. Raises OSError."""
+    os.fsync(descriptor)
+
+
+def replace(path, target):
+    """Give a file the name of another, which it replaces. Raises OSError."""
+    os.replace(path, target)
+
+
+def local():
+    """A UNIX socket, which is not connected. Raises OSError."""
+    import socket
+
+    return socket.socket(socket.AF_UNIX)
+
+
+def tell(place, data):
+    """Send a datagram to a UNIX socket, which may be abstract. Raises OSError."""
+    import socket
+
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as out:
+        out.setblocking(False)
+        out.sendto(data, place)
+
+
+def pair():
+    """Two UNIX sockets that are connected with one another. Raises OSError."""
+    import socket
+
+    return socket.socketpair()
+
+
+def received(channel):
+    """The file descriptor that comes over a UNIX socket, None if it is closed first. Raises OSError."""
+    import array
+
+    _, ancillary, _, _ = channel.recvmsg(1, _socket.CMSG_SPACE(4))
+    for level, kind, data in ancillary:
+        if (level, kind) == (_socket.SOL_SOCKET, _socket.SCM_RIGHTS):
+            fd = array.array("i", data[:4])[0]
+            os.set_inheritable(fd, False)
+            return fd
+    return None

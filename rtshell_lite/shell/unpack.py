@@ -14,6 +14,7 @@ import zlib
 
 from rtshell_lite import compiled, errors
 from rtshell_lite.files import create, umask
+from rtshell_lite.net import loop, real
 from rtshell_lite.shell import installation
 
 LARGEST = 64 << 20  # octets of what is in a wheel
@@ -221,10 +222,8 @@ def _finds_modules_alone(python):
     """Whether Python finds its own modules with -S, by which commands take a ninth less time; in an old
     virtualenv it does not.
     """
-    import subprocess
-
     words = [python, "-S", "-c", "import argparse, struct"]
     try:
-        return subprocess.call(words, stderr=subprocess.DEVNULL) == 0
+        return loop.world().start_process(words, stderr=real.NOTHING).wait() == 0
     except OSError:
         return False

@@ -61,7 +61,7 @@ class Output:
                 file.write((calendar.local("%Y-%m-%dT%H:%M:%S ") + line + "\n").encode("utf-8"))
                 is_full = file.tell() > LOG
             if is_full:
-                os.replace(target, target + ".1")
+                files.replace(target, target + ".1")
         except OSError as e:  # a full disk is no reason to leave a robot alone
             self._log = None
             notes.fail(f"nothing more goes to the log of {self.name}: {e.strerror}")

@@ -3,18 +3,19 @@ ends, by its policy; ended in reverse.
 """
 
 import os
-import signal
 
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb
-from rtshell_lite.net import loop
+from rtshell_lite.net import children, loop, real
 from rtshell_lite.robot import tree
-from rtshell_lite.system import guardian, output, policy
+from rtshell_lite.system import output, policy
 
 TICK = 0.1  # seconds between looks whether one is ready
 SEEK = 1.0  # seconds between looks whether one that somebody else has started is still there
 PATIENCE = 5.0  # seconds after which it is reported that one is not ready yet, and looked at less often
-_SIGNALS = {int(number): number.name for number in signal.Signals}  # some of real time have no names
+_SIGNALS = {}  # type: dict  # names, by number; some of real time have none
+for name, number in real.signals().items():
+    _SIGNALS.setdefault(number, name)
 ANSWERS = "answers already"
 HANGS = "does not answer, but is not gone"
 # variables by which a service manager informs us alone
@@ -93,11 +94,11 @@ class Processes:
         self.all = [Process(spec, output.Output(spec.name, wrote, log)) for spec in specs]
         self.happened = happened
         self._by_pid = {}
-        self._guardian = guardian.Guardian()
+        self._guardian = children.Guardian()
         self._group = None
 
     async def __aenter__(self):
-        guardian.reap(self._reaped)
+        children.reap(self._reaped)
         self._group = loop.Group()
         for process in self.all:
             self._group.start(self._keep(process))
@@ -107,13 +108,13 @@ class Processes:
         self._group.cancel()
         await self._group.__aexit__(kind, error, traceback)
         for pid in self._by_pid:
-            guardian.kill(pid, signal.SIGKILL)
+            children.kill(pid, real.SIGKILL)
         self._by_pid = {}
         self._guardian.close()
 
     def listening_ports(self):
         """The TCP ports at which processes of it listen, a set."""
-        return guardian.listening_ports(self._by_pid)
+        return children.listening_ports(self._by_pid)
 
     def named(self, name):
         """The Processes of a name: one at most."""
@@ -191,17 +192,15 @@ class Processes:
     # ---- the operating system ----
 
     def _spawn(self, process):
-        import subprocess
-
         inherited = {}
         for name, value in os.environ.items():
             if name not in OURS:
                 inherited[name] = value
-        child = subprocess.Popen(
+        child = loop.world().start_process(
             process.spec.command,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
+            stdin=real.NOTHING,
+            stdout=real.PIPE,
+            stderr=real.SAME,
             cwd=process.spec.cwd,
             env=dict(inherited, **process.spec.env),
             start_new_session=True,
@@ -220,7 +219,7 @@ class Processes:
         if pid == self._guardian.pid:
             self._guardian.begin(self._by_pid)
         elif process is not None:
-            guardian.kill(pid, signal.SIGKILL)  # what is left of its group
+            children.kill(pid, real.SIGKILL)  # what is left of its group
             self._guardian.leave(pid)
             process.pid = None
             process.status = status
@@ -250,10 +249,10 @@ class Processes:
                 await other.until(lambda: other.pid is None)
         number, seconds = process.spec.stop
         begun = loop.now()
-        for last in (number, signal.SIGKILL):
+        for last in (number, real.SIGKILL):
             if process.pid is None:
                 return
-            guardian.kill(process.pid, last)
+            children.kill(process.pid, last)
             await loop.race(process.until(lambda: process.pid is None), loop.sleep(seconds))
         self.happened(process.name, f"does not end within {seconds:g}s", "killed", begun)
 

@@ -15,9 +15,9 @@ arm.delay: 0.5-30
 import collections
 import os
 import re
-import signal
 
 from rtshell_lite import errors, files, path
+from rtshell_lite.net import real
 from rtshell_lite.system import policy
 from rtshell_lite.text import printable
 
@@ -104,7 +104,7 @@ def _environment(value):
 def _stop(value):
     """(number of a signal, seconds) of a value such as `INT 5`. Raises ValueError."""
     word, _, seconds = value.partition(" ")
-    number = signal.Signals.__members__.get(word if word.startswith("SIG") else "SIG" + word)
+    number = real.signals().get(word if word.startswith("SIG") else "SIG" + word)
     if number is None:
         raise ValueError("stop: no such signal: " + word)
     try:

@@ -1,12 +1,11 @@
 """rtkeep as a service: a system and its processes, kept until a signal, steered by others, logged."""
 
 import os
-import signal
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import liveness
-from rtshell_lite.net import loop
-from rtshell_lite.system import guardian, happening, keep, plan, restore, steering
+from rtshell_lite.net import children, loop, real
+from rtshell_lite.system import happening, keep, plan, restore, steering
 from rtshell_lite.system.kept import KeptComponent
 from rtshell_lite.text import safe
 from rtshell_lite.xmlprofile import model
@@ -21,7 +20,7 @@ class Nothing:
 
     async def __aenter__(self):
         if os.getpid() == 1:  # of a container, where others leave theirs with us
-            guardian.reap(lambda pid, status: None)
+            children.reap(lambda pid, status: None)
         return self
 
     async def __aexit__(self, *_):
@@ -84,12 +83,12 @@ class Service:
         """
         self.processes = processes
         here = loop.current()
-        for number in (signal.SIGTERM, signal.SIGINT):
+        for number in (real.SIGTERM, real.SIGINT):
             here.hear(number, lambda number=number: self._signalled(number))
         if not _has_terminal():
-            here.hear(signal.SIGHUP, self._hang_up)
-        elif signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # nohup
-            here.hear(signal.SIGHUP, self._closed)
+            here.hear(real.SIGHUP, self._hang_up)
+        elif loop.world().handler(real.SIGHUP) is not real.IGNORED:  # nohup
+            here.hear(real.SIGHUP, self._closed)
         self._load()
         async with steering.Door(self.name, self.answer), self.processes:
             while self._wanted in (None, "reload"):
@@ -169,7 +168,7 @@ class Service:
     def _closed(self):
         """The terminal has been closed; the shell and the kernel may both say so."""
         if not self._is_ending:
-            self._want(signal.SIGHUP)
+            self._want(real.SIGHUP)
 
     @property
     def _is_ending(self):

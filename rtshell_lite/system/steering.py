@@ -6,7 +6,6 @@ A request and each line of its answer are JSON. The first line of an answer has 
 import fcntl
 import json
 import os
-import socket
 import stat
 import zlib
 
@@ -100,7 +99,7 @@ class Door:
 
     async def __aenter__(self):
         self._remove()  # that of one that was killed: we hold the lock
-        self._listener = socket.socket(socket.AF_UNIX)
+        self._listener = loop.world().local()
         self._listener.setblocking(False)
         before = os.umask(0o177)
         try:
@@ -197,7 +196,7 @@ async def ask(door, request):
     """The lines, dicts, that the rtkeep at the socket `door` answers. Raises its errors.Error, Silent;
     ConnectionRefused where none is.
     """
-    with socket.socket(socket.AF_UNIX) as connection:
+    with loop.world().local() as connection:
         connection.setblocking(False)
         try:
             connection.connect(door)
@@ -267,14 +266,12 @@ def notify(**said):
     if where[0] == "@":
         where = "\0" + where[1:]
     message = "\n".join(f"{name}={value}" for name, value in said.items())
-    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as out:
-        out.setblocking(False)
-        try:
-            out.sendto(message.encode("utf-8", "replace"), where)
-        except BlockingIOError:
-            return False
-        except OSError:
-            pass
+    try:
+        loop.world().tell(where, message.encode("utf-8", "replace"))
+    except BlockingIOError:
+        return False
+    except OSError:
+        pass
     return True
 
 

@@ -1,6 +1,5 @@
 """The live page of rttop. curses draws it, and so sends to a terminal only the cells that have changed."""
 
-import _signal  # see start.py
 import contextlib
 import curses
 import locale
@@ -8,7 +7,7 @@ import os
 import sys
 
 from rtshell_lite import text
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 from rtshell_lite.robot import transitions
 from rtshell_lite.top import rows
 
@@ -182,7 +181,7 @@ class Page:
         terminal = sys.stdin.fileno()
         here.watch(terminal, loop.READ, self.typed.ring)
         if "readline" not in sys.modules:  # in rtsh the signal is readline's, which would not get it back
-            here.hear(_signal.SIGWINCH, self.looking.bell.ring)
+            here.hear(real.SIGWINCH, self.looking.bell.ring)
         try:
             async with loop.background(self._keep_drawing()):
                 while not self.ended:

@@ -1,12 +1,11 @@
 """A log that is played on a terminal: its keys, and a line that says where it is."""
 
-import _signal  # see net/loop.py
 import os
 import sys
 
 from rtshell_lite.datalog import decode
 from rtshell_lite.datalog.pace import JUMP
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
 TICK = 0.2  # seconds between two lines
 
@@ -39,12 +38,12 @@ async def attend(pace, write):
         termios.tcsetattr(terminal, termios.TCSANOW, settings)
         pace.resume()
 
-    loop.current().hear(_signal.SIGCONT, resume)
+    loop.current().hear(real.SIGCONT, resume)
     try:
         async with loop.background(_show(pace, write)):
             await _take_keys(terminal, pace)
     finally:
-        loop.current().hear(_signal.SIGCONT, None)
+        loop.current().hear(real.SIGCONT, None)
         termios.tcsetattr(terminal, termios.TCSANOW, before)
         write("\n")
 

@@ -13,7 +13,7 @@ ONCE = "it reads the source: one Python is enough"
 
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """
-    __init__ compiled bytecode start errors notes text records files path idl_stubs giop net corba
+    __init__ compiled bytecode start errors notes text records path idl_stubs giop net files corba
     options robot data xmlprofile datalog events system play views mount top doctor shell api cli
     anywhere __main__ commands bin
 """.split()
@@ -36,27 +36,13 @@ THREADS = (
 )  # which may import threading; the last has data of each thread
 
 
-# Files that import what is net/'s to import, and what. The bottle has none of it yet, but in start.py and
-# installation.py, which run before anything else is imported.
+# Files that import what is net/'s to import, and what: two that run before anything else is imported, and the
+# threads of omniORB, which are none of our loop's.
 BESIDE_THE_DOOR = {
     "start.py": {"_signal"},
     "shell/installation.py": {"_signal"},
-    "cli.py": {"_signal"},
-    "api.py": {"signal"},
-    "corba/answers.py": {"threading"},  # omniORB's threads
+    "corba/answers.py": {"threading"},
     "corba/omniorb.py": {"threading"},
-    "data/connection.py": {"_signal"},
-    "datalog/incidents.py": {"subprocess"},
-    "datalog/triggers.py": {"_signal"},
-    "mount/kernel.py": {"socket", "subprocess"},
-    "shell/unpack.py": {"subprocess"},
-    "system/guardian.py": {"signal"},
-    "system/processes.py": {"signal", "subprocess"},
-    "system/procfile.py": {"signal"},
-    "system/service.py": {"signal"},
-    "system/steering.py": {"socket"},
-    "top/page.py": {"_signal"},
-    "views/playing.py": {"_signal"},
 }
 # What the behaviour of mocks takes from its carrier, and the modules of mock_components that are about real
 # processes, sockets or omniORB, and so import it themselves.

@@ -2,6 +2,7 @@
 at all.
 """
 import os
+import signal
 import tempfile
 import unittest
 from unittest import mock
@@ -86,9 +87,9 @@ class Procfiles(unittest.TestCase):
                                  "2.5\none.restart: no\none.burst: 1/2\none.delay: 3-4\ntwo: true\n")
         self.assertEqual(one.command, ["run", "two words", "/here/x"])
         self.assertEqual((one.after, one.env, one.cwd), (["two"], {"A": "1", "B": "x y"}, "/tmp"))
-        self.assertEqual((one.stop[0].name, one.stop[1]), ("SIGINT", 2.5))
+        self.assertEqual(one.stop, (signal.SIGINT, 2.5))
         self.assertEqual(one.policy, policy.Policy("no", 1, 2.0, 3.0, 4.0))
-        self.assertEqual((two.name, two.after, two.ready, two.stop[0].name), ("two", [], None, "SIGTERM"))
+        self.assertEqual((two.name, two.after, two.ready, two.stop[0]), ("two", [], None, signal.SIGTERM))
 
     def test_mistakes_are_named(self):
         for text, said in (

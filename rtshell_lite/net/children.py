@@ -3,9 +3,8 @@ that watches it, and on Linux the kernel.
 """
 
 import os
-import signal
 
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
 PR_SET_PDEATHSIG = 1  # of prctl(2)
 LISTENING = "0A"  # the state of a socket in /proc/net/tcp
@@ -16,7 +15,7 @@ class Guardian:
 
     def __init__(self):
         self._prctl = _prctl()
-        self._writing = None
+        self._writing = None  # type: int
         self.begin([])
 
     def begin(self, groups):
@@ -38,7 +37,7 @@ class Guardian:
     def enter(self):
         """To be called by a child between fork and exec."""
         if self._prctl is not None:
-            self._prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+            self._prctl(PR_SET_PDEATHSIG, real.SIGKILL, 0, 0, 0)
         self._write("+%d" % os.getpid())
 
     def leave(self, pid):
@@ -71,7 +70,7 @@ def reap(ended):
         except ChildProcessError:
             pass
 
-    loop.current().hear(signal.SIGCHLD, take)
+    loop.current().hear(real.SIGCHLD, take)
     take()  # those that have ended before
 
 
@@ -135,8 +134,8 @@ def _prctl():
 
 def _watch_over(reading):
     os.setsid()
-    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        signal.signal(number, signal.SIG_IGN)
+    for number in (real.SIGTERM, real.SIGINT, real.SIGHUP):
+        real.handle(number, real.IGNORED)
     os.dup2(os.open(os.devnull, os.O_RDWR), 0)
     for fd in (1, 2):
         os.dup2(0, fd)
@@ -150,4 +149,4 @@ def _watch_over(reading):
             else:
                 groups.discard(-int(line))
     for group in groups:
-        kill(group, signal.SIGKILL)
+        kill(group, real.SIGKILL)
