@@ -1,5 +1,5 @@
-"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page; the words of
-modules stay in the checkout.
+"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page; the words
+of modules stay in the checkout.
 """
 import glob
 import io

@@ -32,43 +32,10 @@ from rtshell_lite.errors import Error
 from rtshell_lite.net import loop, real
 
 __all__ = [
-    "Component",
-    "Connection",
-    "Context",
-    "Error",
-    "Event",
-    "Finding",
-    "Manager",
-    "Port",
-    "Service",
-    "call",
-    "capture",
-    "check",
-    "component",
-    "components",
-    "connect",
-    "connected",
-    "connections",
-    "disconnect",
-    "dump_profile",
-    "examine",
-    "find",
-    "keep",
-    "load_profile",
-    "log",
-    "manager",
-    "next_value",
-    "recording",
-    "restore",
-    "send",
-    "service",
-    "set_timeout",
-    "start",
-    "stop",
-    "values",
-    "values_of",
-    "watch",
-    "zombies",
+    "Component", "Connection", "Context", "Error", "Event", "Finding", "Manager", "Port", "Service", "call",
+    "capture", "check", "component", "components", "connect", "connected", "connections", "disconnect",
+    "dump_profile", "examine", "find", "keep", "load_profile", "log", "manager", "next_value", "recording",
+    "restore", "send", "service", "set_timeout", "start", "stop", "values", "values_of", "watch", "zombies",
 ]
 
 POLL = 0.2  # seconds between two looks
@@ -240,9 +207,7 @@ class Component:
 
         return [
             Port(
-                ports.label(port),
-                port.type,
-                dict(port.properties),
+                ports.label(port), port.type, dict(port.properties),
                 [connector.id for connector in port.connectors],
             )
             for port in await ports.ports(await self._node())
@@ -407,10 +372,7 @@ async def disconnect(one, other=None):
     from rtshell_lite.robot import connectors, ports
 
     found = await _found(*[path for path in (one, other) if path is not None])
-    if other is not None:
-        removed = ports.joining(found)
-    else:
-        removed = found[0].connectors
+    removed = ports.joining(found) if other is not None else found[0].connectors
     for connector in removed:
         await connectors.disconnect(found[0], connector)
     return len(removed)

@@ -236,10 +236,7 @@ def complain(what):
     status = getattr(what, "status", 1)
     if isinstance(what, OSError):
         why = what.strerror or str(what)  # a timeout has no strerror
-        if what.filename:
-            what = f"{text.printable(str(what.filename))}: {why}"
-        else:
-            what = why
+        what = f"{text.printable(str(what.filename))}: {why}" if what.filename else why
     _say(str(what))
     return status
 

@@ -129,10 +129,7 @@ def destination(name):
         link = os.lstat(name)
         above = os.stat(folder or ".")
         for_all = above.st_mode & stat.S_ISVTX and above.st_mode & stat.S_IWOTH
-        if hasattr(os, "geteuid"):
-            own = os.geteuid()
-        else:
-            own = link.st_uid
+        own = os.geteuid() if hasattr(os, "geteuid") else link.st_uid
         if for_all and link.st_uid not in (own, above.st_uid):
             raise errors.Failed(
                 printable(name), "a link that somebody else has put there; remove it or write elsewhere"

@@ -375,8 +375,7 @@ class Connections:
 
     async def _each(self, step, connections):
         results = await session.each(
-            connections,
-            lambda connection: getattr(connection, step)(),
+            connections, lambda connection: getattr(connection, step)(),
             lambda connection: (connection.endpoint, connection.where),
         )
         for connection, result in zip(connections, results):

@@ -127,12 +127,8 @@ def mount(directory, read_only=False):
     )
     try:
         _system_call(
-            "mount",
-            NAME.encode(),
-            os.fsencode(directory),
-            TYPE.encode(),
-            NOSUID | NODEV | read_only * RDONLY,
-            options.encode(),
+            "mount", NAME.encode(), os.fsencode(directory), TYPE.encode(),
+            NOSUID | NODEV | read_only * RDONLY, options.encode(),
         )
     except OSError as e:
         os.close(fd)
@@ -157,10 +153,8 @@ def _by_helper(directory, read_only):
         ours, theirs = world.pair()
         with ours, theirs:
             done = world.start_process(
-                [_helper(), "-o", options + more, "--", directory],
-                pass_fds=[theirs.fileno()],
-                env=dict(os.environ, _FUSE_COMMFD=str(theirs.fileno())),
-                stderr=real.PIPE,
+                [_helper(), "-o", options + more, "--", directory], pass_fds=[theirs.fileno()],
+                env=dict(os.environ, _FUSE_COMMFD=str(theirs.fileno())), stderr=real.PIPE,
             )
             theirs.close()
             fd = world.received(ours)

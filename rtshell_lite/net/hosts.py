@@ -14,10 +14,7 @@ class LookUp:
     """
 
     def __init__(self, host):
-        if host:
-            self.found = None
-        else:
-            self.found = OSError(0, "no address of IIOP in its reference")
+        self.found = None if host else OSError(0, "no address of IIOP in its reference")
         self._world = loop.world()
         self._host = host
         self._asking = None  # the LookUp whose thread asks
@@ -57,10 +54,7 @@ class LookUp:
         try:
             self.found = _places(self._world, self._host, flags)
         except (OSError, ValueError) as e:  # ValueError: a NUL in it
-            if isinstance(e, OSError):
-                self.found = e
-            else:
-                self.found = real.NoSuchHost(0, str(e))
+            self.found = e if isinstance(e, OSError) else real.NoSuchHost(0, str(e))
 
 
 def places(host):

@@ -176,10 +176,7 @@ class Task:
         exception = self.thrown
         self.thrown = None
         try:
-            if exception is None:
-                awaited = self.coroutine.send(None)
-            else:
-                awaited = self.coroutine.throw(exception)
+            awaited = self.coroutine.send(None) if exception is None else self.coroutine.throw(exception)
         except StopIteration as end:
             self._end(end.value, None)
         except BaseException as e:
@@ -462,10 +459,7 @@ class Bell:
         """Wait until it rings, for at most `seconds`: whether it has."""
         if not self._rings and (seconds is None or seconds > 0):
             self._wait = Wait()
-            if seconds is None:
-                timer = None
-            else:
-                timer = current().call_later(seconds, self._wait.done)
+            timer = None if seconds is None else current().call_later(seconds, self._wait.done)
             try:
                 await self._wait
             finally:

@@ -154,10 +154,7 @@ def host_name():
 
 def is_own(address):
     """Whether an IP address is one of this host: a UDP socket can be bound there."""
-    if ":" in address:
-        family = _socket.AF_INET6
-    else:
-        family = _socket.AF_INET
+    family = _socket.AF_INET6 if ":" in address else _socket.AF_INET
     own = None
     try:
         own = _socket.socket(family, _socket.SOCK_DGRAM)

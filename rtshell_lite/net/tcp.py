@@ -12,10 +12,7 @@ def listen(host, port):
     be.
     """
     world = loop.world()
-    if host:
-        families = (_socket.AF_INET, _socket.AF_INET6)
-    else:
-        families = (_socket.AF_INET6, _socket.AF_INET)
+    families = (_socket.AF_INET, _socket.AF_INET6) if host else (_socket.AF_INET6, _socket.AF_INET)
     for family in families:
         try:
             place = world.resolve(host or None, 0, family, _socket.AI_PASSIVE)[0][4]

@@ -166,9 +166,7 @@ def summaries():
             lines.append(subject)
         for name in there:
             lines += textwrap.wrap(
-                summary(read(known[name])),
-                text.width() - 2,
-                initial_indent=f"  {name}".ljust(size),
+                summary(read(known[name])), text.width() - 2, initial_indent=f"  {name}".ljust(size),
                 subsequent_indent=" " * size,
             )
     return lines

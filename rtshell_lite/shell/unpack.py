@@ -164,10 +164,7 @@ class Files:
         try:
             with file:
                 file.write(content)
-                if program:
-                    mode = 0o777
-                else:
-                    mode = 0o666
+                mode = 0o777 if program else 0o666
                 os.fchmod(file.fileno(), mode & ~umask())
         except OSError:
             os.unlink(temporary)

@@ -37,10 +37,7 @@ class Output:
         except BlockingIOError:
             return
         lines = (rest[0] + data).split(b"\n")
-        if data and len(lines[-1]) < LONGEST:
-            rest[0] = lines.pop()
-        else:
-            rest[0] = b""
+        rest[0] = lines.pop() if data and len(lines[-1]) < LONGEST else b""
         if not data:
             lines = list(filter(None, lines))
         for line in lines:

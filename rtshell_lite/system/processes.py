@@ -197,13 +197,8 @@ class Processes:
             if name not in OURS:
                 inherited[name] = value
         child = loop.world().start_process(
-            process.spec.command,
-            stdin=real.NOTHING,
-            stdout=real.PIPE,
-            stderr=real.SAME,
-            cwd=process.spec.cwd,
-            env=dict(inherited, **process.spec.env),
-            start_new_session=True,
+            process.spec.command, stdin=real.NOTHING, stdout=real.PIPE, stderr=real.SAME,
+            cwd=process.spec.cwd, env=dict(inherited, **process.spec.env), start_new_session=True,
             preexec_fn=self._guardian.enter,
         )
         child.returncode = 0  # it is reaped here
@@ -235,10 +230,7 @@ class Processes:
 
     async def stop(self, stopped=None):
         """End some processes (default: all), each when those after it have ended."""
-        if stopped is None:
-            stopped = self.all
-        else:
-            stopped = stopped
+        stopped = self.all if stopped is None else stopped
         for process in stopped:
             process.is_wanted = False
         await loop.each(stopped, self._stop)

@@ -66,20 +66,14 @@ def _spec(file, name, words, known, usual):
         for other in after:
             if other not in known:
                 raise ValueError(f"after {other}, which is not there")
-        ready = words.get("ready")
+        ready = path.parse(words["ready"]) if words.get("ready") else None
+        environment = _environment(words.get("env", ""))
         cwd = words.get("cwd")
         if cwd is not None:
             cwd = os.path.expandvars(cwd)
-        return Spec(
-            name,
-            command,
-            after,
-            path.parse(ready) if ready else None,
-            _environment(words.get("env", "")),
-            cwd,
-            _stop(words.get("stop", STOP)),
-            policy.parse(words.get("restart"), words.get("burst"), words.get("delay"), usual),
-        )
+        stop = _stop(words.get("stop", STOP))
+        restarts = policy.parse(words.get("restart"), words.get("burst"), words.get("delay"), usual)
+        return Spec(name, command, after, ready, environment, cwd, stop, restarts)
     except ValueError as e:
         raise errors.Failed(f"{printable(file)}: {name}", printable(str(e)))
 

@@ -352,10 +352,7 @@ class Page:
 
     def _select(self, number):
         self.number = max(0, min(number, len(self.rows) - 1))
-        if self.rows:
-            self.selected = self.rows[self.number].path
-        else:
-            self.selected = None
+        self.selected = self.rows[self.number].path if self.rows else None
 
     def _act(self, key):
         if self.selected is None:
@@ -418,10 +415,7 @@ class Page:
 
     def _draw_head(self, components, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
-        if self.wanted:
-            matching = f"; {len(self.rows)} with: {self.wanted}"
-        else:
-            matching = ""
+        matching = f"; {len(self.rows)} with: {self.wanted}" if self.wanted else ""
         below = f"; below {self.common}" if self.common else ""
         self._put(0, f"{rows.summary(components)}{matching}{below}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
@@ -441,10 +435,7 @@ class Page:
 
     def _draw_rows(self, top, width):
         """The lines around the selected one, as many as there is room for."""
-        if self.rows:
-            chosen = self.lines.index(self.rows[self.number])
-        else:
-            chosen = 0
+        chosen = self.lines.index(self.rows[self.number]) if self.rows else 0
         last = min(self.first, chosen, max(len(self.lines) - self.room, 0))
         self.first = max(last, chosen - self.room + 1)
         if chosen == self.first == 1:
@@ -477,10 +468,7 @@ class Page:
         """The last lines: what is typed, what was done, what is wrong with the selected component,
         or the keys.
         """
-        if self.rows:
-            row = self.rows[self.number]
-        else:
-            row = None
+        row = self.rows[self.number] if self.rows else None
         if self.asked:
             line = f"{self.asked[0].name} {self.asked[1].name}? y/N"
         elif self.typing:
