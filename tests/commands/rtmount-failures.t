@@ -87,13 +87,14 @@ A component that hangs delays only those who ask it; it is listed, and others an
   [2]
   $ test $(($(date +%s) - time)) -le 10
 
-A component that dies is out of reach; when it is started again, even those whose working directory it was find it:
+A component that dies is out of reach, its connection lost or refused. When it is started again, even those whose working
+directory it was find it:
 
   $ cd ../test.host_cxt/ConsoleIn0.rtc; cat state
   Inactive
   $ kill-mock two; cat state || why
-  cat: state: Connection refused
-  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: connection refused* (glob)
+  cat: state: (Connection refused|No route to host) (re)
+  /localhost:\$PORT/test.host_cxt/ConsoleIn0.rtc: connection (refused|lost).* (re)
   $ (cd /; mock two); cat state
   Inactive
   $ echo Active >state && cat state
