@@ -2,7 +2,7 @@
 import collections
 import struct
 
-from rtshell_lite.giop import messages, requests
+from rtshell_lite.giop import messages, references, requests
 
 COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
 CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
@@ -111,10 +111,12 @@ def bad_operation(request):
 
 def reference(port, type_id=COMPONENT, key=b"faulty", components=()):
     """An object reference (CDR of an IOR) to a port of this host; `components` are (tag, octets)."""
-    host = cdr(b"127.0.0.1") + struct.pack("<H", port)
-    tagged = [value for tag, octets in components for value in (tag, sequence(octets))]
-    profile = b"\1\1\2\0" + host + cdr(sequence(key), len(components), *tagged)  # little endian, IIOP 1.2
-    return cdr(type_id.encode(), 1, 0, sequence(profile))
+    return _reference(port, type_id, key, components).octets()
+
+
+def _reference(port, type_id, key, components=()):
+    more = {"type_id": type_id.encode(), "components": components}
+    return references.make_reference("127.0.0.1", port, key, **more)
 
 
 def sequence(octets):
@@ -122,10 +124,9 @@ def sequence(octets):
     return Raw(struct.pack("<I", len(octets)) + octets)
 
 
-def stringified(port, type_id=COMPONENT, **more):
+def stringified(port, type_id=COMPONENT, key=b"faulty", components=()):
     """The same as text: IOR:..."""
-    data = b"\1\0\0\0" + reference(port, type_id, **more)
-    return "IOR:" + "".join(f"{byte:02x}" for byte in data)
+    return _reference(port, type_id, key, components).text()
 
 
 def bindings(names):

@@ -4,10 +4,9 @@ A servant is any object with a method for each operation of its `interface`, nam
 """
 
 import os
-import struct
 
 from rtshell_lite.corba import orb, session
-from rtshell_lite.giop import ior
+from rtshell_lite.giop import ior, references
 from rtshell_lite.net import loop
 from rtshell_lite.text import printable
 
@@ -73,7 +72,8 @@ class Served:
         own = await session.on_thread(printable(peer[0]), lambda: world.own_address(*peer))
         if own is None and host:
             return self.reference
-        return make_ior(type_id, own or world.host_name(), port, key)
+        made = references.make_reference(own or world.host_name(), port, key, type_id=type_id.encode())
+        return made.text()
 
 
 def _address_given():
@@ -81,18 +81,3 @@ def _address_given():
     return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(
         name.startswith("ORBendPoint") for name in os.environ
     )
-
-
-def make_ior(type_id, host, port, key):
-    """A stringified reference with one IIOP 1.2 profile (CORBA 3.0, 13.6)."""
-
-    def octets(data):
-        return struct.pack(">L", len(data)) + data
-
-    def aligned(data, size):
-        return data + b"\0" * (-len(data) % size)
-
-    profile = aligned(b"\0\1\2\0" + octets(host.encode() + b"\0"), 2) + struct.pack(">H", port)
-    profile = aligned(aligned(profile, 4) + octets(key), 4) + struct.pack(">L", 0)
-    head = aligned(b"\0\0\0\0" + octets(type_id.encode() + b"\0"), 4)
-    return "IOR:" + (head + struct.pack(">LL", 1, 0) + octets(profile)).hex()

@@ -67,27 +67,35 @@ class Reference:
         elif mode == messages.PROFILE:
             octets = _PAIR.pack(ior.IIOP, len(profile)) + profile
         else:
-            octets = _LENGTH.pack(number) + ior.octets(self.type_id + b"\0", self.profiles)
+            octets = _LENGTH.pack(number) + self.octets()
         return (1, min(profile[2], 2)), mode, octets
 
+    def octets(self):
+        """It as little-endian CDR. Raises ior.BadReference."""
+        return ior.octets(self.type_id + b"\0", self.profiles)
+
     def text(self):
-        """The stringified IOR."""
-        return "IOR:" + (b"\1\0\0\0" + ior.octets(self.type_id + b"\0", self.profiles)).hex()
+        """The stringified IOR. Raises ior.BadReference."""
+        return "IOR:" + (b"\1\0\0\0" + self.octets()).hex()
 
 
-def make_reference(host, port, key, minor=2):
-    """A reference to an object by its address and key alone, as a corbaloc gives it;
-    GIOP 1.`minor` is spoken.
+def make_reference(host, port, key, minor=2, type_id=b"", components=()):
+    """A reference to an object by its address and key, as a corbaloc gives it (CORBA 3.0, 13.6);
+    GIOP 1.`minor` is spoken. `components`: (tag, octets) of its profile.
     """
 
-    def octets(body, data):
-        return body + b"\0" * (-len(body) % 4) + struct.pack("<I", len(data)) + data
+    def number(body, value):
+        return body + b"\0" * (-len(body) % 4) + struct.pack("<I", value)
 
-    body = octets(b"\1\1" + bytes([minor]) + b"\0", host.encode("utf-8", "surrogateescape") + b"\0")
-    body = octets(body + b"\0" * (-len(body) % 2) + struct.pack("<H", port), key)
+    body = number(b"\1\1" + bytes([minor]), len(host.encode("utf-8", "surrogateescape")) + 1)
+    body += host.encode("utf-8", "surrogateescape") + b"\0"
+    body += b"\0" * (-len(body) % 2) + struct.pack("<H", port)
+    body = number(body, len(key)) + key
     if minor:
-        body += b"\0" * (-len(body) % 4) + bytes(4)  # no components
-    return Reference(b"", ((ior.IIOP, body),))
+        body = number(body, len(components))
+    for tag, data in components:
+        body = number(number(body, tag), len(data)) + data
+    return Reference(type_id, ((ior.IIOP, body),))
 
 
 def from_text(text):
