@@ -302,7 +302,7 @@ async def component(path, wait=0.0):
     found = Component(await _path(path))
     end = loop.now() + wait
     while True:
-        (node,) = await tree.at_each([paths.parse(found.path)], tree.component)
+        (node,) = await tree.components([paths.parse(found.path)])
         if not isinstance(node, Error):
             (node,) = await tree.check_alive([node])
             node = node.error or node

@@ -251,17 +251,9 @@ def repeated(where, ref, schema, *args, seconds=None):
     return _orb.repeated(Call(where, ref, schema, args, seconds), call_again)
 
 
-async def each(refs, function, where=None):
-    """What function(ref) returns for each reference, awaited in parallel: in order, an errors.Error for what
-    failed.
-
-    Errors name `where`, or else HOST:PORT of the reference.
-    """
-
-    def place(ref):
-        return endpoint(ref), where or at_address(ref)
-
-    return await session.each(refs, function, place)
+def at_object(ref):
+    """Whom a reference leads to, for session.each."""
+    return endpoint(ref), at_address(ref)
 
 
 async def is_alive(where, ref):

@@ -162,40 +162,33 @@ def no_answer(seconds):
     return f"no answer within {seconds:g}s"
 
 
-async def each(items, function, place):
-    """What function(item) returns for each item, awaited in parallel by the process that answers: in order,
-    an errors.Error for what failed.
+def at_process(item):
+    """Whom an item asks, for `each`."""
+    return item.endpoint, item.where
+
+
+def each(items, function, place=at_process):
+    """What function(item) returns for each item, in parallel by the process that answers, as loop.each: in
+    order, an errors.Error for what failed, and for an item that is one.
 
     `place(item)` gives (endpoint of that process, or anything hashable; the path of the object, or a text,
     for errors). After the first silence of a process, what it has not been asked yet fails as NotAsked.
     """
     items = list(items)
-    places = list(map(place, items))
-    return await loop.each(
-        range(len(places)), _attempt(items, function, places), lambda number: places[number][0]
-    )
-
-
-def stream(items, function, place):
-    """`each`, but an asynchronous generator that keeps no results."""
-    items = list(items)
-    places = list(map(place, items))
-    return loop.stream(
-        range(len(places)), _attempt(items, function, places), lambda number: places[number][0]
-    )
-
-
-def _attempt(items, function, places):
+    places = [(None, "") if isinstance(item, errors.Error) else place(item) for item in items]
     here = current()
 
     async def attempt(number):
+        item = items[number]
+        if isinstance(item, errors.Error):
+            raise item
         endpoint, where = places[number]
         failure = here.why_not_asked(where, endpoint)
         if failure:
             raise failure
-        return await function(items[number])
+        return await function(item)
 
-    return attempt
+    return loop.each(range(len(items)), attempt, lambda number: places[number][0])
 
 
 async def on_thread(where, function):

@@ -6,7 +6,7 @@ when it appears, or another object has its name. No port gets more than one conn
 
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.data import reading
 from rtshell_lite.giop import descriptors
 from rtshell_lite.net import loop
@@ -127,7 +127,7 @@ class Flight:
         """Readers for the ports of components that have come."""
         new = self._not_asked_yet(await self._list())
         readers = []
-        for node, known in zip(new, await tree.on_nodes(new, _ports)):
+        for node, known in zip(new, await session.each(new, _ports)):
             if isinstance(known, errors.Error):
                 continue
             self._due[orb.identity(node.ref)] = None
@@ -144,7 +144,8 @@ class Flight:
         """The Nodes of all components below the paths; which could not be listed is in `failures`."""
         self.failures = {}
         nodes = []
-        for top, listed in zip(self._tops, await tree.at_each(self._tops, _components)):
+        answers = await session.each(self._tops, _components, tree.at_server)
+        for top, listed in zip(self._tops, answers):
             if isinstance(listed, errors.Error):
                 self.failures[str(top)] = listed
             else:

@@ -27,7 +27,7 @@ async def logs(snapshots, nodes):
         return {}
     slaves = [
         slave
-        for answer in await tree.on_nodes(bound, tree.slaves)
+        for answer in await session.each(bound, tree.slaves)
         if not isinstance(answer, errors.Error)
         for slave in answer
     ]
@@ -37,7 +37,7 @@ async def logs(snapshots, nodes):
         if node.kind == "manager" and node.endpoint in ends:
             asked.append(node)
     files = {}
-    for node, settings in zip(asked, await tree.on_nodes(asked, manager.configuration)):
+    for node, settings in zip(asked, await session.each(asked, manager.configuration)):
         settings = {} if isinstance(settings, errors.Error) else dict(settings)
         if settings.get("logger.enable", "YES").upper() == "YES" and settings.get("logger.file_name"):
             files[node.endpoint] = printable(settings["logger.file_name"])

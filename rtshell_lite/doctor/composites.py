@@ -1,10 +1,10 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import limits, remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
-from rtshell_lite.robot import composites, tree
+from rtshell_lite.robot import composites
 from rtshell_lite.text import printable
 
 
@@ -15,7 +15,7 @@ async def findings(snapshots):
     candidates = [
         snapshot for snapshot in snapshots if snapshot.error is None and _may_be_composite(snapshot)
     ]
-    answers = await tree.on_nodes([snapshot.node for snapshot in candidates], composites.owned)
+    answers = await session.each([snapshot.node for snapshot in candidates], composites.owned)
     found = []
     for snapshot, answer in zip(candidates, answers):
         where = snapshot.where

@@ -3,7 +3,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.doctor import limits, networks, remedies, services, waiting
 from rtshell_lite.doctor.finding import fail, listed, reason, warn
 from rtshell_lite.robot import component, connectors, places, ports
@@ -52,7 +52,7 @@ async def _forgotten(snapshots):
     ]
     found = []
     for (snapshot, port, connector, ref), answer in zip(
-        held, await orb.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref))
+        held, await session.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref), orb.at_object)
     ):
         is_dead = isinstance(answer, errors.Error) and await liveness.shows_death(answer, orb.endpoint(ref))
         if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):

@@ -80,7 +80,9 @@ async def _at_references(profile, missing):
                 continue
             refs.setdefault(capture.shown_path(component), (ref, "its port answers"))
     asked = list(refs.items())[:MOST]
-    answers = await orb.each([ref for _, (ref, _) in asked], lambda ref: orb.is_alive("", ref))
+    answers = await session.each(
+        [ref for _, (ref, _) in asked], lambda ref: orb.is_alive("", ref), orb.at_object
+    )
     living = {}
     for (path, (ref, words)), answer in zip(asked, answers):
         if answer is True:

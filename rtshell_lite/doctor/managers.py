@@ -1,6 +1,7 @@
 """Each manager: whether it answers, and whether what it lists lives."""
 
 from rtshell_lite import errors
+from rtshell_lite.corba import session
 from rtshell_lite.doctor import limits, networks, remedies
 from rtshell_lite.doctor.finding import fail, ok, published, reason, warn
 from rtshell_lite.robot import component, tree
@@ -11,7 +12,7 @@ async def asked(nodes):
     """[(Node, what it has, see `_ask`, or errors.Error)] of the managers among the Nodes, sorted by path."""
     managers = [node for node in nodes if node.kind == "manager"]
     managers.sort(key=lambda node: str(node.path))
-    return list(zip(managers, await tree.on_nodes(managers, _ask)))
+    return list(zip(managers, await session.each(managers, _ask)))
 
 
 async def findings(answers):

@@ -19,7 +19,8 @@ async def findings(nodes, seconds):
     now = session.current()
     now.end = max(now.end, loop.now() + now.timeout)
     found = []
-    for node, again in zip(bound, await tree.at_each([node.path for node in bound], tree.resolve)):
+    answers = await session.each([node.path for node in bound], tree.resolve, tree.at_server)
+    for node, again in zip(bound, answers):
         where = str(node.path)
         if isinstance(again, errors.NotFound):
             message = f"its name was deleted within {seconds:g} s"

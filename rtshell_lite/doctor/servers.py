@@ -32,7 +32,9 @@ async def visits(tops):
         by_server.setdefault(top.server, []).append(top)
     places = [path.Path(server, (), None, False) for server in by_server]
     used = await _ports(places)
-    answers = await tree.at_each(places, lambda place: _visit(place, by_server[place.server], used))
+    answers = await session.each(
+        places, lambda place: _visit(place, by_server[place.server], used), tree.at_server
+    )
     made = []
     for place, visit in zip(places, answers):
         if isinstance(visit, errors.Error):

@@ -37,7 +37,7 @@ async def follow(components, put):
         async def report(each):
             await each.report_changes(owners, put)
 
-        await session.each(list(followed.values()), report, lambda each: each.place)
+        await session.each(list(followed.values()), report)
 
 
 class _Followed:
@@ -47,7 +47,7 @@ class _Followed:
         self.node = node
         self.where = str(node.path)
         self.identity = orb.identity(node.ref)
-        self.place = node.endpoint, self.where
+        self.endpoint = node.endpoint
         self.ports = []
         for port in listed:
             self.ports.append(_Port(port.ref))

@@ -77,11 +77,6 @@ class Followed:
         """(host, port) of its process; raises as `node` does."""
         return self.node.endpoint
 
-    @property
-    def place(self):
-        """(endpoint, path as text), for session.each."""
-        return self.endpoint, self.where
-
     def appeared(self):
         """It is there, or another object than before has its name."""
 
@@ -178,7 +173,7 @@ class Presence:
         async def detach(each):
             await each.subscription.detach()
 
-        await loop.race(session.each(lent, detach, lambda each: each.place), loop.sleep(HURRY))
+        await loop.race(session.each(lent, detach), loop.sleep(HURRY))
         for each in lent:
             each.forget()
 

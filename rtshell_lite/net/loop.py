@@ -3,7 +3,7 @@
     loop.run(main())                     runs a coroutine to its end on this thread
     await loop.sleep(seconds)
     await loop.each(items, look)         look(item) for all items in parallel; the results in order
-    async for x in loop.stream(items, look):  the same, one after the other, as soon as they have come
+    async for x in loop.each(items, look):  the same, one after the other, as soon as they have come
     await loop.race(one(), other())      the result of the first that ends; the others are cancelled
     await loop.finish(change())          its result; it is not cut off when the task that awaits it is
                                          cancelled
@@ -273,62 +273,67 @@ class background:
         return await self._group.__aexit__(kind, error, traceback)
 
 
-async def each(items, function, key=None):
+def each(items, function, key=None):
     """The results of function(item), a coroutine function, for all items in parallel, in order; an
-    errors.Error for what failed.
+    errors.Error for what failed. `await` it for a list of all; or `async for` each as soon as those before it
+    have come: then none is kept, as thousands take much memory.
 
     key(item) groups them: at most MOST of one key run at a time, so that thousands do not take memory while
     they wait.
     """
-    batch = _Batch(items, function)
-    async with Group() as group:
-        for place, work in batch.workers(key):
-            group.start(work, place)
-    return batch.results
-
-
-async def stream(items, function, key=None):
-    """`each`, but yields each result as soon as those before it have come, and keeps none:
-    thousands take much memory.
-    """
-    batch = _Batch(items, function)
-    here = current()
-    tasks = [
-        Task(here, work, batch, here.running.place if place is None else place)
-        for place, work in batch.workers(key)
-    ]
-    try:
-        for number in range(len(batch.items)):
-            if batch.results[number] is _TO_COME:
-                await batch.wait_for(number)
-            result = batch.results[number]
-            batch.results[number] = None
-            yield result
-    finally:
-        for task in tasks:
-            task.cancel()
+    return _Each(items, function, key)
 
 
 _TO_COME = object()  # in place of a result
 
 
-class _Batch:
+class _Each:
     """Items, and the results of a function for them."""
 
-    def __init__(self, items, function):
+    def __init__(self, items, function, key):
         self.items = list(items)
         self.function = function
+        self.key = key
         self.results = [_TO_COME] * len(self.items)
         self.failure = None  # type: BaseException
-        # the number of the result that `stream` waits for, and its Wait
+        # the number of the result that `_in_order` waits for, and its Wait
         self._wanted = None
         self._came = None  # type: Wait
 
-    def workers(self, key):
+    def __await__(self):
+        return self._all().__await__()
+
+    def __aiter__(self):
+        return self._in_order()
+
+    async def _all(self):
+        async with Group() as group:
+            for place, work in self.workers():
+                group.start(work, place)
+        return self.results
+
+    async def _in_order(self):
+        here = current()
+        tasks = [
+            Task(here, work, self, here.running.place if place is None else place)
+            for place, work in self.workers()
+        ]
+        try:
+            for number in range(len(self.items)):
+                if self.results[number] is _TO_COME:
+                    await self.wait_for(number)
+                result = self.results[number]
+                self.results[number] = None
+                yield result
+        finally:
+            for task in tasks:
+                task.cancel()
+
+    def workers(self):
         """(key, coroutine) pairs, which share the work."""
         queues = {}  # type: dict
         for number, item in enumerate(self.items):
-            queues.setdefault(key(item) if key else None, deque()).append(number)
+            queues.setdefault(self.key(item) if self.key else None, deque()).append(number)
         for place, queue in queues.items():
             for _ in range(min(MOST, len(queue))):
                 yield place, self._work(queue)

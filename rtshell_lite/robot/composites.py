@@ -5,7 +5,7 @@ Organization::get_owner is never called: a C++ component answers it once, and ha
 """
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import liveness, orb, session
 from rtshell_lite.records import record
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
@@ -88,7 +88,7 @@ async def _organisation(node, ref):
     async def name_of(member):
         return from_wire(await orb.call(node.path, member, "get_sdo_id"))
 
-    names = await orb.each(members, name_of, node.path)
+    names = await session.each(members, name_of, lambda member: (orb.endpoint(member), node.path))
     return Organisation(
         from_wire(await orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members))
     )

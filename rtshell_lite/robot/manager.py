@@ -8,7 +8,7 @@ import itertools
 import posixpath
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
 from rtshell_lite.path import CORBALOC, MANAGER_PORT, parse, split_address
 from rtshell_lite.robot import component, exiting, lookup, ports, tree
@@ -128,7 +128,7 @@ async def profiles(node, wanted=lambda child: True):
         (child for child in await tree.managed(node) if child.kind != "zombie" and wanted(child)),
         key=lambda child: str(child.path),
     )
-    return await tree.on_nodes([child.error or child for child in children], profiled)
+    return await session.each([child.error or child for child in children], profiled)
 
 
 async def configuration(node):
@@ -149,7 +149,7 @@ async def modules(node, operation="get_loadable_modules"):
     """
     listed = await _modules(node, operation)
     if operation != "get_loadable_modules":
-        for answer in await tree.on_nodes(await _slaves(node), lambda slave: _modules(slave, operation)):
+        for answer in await session.each(await _slaves(node), lambda slave: _modules(slave, operation)):
             if not isinstance(answer, errors.Error):
                 listed += answer
     distinct = {tuple(sorted(module.items())): module for module in listed}
@@ -518,7 +518,7 @@ async def shut_down(node, wait=None, above=()):
         is_known = any(orb.same(slave.ref, ref) for ref in known)
         if slave.kind != "zombie" and not is_known:
             slaves.append(slave)
-    parts = await tree.on_nodes(
+    parts = await session.each(
         [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known)
     )
     results = []

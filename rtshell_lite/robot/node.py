@@ -68,6 +68,11 @@ class Node:
         return self._endpoint
 
     @property
+    def where(self):
+        """What errors about it name."""
+        return self.path
+
+    @property
     def what(self):
         """Its kind in words, for errors."""
         if self.kind in ("unknown", "unsure"):
@@ -171,7 +176,7 @@ async def check_alive(nodes):
     objects = [
         node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None
     ]
-    answers = dict(zip(objects, await on_nodes(objects, _living)))
+    answers = dict(zip(objects, await session.each(objects, _living)))
     checked = []
     for node in nodes:
         if node in answers:
@@ -215,36 +220,6 @@ async def _sure(node):
     except errors.Refused:
         pass
     return Node(node.path, "unknown", node.ref)
-
-
-async def on_nodes(nodes, function):
-    """What function(node) returns for each Node, awaited in parallel by the process that answers;
-    an errors.Error stays in its place.
-    """
-    asked = [node for node in nodes if isinstance(node, Node)]
-    values = iter(await session.each(asked, function, _place))
-    answers = []
-    for node in nodes:
-        if isinstance(node, Node):
-            answers.append(next(values))
-        else:
-            answers.append(node)
-    return answers
-
-
-async def stream_nodes(nodes, function):
-    """`on_nodes`, but an asynchronous generator that keeps no values."""
-    asked = [node for node in nodes if isinstance(node, Node)]
-    values = session.stream(asked, function, _place)
-    for node in nodes:
-        if isinstance(node, Node):
-            yield await values.__anext__()
-        else:
-            yield node
-
-
-def _place(node):
-    return node.endpoint, node.path
 
 
 # ---- what a naming context holds ----

@@ -110,7 +110,7 @@ async def ask(refs, joining):
                 joined[connector.id] = connector
         return port._replace(connectors=list(joined.values()))
 
-    return iter(await orb.each(refs, one_port))
+    return iter(await session.each(refs, one_port, orb.at_object))
 
 
 async def _placed(port, places, known):

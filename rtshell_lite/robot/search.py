@@ -1,7 +1,7 @@
 """Finding objects in the RTC Tree: by name, kind and state."""
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.path import ROOT
 from rtshell_lite.records import record
 from rtshell_lite.robot import component, tree
@@ -41,7 +41,7 @@ async def find(paths, wanted):
 
     These are nodes whose names would match without their kinds, if no name does.
     """
-    answers = await tree.at_each(paths, lambda path: _below(path, wanted))
+    answers = await session.each(paths, lambda path: _below(path, wanted), tree.at_server)
     parts, failures = errors.split(answers)
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
@@ -82,7 +82,7 @@ async def components(tops=()):
     Components below managers are skipped: they are bound in a name server, too.
     """
     orb.start()
-    parts, failures = errors.split(await tree.at_each(tops or [ROOT], _walk_top))
+    parts, failures = errors.split(await session.each(tops or [ROOT], _walk_top, tree.at_server))
     walked = [node for part in parts for node in part]
     failures += [
         node.error for node in walked if node.kind in ("server", "directory") and node.error is not None
@@ -130,7 +130,7 @@ async def _below(path, wanted):
 async def _in_state(nodes, state):
     silent = [node.error for node in nodes if node.kind in tree.DOUBTFUL]
     components = [node for node in nodes if node.kind == "component"]
-    states = await tree.on_nodes(components, component.state)
+    states = await session.each(components, component.state)
     found = [node for node, answer in zip(components, states) if answer == state]
     failures = [answer for answer in states if isinstance(answer, errors.Error)]
     return found, silent + failures

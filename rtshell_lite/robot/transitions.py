@@ -38,8 +38,8 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
         return f"{node.path}: {now}"
 
     orb.start()
-    nodes = await tree.at_each(paths, tree.component)
-    return await tree.on_nodes([_with_all(node) for node in nodes], change_one)
+    nodes = await tree.components(paths)
+    return await session.each([_with_all(node) for node in nodes], change_one)
 
 
 def _with_all(found):
@@ -71,7 +71,7 @@ async def change_below(paths, transition, index=None, wait=None, dry_run=False):
         return f"{node.path}: {now}"
 
     changed = []
-    results = await tree.on_nodes(nodes, change_one)
+    results = await session.each(nodes, change_one)
     for node, result in zip(nodes, results):
         if isinstance(result, (errors.Gone, errors.ProcessGone)):
             notes.note(f"{node.path}: zombie, left out")

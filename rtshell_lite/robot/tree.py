@@ -20,7 +20,7 @@ from rtshell_lite.path import DEFAULT_PORT, MANAGER_PORT, REFERENCES, ROOT, Name
 # other modules use these as tree.check_alive, tree.Node …
 from rtshell_lite.robot.node import (
     DIRECTORIES, DOUBTFUL, Node, bound, check_alive, classified, classify_answer, kind_of, name_server_error,
-    on_nodes, stream_nodes, unusable,
+    unusable,
 )
 from rtshell_lite.records import cached
 from rtshell_lite.text import closest, from_wire, printable, shell_word
@@ -290,32 +290,23 @@ async def component_or_manager(path):
 
 
 async def on_components(paths, function, or_managers=False):
-    """Call function(node) for the component at each path, in parallel; values in order, an errors.Error for
+    """What function(node) returns for the component at each path, in parallel; in order, an errors.Error for
     what failed.
 
     With `or_managers`, managers are taken as well.
     """
-    return await on_nodes(await _found(paths, or_managers), function)
+    return await session.each(await components(paths, or_managers), function)
 
 
-async def stream_components(paths, function, or_managers=False):
-    """`on_components`, but an asynchronous generator that keeps no values."""
-    async for value in stream_nodes(await _found(paths, or_managers), function):
-        yield value
-
-
-async def _found(paths, or_managers):
+async def components(paths, or_managers=False):
+    """The Node of the component at each path, an errors.Error for what is none; `or_managers` as above."""
     orb.start()  # its failures are not the failure of a path
-    if or_managers:
-        return await at_each(paths, component_or_manager)
-    return await at_each(paths, component)
+    return await session.each(paths, component_or_manager if or_managers else component, at_server)
 
 
-async def at_each(paths, function):
-    """Call function(path) for each path, in parallel by name server:
-    the values in order, an errors.Error for what failed.
-    """
-    return await session.each(paths, function, lambda path: (server_endpoint(path), path))
+def at_server(path):
+    """Whom a path asks first, its name server, for session.each."""
+    return server_endpoint(path), path
 
 
 # ---- listing ----
@@ -385,7 +376,7 @@ async def slaves(node):
             return []
         raise
     asked = [Node(node.path.child(Name(f"slave{i}", "")), "manager", ref) for i, ref in enumerate(refs)]
-    answers = await on_nodes(asked, _manager_profile)
+    answers = await session.each(asked, _manager_profile)
     nodes = []
     for slave, answer, name in zip(asked, answers, _distinct_names(answers)):
         if isinstance(answer, errors.Error):
@@ -430,7 +421,7 @@ async def managed(node):
     asked = [
         Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)
     ]
-    names = await on_nodes(asked, _instance_name)
+    names = await session.each(asked, _instance_name)
     nodes = []
     for child, name in zip(asked, names):
         if isinstance(name, errors.Error):  # dead or silent: it cannot give its name

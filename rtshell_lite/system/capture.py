@@ -7,7 +7,7 @@ import functools
 import re
 
 from rtshell_lite import errors, path
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import component, places, ports, search, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL, NAMES, PROFILE
 from rtshell_lite.text import from_wire, printable
@@ -188,7 +188,7 @@ async def capture(
     silent = {}
     lost = {}
     question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
-    for node, answer in zip(nodes, await tree.on_nodes(nodes, question)):
+    for node, answer in zip(nodes, await session.each(nodes, question)):
         if not isinstance(answer, errors.Error):
             found.append(answer)
         elif await _is_zombie(node, answer):
@@ -249,7 +249,7 @@ async def _holders(managers, notes):
     """
     holders = {}
     for node, answer in zip(
-        managers, await tree.on_nodes(managers, lambda node: node.call("get_components"))
+        managers, await session.each(managers, lambda node: node.call("get_components"))
     ):
         if isinstance(answer, (errors.Gone, errors.ConnectionRefused)):
             continue

@@ -88,7 +88,7 @@ class Keeper(presence.Presence):
         unseen = [kept for kept in meant if kept.placement.found is None]
         for kept in unseen:
             kept.looking = {WHOLE}
-        await session.each(unseen, self._look, lambda kept: kept.place)
+        await session.each(unseen, self._look)
         here = [kept for kept in meant if kept.is_usable and kept.is_started]
         for result in await self._carry_out(
             planned.actions, transitions.DEACTIVATE, here, lambda kept: plan.GONE
@@ -190,7 +190,7 @@ class Keeper(presence.Presence):
             kept.changed = frozenset()
         try:
             there = [kept for kept in batch if kept.is_there]
-            answers = await session.each(there, self._look, lambda kept: kept.place)
+            answers = await session.each(there, self._look)
             for kept, answer in zip(there, answers):
                 if isinstance(answer, errors.Error):
                     await self._not_shown(kept, answer)
@@ -366,7 +366,7 @@ class Keeper(presence.Presence):
             elif self._may_start(kept):
                 todo.append(kept)
         broken = [kept for kept in todo if kept.state == "Error"]
-        await session.each(broken, self._reset, lambda kept: kept.place)
+        await session.each(broken, self._reset)
         todo = [kept for kept in todo if kept.state != "Error" and kept.is_usable]
         if not self.options.strict:
             todo = [kept for kept in todo if STATE not in kept.hands]

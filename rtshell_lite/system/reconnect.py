@@ -44,7 +44,7 @@ class Connections:
                 self._making.add(id(connector))
                 taken.append((connector, ends))
         asked = list({kept for _, ends in taken for kept in ends})
-        answers = await session.each(asked, _look_at_ports, lambda kept: kept.place)
+        answers = await session.each(asked, _look_at_ports)
         failed = set()
         for kept, answer in zip(asked, answers):
             if isinstance(answer, errors.Error):

@@ -5,7 +5,7 @@ or that take its connections away (rtteardown).
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import manager, ports, tree
 from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, placements, steps
 from rtshell_lite.text import printable, shell_word
@@ -284,7 +284,9 @@ async def connections(connecting):
     broken = [outcome for outcome in outcomes if isinstance(outcome.error, connect_steps.Incomplete)]
     strange = [_strange_ends(outcome.step) for outcome in broken]
     answers = iter(
-        await orb.each([ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref))
+        await session.each(
+            [ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref), orb.at_object
+        )
     )
     for outcome, refs in zip(broken, strange):
         ends = [next(answers) for _ in refs]

@@ -13,10 +13,11 @@ import functools
 import os
 
 from rtshell_lite import errors
+from rtshell_lite.corba import session
 from rtshell_lite.net import http, loop
 from rtshell_lite.net import calendar
 from rtshell_lite.path import split_address
-from rtshell_lite.robot import places, tree
+from rtshell_lite.robot import places
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.text import printable, safe
 from rtshell_lite.top import rows
@@ -190,7 +191,7 @@ class Site:
         self._details = {path: detail for path, detail in self._details.items() if path in entries}
         due = self._due(entries)
         question = functools.partial(capture.ask, everything=True)
-        answers = await tree.on_nodes([entries[path].node for path in due], question)
+        answers = await session.each([entries[path].node for path in due], question)
         for path, answer in zip(due, answers):
             if isinstance(answer, errors.Error):
                 last = self._details.get(path)

@@ -80,7 +80,7 @@ async def figures(nodes, long=False):
         sure.append(node)
     nodes = sure
     asked = [node for node in nodes if node.kind == "component"]
-    answers = dict(zip(asked, await tree.on_nodes(asked, _figures)))
+    answers = dict(zip(asked, await session.each(asked, _figures)))
     others = dict(
         zip(
             [n for n in nodes if n not in answers],

@@ -86,9 +86,10 @@ class Calls(unittest.TestCase):
 
     def run_tasks(self, *jobs):
         """The values of coroutine functions, each a job of the process of a reference."""
-        return self.wait_for(
-            session.each(jobs, lambda job: job[1](), lambda job: (job[0].address[1:3], "job"))
-        )
+        async def main():
+            return await session.each(jobs, lambda job: job[1](), lambda job: (job[0].address[1:3], "job"))
+
+        return self.wait_for(main())
 
     def script_of(self, replies):
         """A process that answers all that has come with replies(number) each."""

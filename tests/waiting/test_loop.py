@@ -38,10 +38,14 @@ class Case(unittest.TestCase):
             raise
 
 
+async def gather(items, function, key=None):
+    return await loop.each(items, function, key)
+
+
 class Tasks(Case):
     def test_results_come_in_order(self):
         begun = time.monotonic()
-        found = loop.run(loop.each([0.3, 0.1, 0.2], lambda seconds: after(seconds, seconds)))
+        found = loop.run(gather([0.3, 0.1, 0.2], lambda seconds: after(seconds, seconds)))
         self.assertEqual(found, [0.3, 0.1, 0.2])
         self.assertGreaterEqual(time.monotonic() - begun, 0.29)
 
@@ -50,7 +54,7 @@ class Tasks(Case):
             if number == 1:
                 raise errors.Silent("here", "no answer")
             return number
-        found = loop.run(loop.each(range(3), ask))
+        found = loop.run(gather(range(3), ask))
         self.assertEqual((found[0], type(found[1]), found[2]), (0, errors.Silent, 2))
         self.assertIsNone(found[1].__traceback__)
 
@@ -59,7 +63,7 @@ class Tasks(Case):
             await (fail(0.01, KeyError("x")) if name == "bug" else self.mourn(10, name))
         begun = time.monotonic()
         with self.assertRaises(KeyError):
-            loop.run(loop.each(["a", "bug"], ask))
+            loop.run(gather(["a", "bug"], ask))
         self.assertEqual(self.heard, ["no a"])
         self.assertLess(time.monotonic() - begun, 5)
 
@@ -72,7 +76,7 @@ class Tasks(Case):
             most[key] = max(most[key], now[key])
             await loop.sleep(0.001)
             now[key] -= 1
-        loop.run(loop.each(["a"] * 200 + ["b"], ask, key=str))
+        loop.run(gather(["a"] * 200 + ["b"], ask, key=str))
         self.assertEqual(most, {"a": loop.MOST, "b": 1})
 
     def test_the_first_of_a_race(self):
@@ -136,7 +140,7 @@ class Tasks(Case):
 
     def test_a_stream_yields_before_the_last_has_come(self):
         async def first():
-            async for value in loop.stream([0, 10], lambda seconds: after(seconds, seconds)):
+            async for value in loop.each([0, 10], lambda seconds: after(seconds, seconds)):
                 return value
         begun = time.monotonic()
         self.assertEqual(loop.run(first()), 0)
@@ -144,7 +148,7 @@ class Tasks(Case):
 
     def test_a_bug_ends_a_stream(self):
         async def main():
-            async for _ in loop.stream([0, 0.01], lambda seconds: fail(seconds, KeyError("x"))):
+            async for _ in loop.each([0, 0.01], lambda seconds: fail(seconds, KeyError("x"))):
                 pass
         with self.assertRaises(KeyError):
             loop.run(main())
@@ -184,7 +188,7 @@ class Waiting(Case):
         self.assertEqual(loop.run(loop.race(loop.on_thread(release.wait), after(0.01, "first"))), "first")
 
     def test_many_threads_at_once(self):
-        found = loop.run(loop.each(range(50), lambda number: loop.on_thread(int, str(number))))
+        found = loop.run(gather(range(50), lambda number: loop.on_thread(int, str(number))))
         self.assertEqual(found, list(range(50)))
 
     def test_time_away_is_no_silence(self):

@@ -41,7 +41,12 @@ class Calls(unittest.TestCase):
         """What calls of all these come to, each in the task of its process."""
         async def ask(ref):
             return await orb.call(ref[0], ref, "get")
-        return loop.run(orb.each(refs, ask), session=self.session)
+        return self.each(refs, ask)
+
+    def each(self, refs, function):
+        async def main():
+            return await session.each(refs, function, orb.at_object)
+        return loop.run(main(), session=self.session)
 
     def ask(self, ref):
         return loop.run(orb.call(ref[0], ref, "get"), session=self.session)
@@ -113,7 +118,7 @@ class Calls(unittest.TestCase):
     def test_silence_elsewhere_is_not_held_against_this_process(self):
         async def outer(ref):
             return await orb.call("other", ("other", self.silent), "get")
-        values = loop.run(orb.each([("p", None)], outer), session=self.session)
+        values = self.each([("p", None)], outer)
         self.assertIs(type(values[0]), errors.Unreachable)
         self.assertEqual(self.ask(("p", lambda: 1)), 1)
 
