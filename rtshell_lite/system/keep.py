@@ -20,7 +20,6 @@ from rtshell_lite.system import placements, steps
 from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptComponent
 
 TICK = 0.1  # seconds between looks whether all is done
-WAIT = 1.0  # seconds until what a neighbour holds up is asked again
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 
@@ -230,9 +229,10 @@ class Keeper(presence.Presence):
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
         kept.changed = kept.changed | kept.looking
-        kept.due = loop.now() + WAIT
         if not kept.is_there:
             return
+        kept.wait()
+        kept.due = kept.silent_until
         kept.placement.error = error
         session.current().ask_again(kept.endpoint)
         near = {other for _, ends in self._connections.of([kept]) for other in ends}

@@ -94,6 +94,12 @@ class KeptComponent(presence.Followed):
             return []
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
 
+    def wait_no_more(self):
+        if self.due == self.silent_until:  # it was not looked at
+            self.due = loop.now()
+            self.keeper.bell.ring()
+        super().wait_no_more()
+
     def become(self, state):
         """Note its state."""
         if state != self.state:

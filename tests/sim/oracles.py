@@ -3,16 +3,17 @@
 import re
 
 import faults
-from users import TIMEOUT
+from users import FILE, KEPT, TIMEOUT
 
 # seconds that a command may take, in timeouts: what rtdoctor's manual promises, and what others take; all of
 # them end, whatever hangs
 LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
 OTHERS = 3
 A_PROFILE = 1  # more for rtdoctor --profile
-WAITING = re.compile(r"(?:--wait|-t) (\d+)")  # seconds more that somebody has asked for
+WAITING = re.compile(r"(?:--wait|--within|-t) (\d+)")  # seconds more that somebody has asked for
 SLACK = 1.0
-STATUSES = {0, 1, 2, 3, 4, 5, 6, 130}
+STATUSES = {0, 1, 2, 3, 4, 5, 6}
+STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint"}
 # commands on a file, and the state that they promise
@@ -20,6 +21,12 @@ OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart":
 OF_FILES["rtstop"] = "Inactive"
 NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names"}
 SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
+# after these rtkeep cannot reach all that lives, or the file is about something else
+UNKEPT = {"cut", "close_port", "no_names", "empty_names", "halt"}
+FILE_ALONE = {"rtteardown", "rtstop", "rtresurrect", "rtstart"}  # change whole systems
+# seconds in which rtkeep has seen all: 10 turns of three kinds of questions, and pauses until it tries again
+SETTLING = {True: 20.0, False: 60.0}
+QUICK = 2.5  # seconds in which it has mended a robot that is well
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
 ROUNDS = 3  # how often a process that does not answer is asked again, by commands that give it the time
@@ -56,7 +63,7 @@ def ends(play, command):
         return "does not end"
     if command.interrupted is not None:
         if command.ended - command.interrupted > 6:
-            return f"ends {command.ended - command.interrupted:.2f} s after Ctrl-C"
+            return f"ends {command.ended - command.interrupted:.2f} s after a signal"
     elif command.ended - command.begun > limit:
         return f"takes {command.ended - command.begun:.2f} s of {limit}"
     return None
@@ -68,7 +75,7 @@ def is_stable(play, command):
         return f"raises {command.program.failure!r}"
     if "internal error" in command.error or "Traceback" in command.error:
         return command.error.strip()
-    if command.is_over and command.status not in STATUSES:
+    if command.is_over and command.status not in (STATUSES if command.interrupted is None else STRUCK):
         return f"status {command.status}"
     if command.status == 0 and f"{command.name}: " in command.error and "error" in command.error:
         return f"status 0, and {command.error.strip()}"
@@ -77,6 +84,8 @@ def is_stable(play, command):
 
 def waits_before_it_says_so(play, command):
     """Nobody is called silent who has not been given the time."""
+    if command.line == "rtkeep status":  # which tells what another one has seen
+        return None
     if f"no answer within {TIMEOUT:g}s" in command.error + command.out and command.is_over:
         if command.ended - command.begun < TIMEOUT:
             return f"said after {command.ended - command.begun:.3f} s"
@@ -88,9 +97,17 @@ def is_polite(play, command):
     for name, most in command.program.most_asked.items():
         do_answer = not SILENCING & {fault for _, fault, _ in play.scenario.faults}
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
+        if command.name == "rtkeep" and play.robot.programs.get(name) and not _was_well(play, name, command):
+            limit += (command.ended - command.begun) / TIMEOUT  # it asks whether it answers again
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
     return None
+
+
+def _was_well(play, process, command):
+    """Whether a process has run, and was not stopped, while a command ran."""
+    _, members = play.robot.processes[process]
+    return play.robot.was_well(members[0], command.begun, command.ended)
 
 
 def lists_the_truth(play, command):
@@ -223,6 +240,66 @@ def _doubt_system(play, command):
     return None
 
 
+def is_kept(play, command):
+    """rtkeep has brought all that can be mended to what the file says, in the time that its manual promises,
+    and has undone nothing that a person has done.
+    """
+    if command.name != "rtkeep" or not _has_stayed(command):
+        return None
+    if command.status != 0:
+        return f"status {command.status} after {command.ended - command.begun:.0f} s"
+    troubles = {fault for _, fault, _ in play.scenario.faults}
+    if troubles & UNKEPT or not FILE_ALONE.isdisjoint(each.name for each in play.commands):
+        return None
+    begun = command.ended - SETTLING[("--look" in command.line)]
+    well = {name for name in play.robot.lives if play.robot.was_well(name, begun, command.ended)}
+    for pair in play.scenario.connections:
+        if not well.issuperset(pair):  # ports that ask far ends wait for those that hang
+            well -= set(pair)
+    changing = [each for each in play.commands if each.name not in LOOKING | {"rtkeep"}]
+    touched = {}
+    if "--strict" not in command.line:
+        is_early = any(each.begun < command.begun + QUICK for each in changing)
+        if play.scenario.faults or len(changing) > 1 or is_early:
+            words = {word for each in changing for word in each.line.replace(":", " ").split()}
+            well -= words
+        else:
+            touched = _by_hand(play, command)
+    for name in sorted(well):
+        states = play.robot.states(name, command.ended, command.ended)
+        if states != {touched.get(name, {}).get("state", "Active")}:
+            return f"{name} is {sorted(states)}"
+        gain = touched.get(name, {}).get("gain", "1")
+        if command.gains[name] != gain:
+            return f"gain of {name} is {command.gains[name]}"
+    for source, target in play.scenario.connections:
+        if source in well and target in well:
+            ends = command.connectors.get(f"{source}:out"), command.connectors.get(f"{target}:in")
+            if not ends[0] & ends[1]:
+                return f"{source} is not connected with {target}"
+    return None
+
+
+def _has_stayed(command):
+    """Whether an rtkeep has kept a system until a signal ended it."""
+    if command.line.split()[-1] != FILE or "--once" in command.line or "--dry-run" in command.line:
+        return False
+    return command.interrupted is not None and command.interrupted - command.begun >= KEPT
+
+
+def _by_hand(play, keeper):
+    """{name: {"state" or "gain": what it is to be}} of what people have done while an rtkeep kept all."""
+    done = {}
+    for command in play.commands:
+        words = command.line.split()
+        if command.status == 0:
+            if command.name == "rtdeact":
+                done.setdefault(words[-1], {})["state"] = "Inactive"
+            elif command.name == "rtconf" and "set" in words:
+                done.setdefault(words[1], {})["gain"] = words[-1]
+    return done
+
+
 def agrees(play, command):
     """rtcheck finds nothing where nothing has changed."""
     is_unchanged = not play.scenario.faults and all(each.name in LOOKING for each in play.commands)
@@ -308,6 +385,7 @@ ORACLES = {
     "done is done": says_what_is_done,
     "changed is changed": changes_what_it_says,
     "agrees": agrees,
+    "kept": is_kept,
     "values": prints_what_was_sent,
 }
 OF_WORLDS = {"live names": no_live_name_goes, "no trace": looking_changes_nothing}

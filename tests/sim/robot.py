@@ -92,6 +92,8 @@ class Robot:
         return components.Component(self.world, name, 1 + lives * A_LIFE)
 
     def start_again(self, name):
+        if not self.programs[name].is_over:
+            return self.programs[name]
         host, members = self.processes[name]
         return self.start(name, host, members)
 

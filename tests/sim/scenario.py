@@ -2,7 +2,10 @@
 that parts can be left out to find the smallest that fails.
 """
 
+import os
 import random
+import shutil
+import tempfile
 
 import faults
 import oracles
@@ -11,6 +14,7 @@ import users
 import world as worlds
 
 PATIENCE = 20.0  # virtual seconds for all to be started
+A_KEEPER = 0.15  # of the worlds have an rtkeep that stays
 LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise
 
 
@@ -20,7 +24,7 @@ class Scenario:
     processes  [(name, host, [components])]
     connections, active
     faults     [(when, name of the fault, what it concerns)], seconds from the set-up's end
-    commands   [(when, words, seconds until Ctrl-C, or None)]
+    commands   [(when, words, seconds until a signal, or None, the number of that)]
     """
 
     def __init__(self, seed, only=()):
@@ -46,9 +50,14 @@ class Scenario:
         self.faults.sort()
         self.commands = []
         for _ in range(draw.choice((1, 2, 3, 5))):
-            interrupted = draw.random() * 2 if draw.random() < 0.1 else None
+            interrupted = draw.random() * 2 if draw.random() < 0.15 else None
             words = users.draw(draw, names, only)
-            self.commands.append((round(draw.random() * 6, 3), words, interrupted))
+            number = draw.choice(sorted(users.SIGNALS))
+            self.commands.append((round(draw.random() * 6, 3), words, interrupted, number))
+        if draw.random() < A_KEEPER and (not only or "rtkeep" in only):
+            words = users.draw_keeper(draw)
+            number = draw.choice(sorted(users.SIGNALS))
+            self.commands.append((round(draw.random() * 3, 3), words, users.KEPT, number))
         self.commands.sort(key=lambda each: each[0])
 
     def _draw_fault(self, draw, names):
@@ -59,6 +68,7 @@ class Scenario:
             "component": names,
             "host": self.hosts,
             "names": [""],
+            "seat": [self.seat],
         }[kind]
         self.faults.append((round(draw.random() * 3, 3), fault, draw.choice(whom)))
 
@@ -85,7 +95,7 @@ class Scenario:
         processes = {each for each, _, _ in made.processes}
         made.connections = [pair for pair in made.connections if names.issuperset(pair)]
         made.active = [name for name in made.active if name in names]
-        known = names | processes | set(made.hosts) | {""}
+        known = names | processes | set(made.hosts) | {"", made.seat}
         made.faults = [each for each in made.faults if each[2] in known]
         return made
 
@@ -102,6 +112,8 @@ class Play:
         self.failures = []
         for number, name in enumerate(scenario.hosts + ["desk"], 1):
             world.host(name, f"10.0.0.{number}")
+        place = tempfile.mkdtemp(dir=os.curdir)
+        os.chdir(place)
         try:
             self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]])
             for name, host, members in scenario.processes:
@@ -114,6 +126,8 @@ class Play:
             oracles.judge(self)
         finally:
             world.end()
+            os.chdir(os.pardir)
+            shutil.rmtree(place)
 
     def _save(self):
         saved = users.Command(self.robot, self.robot.home, f"rtcryo -y --all -o {users.FILE}")
@@ -128,8 +142,8 @@ class Play:
         begin = self.begin = world.time
         for when, name, whom in self.scenario.faults:
             world.at(when, self._break, name, whom)
-        for when, words, interrupted in self.scenario.commands:
-            world.at(when, self._type, seat, words, interrupted)
+        for when, *typed in self.scenario.commands:
+            world.at(when, self._type, seat, *typed)
         total = len(self.scenario.commands)
         world.run(begin + LAST, lambda: len(self.commands) == total and self._are_over())
 
@@ -140,5 +154,5 @@ class Play:
         self.robot.trouble(f"{name} {whom}")
         faults.BY_NAME[name](self.robot, whom)
 
-    def _type(self, seat, words, interrupted):
-        self.commands.append(users.Command(self.robot, seat, words, interrupted))
+    def _type(self, seat, *typed):
+        self.commands.append(users.Command(self.robot, seat, *typed))

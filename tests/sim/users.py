@@ -1,14 +1,17 @@
 """People at a simulated robot: what they type, and the commands that run then, as on a robot."""
 
-import signal
+import os
 
 import world as worlds
 
 from rtshell_lite import cli
+from rtshell_lite.net import real
 from rtshell_lite.shell import installation
 
 TIMEOUT = 1.0  # seconds, of all commands
+KEPT = 40.0  # seconds that rtkeep keeps a system
 FILE = "robot.rtsys"  # in which the robot was saved when all was well
+SIGNALS = {real.SIGINT: "Ctrl-C", real.SIGTERM: "SIGTERM"}
 _modules = {}  # type: dict
 
 
@@ -45,15 +48,24 @@ def draw(draw, names, only=()):
         f"rtstart {FILE}",
         f"rtstop {FILE}",
         f"rtdoctor -q --profile {FILE}",
+        f"rtkeep --once --within 5 {FILE}",
+        f"rtkeep --dry-run {FILE}",
+        "rtkeep status",
     ]
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted)
 
 
+def draw_keeper(draw):
+    """The words of an rtkeep that stays."""
+    return "rtkeep " + draw.choice(("--look 0.3 ", "--look 0.3 --strict ", "--look 0.5 ")) + FILE
+
+
 class Command:
     """A command that somebody has typed on a host: `words`, as a line."""
 
-    def __init__(self, robot, host, line, interrupted=None):
+    def __init__(self, robot, host, line, interrupted=None, number=real.SIGINT):
+        """`interrupted`: seconds until a signal of this number, or None."""
         self.line = line
         self.name, *words = line.split()
         names = set(robot.lives)
@@ -65,6 +77,7 @@ class Command:
             "RTCSH_CWD": f"/{robot.server}/robot.host_cxt",
             "RTSHELL_ORB": "builtin",
             "RTSHELL_TIMEOUT": str(TIMEOUT),
+            "XDG_RUNTIME_DIR": os.getcwd(),
         }
 
         def main():
@@ -72,6 +85,8 @@ class Command:
                 return cli.command(module.arguments, module.run, module.__doc__, words)
             except KeyboardInterrupt:
                 return 130
+            except cli.Ended as e:
+                return e.args[0]
 
         self.begun = robot.world.time
         self.interrupted = None  # when
@@ -82,7 +97,7 @@ class Command:
         self.program = worlds.Program(host, self.name, main, words, environment)
         self.program.at_end = lambda: self._note(robot)
         if interrupted is not None:
-            robot.world.at(interrupted, self._interrupt)
+            robot.world.at(interrupted, self._interrupt, number)
 
     def _note(self, robot):
         self.connectors = robot.connectors()
@@ -91,11 +106,11 @@ class Command:
             if component is not None:
                 self.gains[name] = component.configuration.sets["default"]["gain"]
 
-    def _interrupt(self):
+    def _interrupt(self, number):
         if not self.program.is_over:
             self.interrupted = self.world.time
-            self.world.tell("Ctrl-C")
-            self.program.strike(signal.SIGINT)
+            self.world.tell(f"{SIGNALS[number]} to {self.line}")
+            self.program.strike(number)
 
     @property
     def is_over(self):
