@@ -55,7 +55,7 @@ class Lock:
         while not self._take(name):
             pass
         os.ftruncate(self.fd, 0)
-        os.write(self.fd, b"%d\n" % os.getpid())
+        os.write(self.fd, b"%d\n" % loop.world().own_pid())
 
     def _take(self, name):
         """Whether we hold the lock, and not that of a file that its holder has just removed."""
@@ -215,11 +215,17 @@ async def ask(door, request):
                 if not piece:
                     break
                 data += piece
-            found.extend(json.loads(line) for line in data.decode("utf-8", "replace").splitlines())
+            found.extend([json.loads(line) for line in data.decode("utf-8", "replace").splitlines()])
 
-        await loop.race(exchange(), loop.sleep(PATIENCE))
+        name = printable(os.path.basename(door))
+        try:
+            await loop.within(
+                PATIENCE, exchange(), errors.Silent(name, f"no answer within {PATIENCE:g}s")
+            )
+        except (OSError, ValueError):  # it has ended meanwhile; a part of a line
+            pass
     if not found:
-        raise errors.Silent(printable(os.path.basename(door)), f"no answer within {PATIENCE:g}s")
+        raise errors.ConnectionRefused(name)
     if found[0]["error"]:
         raise errors.Error(printable(found[0]["error"]))
     return found[1:]

@@ -3,13 +3,14 @@ at all.
 """
 import os
 import signal
+import socket
 import tempfile
 import unittest
 from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.net import loop
-from rtshell_lite.system import policy, procfile
+from rtshell_lite.system import policy, procfile, steering
 from rtshell_lite.xmlprofile import model
 
 ONCE = "arithmetic is the same on all Pythons"
@@ -105,6 +106,28 @@ class Procfiles(unittest.TestCase):
         ):
             with self.subTest(text), self.assertRaisesRegex(errors.Failed, said):
                 self.read(text)
+
+
+class Steering(unittest.TestCase):
+    def test_one_that_ends_while_it_is_asked(self):
+        with tempfile.TemporaryDirectory() as here, mock.patch.dict(os.environ, XDG_RUNTIME_DIR=here):
+            door = os.path.join(steering.directory(), "robot.socket")
+            with socket.socket(socket.AF_UNIX) as listening:
+                listening.bind(door)
+                listening.listen(1)
+                listening.setblocking(False)
+                loop.run(self._ask(door, listening))
+
+    async def _ask(self, door, listening):
+        async def end():
+            await loop.ready(listening.fileno(), loop.READ)
+            listening.accept()[0].close()  # the request is not read
+
+        async with loop.background(end()):
+            with self.assertRaises(errors.ConnectionRefused):
+                await steering.ask(door, {"command": "status", "names": []})
+        async with loop.background(end()):
+            self.assertEqual(await steering.marks(), {})
 
 
 if __name__ == "__main__":
