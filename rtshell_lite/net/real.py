@@ -49,6 +49,7 @@ handle = _signal.signal  # handle(number, handler), on the main thread
 PIPE = -1
 SAME = -2  # stderr: as stdout
 NOTHING = -3
+own_pid = os.getpid
 file = open  # file(descriptor, mode, buffering) of one that is to be written
 
 looking_up = {}  # type: dict  # {host: hosts.LookUp} that a thread is asking for

@@ -210,7 +210,7 @@ class Service:
         return {
             "kind": "rtkeep",
             "object": self.name,
-            "pid": os.getpid(),
+            "pid": loop.world().own_pid(),
             "since": self.since,
             "settled": self.is_settled(),
         }

@@ -18,8 +18,10 @@ import sys
 import tempfile
 import threading
 
+import disk as disks
+
 from rtshell_lite import cli, notes
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
 BEGIN = 1800000000.0  # seconds since 1970 when a world begins
 AGAIN = 0.2  # seconds until what was lost is sent again, doubled each time
@@ -59,6 +61,7 @@ class World:
         self._turn.acquire()
         self._turns = 0
         self.fds = itertools.count(FIRST_FD)
+        self.pids = itertools.count(1)
 
     def tell(self, line):
         """Add a line to the story."""
@@ -140,7 +143,8 @@ class Host:
         self.world = world
         self.name = name
         self.address = address
-        self.listeners = {}
+        self.listeners = {}  # {port, or path of a UNIX socket: Socket}
+        self.disk = disks.Disk(world)
         self.is_on = True
         self.ahead = 0.0  # seconds by which its clock is ahead
         self._port = 40000
@@ -148,6 +152,16 @@ class Host:
     def free_port(self):
         self._port += 1
         return self._port
+
+    def lose_power(self):
+        """All its programs end at once, and what is not on its disk is lost."""
+        self.is_on = False
+        for program in [each for each in self.world.programs if each.host is self]:
+            sockets = list(program.sockets.values())
+            program.kill()
+            for each in sockets:
+                each.say_no_more()
+        self.disk.lose_power()
 
 
 class Program:
@@ -185,6 +199,7 @@ class Program:
         self._is_ready = False
         self._waits = 0
         self._left_out = set()
+        self.pid = next(self.world.pids)
         self._settings = (False, False)
         self._turn = threading.Lock()
         self._turn.acquire()
@@ -292,6 +307,33 @@ class Program:
     def wall(self):
         return BEGIN + self.world.time + self.host.ahead
 
+    def handler(self, number):
+        return real.DEFAULT
+
+    def handle(self, number, handler):
+        """What comes is struck; see `strike`."""
+
+    def own_pid(self):
+        return self.pid
+
+    def start_process(self, words, **more):
+        return Child()
+
+    def local(self):
+        return LocalSocket(self)
+
+    def tell(self, place, data):
+        """Nobody has a NOTIFY_SOCKET."""
+
+    def file(self, descriptor, mode, buffering=-1):
+        return self.host.disk.file(descriptor, mode, buffering)
+
+    def sync(self, descriptor):
+        self.host.disk.sync(descriptor)
+
+    def replace(self, path, target):
+        self.host.disk.replace(path, target)
+
     def octets(self, number):
         return bytes(self.world.random.randrange(256) for _ in range(number))
 
@@ -366,6 +408,15 @@ class Output(io.TextIOWrapper):
         os.lseek(self.fileno(), 0, os.SEEK_SET)
         with open(os.dup(self.fileno()), encoding="utf-8") as file:
             return file.read()
+
+
+class Child:
+    """A process that a program has started; it ends at once."""
+
+    returncode = 0
+
+    def poll(self):
+        return self.returncode
 
 
 class Poll:
@@ -562,6 +613,10 @@ class Socket:
 
     # ---- what its kernel does ----
 
+    def say_no_more(self):
+        """Its host has no power: what was to be sent is lost, as is the news that it is closed."""
+        self._sent.clear()
+
     def events(self):
         """What a poll finds."""
         found = 0
@@ -602,7 +657,7 @@ class Socket:
         listener = other.listeners.get(port)
         if listener is None:
             return self._fail(errno.ECONNREFUSED)
-        theirs = Socket(listener.program)
+        theirs = type(self)(listener.program)
         theirs.peer = self
         theirs.is_connected = True
         theirs.port = port
@@ -681,3 +736,27 @@ class Socket:
         """RST."""
         if not self.is_closed:
             self._fail(errno.ECONNRESET)
+
+
+class LocalSocket(Socket):
+    """A UNIX socket of a program; its `port` is its path."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def bind(self, path):
+        with open(path, "x"):
+            self.port = path
+
+    def listen(self, backlog):
+        self.backlog = collections.deque()
+        self.host.listeners[self.port] = self
+
+    def connect(self, path):
+        self.is_of_client = True
+        if path not in self.host.listeners or not os.path.exists(path):
+            raise ConnectionRefusedError(errno.ECONNREFUSED, os.strerror(errno.ECONNREFUSED))
+        self._arrive(self.host, path)

@@ -1,0 +1,81 @@
+"""The disk of a simulated host: real files, of which it is known what would survive the loss of power."""
+
+import errno
+import io
+import os
+import stat
+
+
+class Disk:
+    """room      octets that may still be written, None without a limit
+    is_failing  whether all that is written fails
+    """
+
+    def __init__(self, world):
+        self.world = world
+        self.room = None
+        self.is_failing = False
+        self._safe = {}  # {inode: octets of it that are on the disk}
+        self._paths = {}  # {inode: path} of the files that were written
+
+    def file(self, descriptor, mode, buffering):
+        """A file that is written, as open() makes one."""
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            return open(descriptor, mode, buffering)
+        raw = File(descriptor, mode.replace("b", ""))
+        raw.disk = self
+        if not status.st_size:  # it may be another file than the one that had this number
+            self._safe[status.st_ino] = 0
+        self._safe.setdefault(status.st_ino, status.st_size)
+        self._paths[status.st_ino] = os.readlink(f"/proc/self/fd/{descriptor}")
+        return raw if buffering == 0 else io.BufferedWriter(raw)
+
+    def take(self, size):
+        """How many octets of this many can be written. Raises OSError."""
+        if self.is_failing:
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        if self.room is None:
+            return size
+        taken = min(size, self.room)
+        if size and not taken:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        self.room -= taken
+        return taken
+
+    def sync(self, descriptor):
+        if self.is_failing:
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        status = os.fstat(descriptor)
+        self._safe[status.st_ino] = status.st_size
+
+    def replace(self, path, target):
+        inode = os.stat(path).st_ino
+        os.replace(path, target)
+        self._paths[inode] = os.path.abspath(target)
+
+    def lose_power(self):
+        """Of each file, what was written since it was last synchronised is lost, or a part of it, or is
+        there as zeros.
+        """
+        for inode, path in self._paths.items():
+            if not os.path.exists(path) or os.stat(path).st_ino != inode:
+                continue
+            size = os.path.getsize(path)
+            safe = self._safe[inode]
+            if size <= safe:
+                continue
+            left = self.world.random.randrange(safe, size + 1)
+            os.truncate(path, left)
+            if self.world.random.random() < 0.3:
+                os.truncate(path, size)  # zeros
+
+
+class File(io.FileIO):
+    """A file on a Disk."""
+
+    disk = None  # type: Disk
+
+    def write(self, data):
+        data = memoryview(data).cast("B")
+        return super().write(data[: self.disk.take(len(data))])
