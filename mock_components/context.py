@@ -18,11 +18,16 @@ class Member:
     def __init__(self, reference, servant, handle):
         self.reference = reference
         self.component = servant or reference
-        self.busy = servant.busy if servant else True
         self.handle = handle
         self.state = RTC.INACTIVE_STATE
+        self.history = [(carrier.now(), self.state)]
         self.wanted = None
         self.falls = None               # when it goes to Error, by the clock
+
+    @property
+    def busy(self):
+        """Whether it has something to do in each cycle, as far as is known here."""
+        return getattr(self.component, "busy", True)
 
 
 class Behaviour:
@@ -310,6 +315,7 @@ class Behaviour:
     def _enter(self, member, state, callback=None):
         with self.changed:
             member.state = state
+            member.history.append((carrier.now(), state))
             member.wanted = None
             self.changed.notify_all()
         if callback:

@@ -54,16 +54,12 @@ def restart(robot, process):
 
 def error(robot, component):
     """A component goes to Error."""
-    found = robot.living(component)
-    if found is not None:
-        found.contexts[0].set_state(found, "Error")
+    robot.ask(component, lambda found: found.owned[0].fail(found.reference))
 
 
 def halt(robot, component):
     """A context is stopped."""
-    found = robot.living(component)
-    if found is not None:
-        found.contexts[0].running = False
+    robot.ask(component, lambda found: found.owned[0].stop())
 
 
 def cut(robot, host):

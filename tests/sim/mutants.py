@@ -51,7 +51,7 @@ def _after(sign, lines):
 def _is_noticed(name, old, new, worlds):
     """In which words the worlds notice a change, '' where they do not."""
     with tempfile.TemporaryDirectory() as top:
-        for part in ("rtshell_lite", "bin", "tests"):
+        for part in ("rtshell_lite", "bin", "mock_components", "tests"):
             ignored = shutil.ignore_patterns("__pycache__", "data")
             shutil.copytree(os.path.join(ROOT, part), os.path.join(top, part), ignore=ignored)
         path = os.path.join(top, name)

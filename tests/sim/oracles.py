@@ -106,7 +106,7 @@ def is_polite(play, command):
 
 def _was_well(play, process, command):
     """Whether a process has run, and was not stopped, while a command ran."""
-    _, members = play.robot.processes[process]
+    *_, members = play.robot.processes[process]
     return play.robot.was_well(members[0], command.begun, command.ended)
 
 
@@ -207,7 +207,7 @@ def changes_what_it_says(play, command):
     _, *ends = command.line.split()
     names = [word.partition(":")[0] for word in ends if word[0] == "C"]
     if command.name in OF_FILES:
-        names = [name for _, _, members in play.scenario.processes for name in members]
+        names = [name for *_, members in play.scenario.processes for name in members]
     if not all(_is_plain(play, command, name) for name in names):
         return None
     joined = [command.connectors.get(end, set()) for end in ends]
@@ -323,7 +323,8 @@ def prints_what_was_sent(play, command):
     for name, numbers in shown.items():
         sent = {}
         for life in play.robot.lives[name]:
-            sent.update(life.component.ports[1].numbers)
+            if life.component is not None:
+                sent.update(life.component.numbers)
         for number, before in zip(numbers, [None] + numbers):
             if number not in sent or not command.begun <= sent[number] <= command.ended:
                 return f"{number} was not sent then"
@@ -336,7 +337,7 @@ def prints_what_was_sent(play, command):
 
 
 def _firsts(play, name):
-    return [life.component.first for life in play.robot.lives[name]]
+    return [life.first for life in play.robot.lives[name]]
 
 
 # ---- of a world ----
@@ -346,7 +347,7 @@ def no_live_name_goes(play):
     """rtdel -z removes names of the dead."""
     for when, name, reference in play.robot.removed:
         for life in play.robot.lives.get(name, ()):
-            if life.component.reference is not None and _is_same(life.component.reference, reference):
+            if life.component is not None and _is_same(life.component.reference, reference):
                 if life.is_alive(when):
                     return f"{name} was unbound at {when:.3f} s, and lived"
     return None
@@ -354,6 +355,17 @@ def no_live_name_goes(play):
 
 def _is_same(one, other):
     return one.address[1:] == other.address[1:]
+
+
+def nothing_crashes(play):
+    """No process ends by what it is asked, and no mock has a bug."""
+    for name, lives in play.robot.lives.items():
+        for program in [life.program for life in lives]:
+            if program.has_crashed:
+                return f"the process of {name} ended at {program.ended:.3f} s by what it was asked"
+            if program.failure is not None:
+                return f"a mock raises {program.failure!r}"
+    return None
 
 
 def looking_changes_nothing(play):
@@ -388,4 +400,8 @@ ORACLES = {
     "kept": is_kept,
     "values": prints_what_was_sent,
 }
-OF_WORLDS = {"live names": no_live_name_goes, "no trace": looking_changes_nothing}
+OF_WORLDS = {
+    "live names": no_live_name_goes,
+    "no trace": looking_changes_nothing,
+    "no crash": nothing_crashes,
+}

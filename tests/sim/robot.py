@@ -6,8 +6,7 @@ import world as worlds
 
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
-from rtshell_lite.play import nameserver, ports
-from rtshell_lite.play.component import nvlist
+from rtshell_lite.play import nameserver
 
 PORT = 2809
 A_LIFE = 100000  # numbers that a component may send in a life
@@ -15,12 +14,19 @@ STARTING = 3.0  # seconds that it takes until a component is bound, or has answe
 
 
 class Life:
-    """One life of a component: in a Program, from `begun` until the program ends."""
+    """One life of a component: in a Program, from `begun` until the program ends; its `component` is made a
+    little later.
+    """
 
-    def __init__(self, component, program):
+    def __init__(self, begun, first):
+        self.component = None
+        self.program = None
+        self.begun = begun
+        self.first = first  # of the numbers that it sends
+
+    def found(self, component):
+        """It has been made."""
         self.component = component
-        self.program = program
-        self.begun = program.begun
 
     def is_alive(self, when):
         ended = self.program.ended
@@ -43,7 +49,7 @@ class Robot:
         self.server = f"{name_server.address}:{PORT}"
         self.home = name_server
         self.lives = {}
-        self.processes = {}  # {name: (host, [names of components])}
+        self.processes = {}  # {name: (host, flavour, [names of components])}
         self.programs = {}  # {name: Program}
         self.removed = []
         self.troubles = []  # (time, line) of what a fault has done
@@ -63,8 +69,8 @@ class Robot:
         class Context(nameserver.Context):
             """A naming context that notes what is bound and removed."""
 
-            def bind(self, name, reference):
-                super().bind(name, reference)
+            def rebind(self, name, reference):
+                super().rebind(name, reference)
                 robot.bound.add(name[-1].id)
 
             def unbind(self, name):
@@ -77,30 +83,38 @@ class Robot:
             self.home, "omniNames", components.serve_names(self.home.address, PORT, Context)
         )
 
-    def start(self, name, host, members):
+    def start(self, name, host, flavour, members):
         """Start a process with these components."""
-        made = [self._made(each) for each in members]
-        program = worlds.Program(host, name, components.serve(made, host.address, self.server))
-        self.processes[name] = host, members
+        parts = []
+        begun = []
+        for each in members:
+            lives = self.lives.setdefault(each, [])
+            begun.append(Life(self.world.time, 1 + len(lives) * A_LIFE))
+            parts.append((each, begun[-1].first, begun[-1].found))
+            lives.append(begun[-1])
+        program = worlds.Program(host, name, components.serve(parts, flavour, host.address, self.server))
+        for life in begun:
+            life.program = program
+        self.processes[name] = host, flavour, members
         self.programs[name] = program
-        for component in made:
-            self.lives.setdefault(component.instance_name, []).append(Life(component, program))
         return program
-
-    def _made(self, name):
-        lives = len(self.lives.get(name, ()))
-        return components.Component(self.world, name, 1 + lives * A_LIFE)
 
     def start_again(self, name):
         if not self.programs[name].is_over:
             return self.programs[name]
-        host, members = self.processes[name]
-        return self.start(name, host, members)
+        return self.start(name, *self.processes[name])
 
     def living(self, name):
-        """The Component with that name that lives now, or None."""
+        """The Part with that name that lives now, or None."""
         life = self.lives[name][-1]
         return life.component if life.is_alive(self.world.time) else None
+
+    def ask(self, name, function):
+        """Have its process call function(component) for the component with that name, if it lives."""
+        component = self.living(name)
+        if component is not None:
+            component.process.thread(function, component)
+            component.process.program.wake()
 
     # ---- the truth ----
 
@@ -131,6 +145,8 @@ class Robot:
         for life in self.lives.get(name, ()):
             if life.begun > ended or life.ended_by(begun):
                 continue
+            if life.component is None:
+                continue
             history = life.component.states
             for number, (since, state) in enumerate(history):
                 until = history[number + 1][0] if number + 1 < len(history) else ended + 1
@@ -145,7 +161,7 @@ class Robot:
             component = self.living(name)
             if component is not None:
                 for port in component.ports:
-                    found[f"{name}:{port.name}"] = set(port.connectors)
+                    found[f"{name}:{port.short_name}"] = set(port.profiles)
         return found
 
     # ---- at the beginning ----
@@ -162,11 +178,13 @@ class Robot:
                     "dataport.subscription_type": "new",
                     "dataport.data_type": "IDL:RTC/TimedLong:1.0",
                 }
-                profile = ports._made(f"{source}_{target}", "", ends, nvlist(properties.items()))
+                profile = orb.struct("RTC.ConnectorProfile")(
+                    f"{source}_{target}", "", ends, orb.nvlist(properties.items())
+                )
                 await orb.call("set up", ends[0], "connect", profile)
             for name in active:
                 component = self.living(name)
-                context = component.contexts[0].reference
+                context = component.owned[0].reference
                 await orb.call("set up", context, "activate_component", component.reference)
 
         program = worlds.Program(

@@ -7,6 +7,7 @@ import random
 import shutil
 import tempfile
 
+import components
 import faults
 import oracles
 import robot as robots
@@ -21,7 +22,7 @@ LAST = 400.0  # virtual seconds until all commands must have ended, whatever the
 class Scenario:
     """hosts      names of hosts; the first has the name server
     seat       the host on which commands are typed
-    processes  [(name, host, [components])]
+    processes  [(name, host, flavour, [components])]
     connections, active
     faults     [(when, name of the fault, what it concerns)], seconds from the set-up's end
     commands   [(when, words, seconds until a signal, or None, the number of that)]
@@ -39,8 +40,9 @@ class Scenario:
             for _ in range(draw.choice((1, 1, 2, 3, 5))):
                 members.append(f"C{len(names)}")
                 names.append(members[-1])
-            self.processes.append((f"p{number}", draw.choice(self.hosts), members))
-        targets = draw.choice([names, names, draw.choice(self.processes)[2]])  # all of one process, perhaps
+            place = draw.choice(self.hosts), draw.choice(sorted(components.FLAVOURS))
+            self.processes.append((f"p{number}", *place, members))
+        targets = draw.choice([names, names, draw.choice(self.processes)[-1]])  # all of one process, perhaps
         pairs = {(draw.choice(names), draw.choice(targets)) for _ in range(draw.randrange(2 * len(names)))}
         self.connections = sorted(pair for pair in pairs if pair[0] != pair[1])
         self.active = sorted(draw.choice(([], names)))
@@ -64,7 +66,7 @@ class Scenario:
         fault = draw.choice(sorted(faults.BY_NAME))
         kind, _ = faults.FAULTS[faults.BY_NAME[fault]]
         whom = {
-            "process": [process for process, _, _ in self.processes],
+            "process": [process for process, *_ in self.processes],
             "component": names,
             "host": self.hosts,
             "names": [""],
@@ -91,8 +93,8 @@ class Scenario:
         made = Scenario.__new__(Scenario)
         made.__dict__.update(self.__dict__)
         setattr(made, part, value)
-        names = {each for _, _, members in made.processes for each in members}
-        processes = {each for each, _, _ in made.processes}
+        names = {each for *_, members in made.processes for each in members}
+        processes = {each for each, *_ in made.processes}
         made.connections = [pair for pair in made.connections if names.issuperset(pair)]
         made.active = [name for name in made.active if name in names]
         known = names | processes | set(made.hosts) | {"", made.seat}
@@ -116,9 +118,9 @@ class Play:
         os.chdir(place)
         try:
             self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]])
-            for name, host, members in scenario.processes:
-                self.robot.start(name, world.hosts[host], members)
-            count = sum(len(members) for _, _, members in scenario.processes)
+            for name, host, flavour, members in scenario.processes:
+                self.robot.start(name, world.hosts[host], flavour, members)
+            count = sum(len(members) for *_, members in scenario.processes)
             world.run(PATIENCE, lambda: len(self.robot.bound) >= count)
             self.robot.set_up(scenario.connections, scenario.active)
             self._save()

@@ -13,7 +13,6 @@ import io
 import itertools
 import os
 import random
-import select
 import sys
 import tempfile
 import threading
@@ -24,6 +23,7 @@ from rtshell_lite import cli, notes
 from rtshell_lite.net import loop, real
 
 BEGIN = 1800000000.0  # seconds since 1970 when a world begins
+FIRST = 1000.0  # what a clock that is never set shows then
 AGAIN = 0.2  # seconds until what was lost is sent again, doubled each time
 LONGEST_AGAIN = 3.0
 GIVEN_UP = 120.0  # seconds until a host gives up a connection
@@ -183,6 +183,7 @@ class Program:
         self.most_asked = {}  # {name of a program: how many requests it had to answer for us at a time}
         self.status = None
         self.is_over = False
+        self.has_crashed = False
         self.is_stopped = False
         self.stops = []  # [[from, until or None]]
         self.begun = self.world.time
@@ -278,6 +279,12 @@ class Program:
         self._is_ready = False
         self.take_turn()
 
+    def die(self):
+        """It crashes, as soon as it waits."""
+        self.has_crashed = True
+        self._is_killed = True
+        self.close_all()
+
     def stop(self):
         """SIGSTOP: the kernel of its host goes on."""
         self.is_stopped = True
@@ -302,7 +309,7 @@ class Program:
     # ---- what net/real.py has ----
 
     def now(self):
-        return 1000.0 + self.world.time
+        return FIRST + self.world.time
 
     def wall(self):
         return BEGIN + self.world.time + self.host.ahead
@@ -445,10 +452,10 @@ class Poll:
 
     def _ready(self):
         found = []
+        sockets = self._program.sockets
         for fd, events in self._watched.items():
-            socket = self._program.sockets.get(fd)
-            if socket is not None:
-                come = events & socket.events()
+            if fd in sockets:
+                come = sockets[fd].events(events)
                 if come:
                     found.append((fd, come))
         return found
@@ -617,14 +624,17 @@ class Socket:
         """Its host has no power: what was to be sent is lost, as is the news that it is closed."""
         self._sent.clear()
 
-    def events(self):
-        """What a poll finds."""
+    def events(self, wanted):
+        """Those of the wanted events that a poll finds."""
         found = 0
-        if self.backlog or self.incoming or self.is_at_end or self.error:
-            found |= select.POLLIN
-        if self.error or self.is_connected and len(self.peer.incoming) + self._under_way < ROOM:
-            found |= select.POLLOUT
+        if wanted & loop.READ and (self.backlog or self.incoming or self.is_at_end or self.error):
+            found = loop.READ
+        if wanted & loop.WRITE and (self.error or self._has_room()):
+            found |= loop.WRITE
         return found
+
+    def _has_room(self):
+        return self.is_connected and len(self.peer.incoming) + self._under_way < ROOM
 
     def unacknowledged(self):
         return self._under_way
