@@ -6,15 +6,21 @@ import os
 import stat
 
 
+class Killed(BaseException):
+    """Raised in a program that is no more."""
+
+
 class Disk:
     """room      octets that may still be written, None without a limit
     is_failing  whether all that is written fails
+    steps       after how many writes, and the like, the host loses its power; None: it does not
     """
 
-    def __init__(self, world):
-        self.world = world
+    def __init__(self, host):
+        self.host = host
         self.room = None
         self.is_failing = False
+        self.steps = None
         self._safe = {}  # {inode: octets of it that are on the disk}
         self._paths = {}  # {inode: path} of the files that were written
 
@@ -33,6 +39,7 @@ class Disk:
 
     def take(self, size):
         """How many octets of this many can be written. Raises OSError."""
+        self._step()
         if self.is_failing:
             raise OSError(errno.EIO, os.strerror(errno.EIO))
         if self.room is None:
@@ -43,13 +50,25 @@ class Disk:
         self.room -= taken
         return taken
 
+    def _step(self):
+        if self.steps is None:
+            return
+        self.steps -= 1
+        if self.steps == 0:
+            self.host.world.tell(f"{self.host.name} loses its power")
+            self.host.world.at(0, self.host.lose_power)
+        if self.steps <= 0:
+            raise Killed
+
     def sync(self, descriptor):
+        self._step()
         if self.is_failing:
             raise OSError(errno.EIO, os.strerror(errno.EIO))
         status = os.fstat(descriptor)
         self._safe[status.st_ino] = status.st_size
 
     def replace(self, path, target):
+        self._step()
         inode = os.stat(path).st_ino
         os.replace(path, target)
         self._paths[inode] = os.path.abspath(target)
@@ -65,9 +84,9 @@ class Disk:
             safe = self._safe[inode]
             if size <= safe:
                 continue
-            left = self.world.random.randrange(safe, size + 1)
+            left = self.host.world.random.randrange(safe, size + 1)
             os.truncate(path, left)
-            if self.world.random.random() < 0.3:
+            if self.host.world.random.random() < 0.3:
                 os.truncate(path, size)  # zeros
 
 
@@ -78,4 +97,8 @@ class File(io.FileIO):
 
     def write(self, data):
         data = memoryview(data).cast("B")
-        return super().write(data[: self.disk.take(len(data))])
+        try:
+            return super().write(data[: self.disk.take(len(data))])
+        except Killed:
+            super().write(data[: len(data) // 2])
+            raise

@@ -114,6 +114,30 @@ def _new_names(robot):
     robot.names = robot.start_names()
 
 
+def lose_power(robot, host):
+    """A host loses its power, for good."""
+    robot.world.hosts[host].lose_power()
+
+
+def fill_disk(robot, host):
+    """The disk on which people work is nearly full, for a while."""
+    disk = robot.world.hosts[host].disk
+    disk.room = robot.world.random.randrange(5000)
+    robot.world.at(LONG, disk.__setattr__, "room", None)
+
+
+def break_disk(robot, host):
+    """Nothing can be written to the disk on which people work, for a while."""
+    disk = robot.world.hosts[host].disk
+    disk.is_failing = True
+    robot.world.at(LONG, disk.__setattr__, "is_failing", False)
+
+
+def lose_power_in_writing(robot, host):
+    """The host on which people work loses its power while something is written."""
+    robot.world.hosts[host].disk.steps = robot.world.random.randrange(1, 12)
+
+
 def wrong_clock(robot, host):
     """The clock of a host is an hour ahead."""
     robot.world.hosts[host].ahead += 3600
@@ -138,5 +162,9 @@ FAULTS = {
     no_names: ("names", True),
     empty_names: ("names", True),
     wrong_clock: ("host", False),
+    lose_power: ("host", False),
+    lose_power_in_writing: ("seat", False),
+    fill_disk: ("seat", False),
+    break_disk: ("seat", False),
 }
 BY_NAME = {fault.__name__: fault for fault in FAULTS}

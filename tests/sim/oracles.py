@@ -3,6 +3,7 @@
 import re
 
 import faults
+import recordings
 from users import FILE, KEPT, TIMEOUT
 
 # seconds that a command may take, in timeouts: what rtdoctor's manual promises, and what others take; all of
@@ -15,14 +16,14 @@ SLACK = 1.0
 STATUSES = {0, 1, 2, 3, 4, 5, 6}
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
-LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint"}
+LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog"}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
-NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names"}
+NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names", "lose_power", "lose_power_in_writing"}
 SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
 # after these rtkeep cannot reach all that lives, or the file is about something else
-UNKEPT = {"cut", "close_port", "no_names", "empty_names", "halt"}
+UNKEPT = {"cut", "close_port", "no_names", "empty_names", "halt", "lose_power", "lose_power_in_writing"}
 FILE_ALONE = {"rtteardown", "rtstop", "rtresurrect", "rtstart"}  # change whole systems
 # seconds in which rtkeep has seen all: 10 turns of three kinds of questions, and pauses until it tries again
 SETTLING = {True: 20.0, False: 60.0}
@@ -75,9 +76,11 @@ def is_stable(play, command):
         return f"raises {command.program.failure!r}"
     if "internal error" in command.error or "Traceback" in command.error:
         return command.error.strip()
-    if command.is_over and command.status not in (STATUSES if command.interrupted is None else STRUCK):
+    is_documented = command.status in (STATUSES if command.interrupted is None else STRUCK)
+    if command.is_over and not command.was_killed and not is_documented:
         return f"status {command.status}"
-    if command.status == 0 and f"{command.name}: " in command.error and "error" in command.error:
+    said = re.sub(r"rtlog: (trigger|kept) .*\n", "", command.error)
+    if command.status == 0 and f"{command.name}: " in said and "error" in said:
         return f"status 0, and {command.error.strip()}"
     return None
 
@@ -375,7 +378,7 @@ def looking_changes_nothing(play):
     after = play.robot.connectors()
     for end, connectors in after.items():
         more = connectors - play.before.get(end, set())
-        if not all(_is_told(play, each) for each in more):
+        if not all(_is_told(play, each) for each in more) and not any(each.was_killed for each in play.commands):
             return f"{end} has another connector, of which nobody is told"
         if not play.scenario.faults and play.before[end] - connectors:
             return f"{end} has lost a connector"
@@ -398,10 +401,12 @@ ORACLES = {
     "changed is changed": changes_what_it_says,
     "agrees": agrees,
     "kept": is_kept,
+    "recorded": recordings.is_recorded,
     "values": prints_what_was_sent,
 }
 OF_WORLDS = {
     "live names": no_live_name_goes,
     "no trace": looking_changes_nothing,
     "no crash": nothing_crashes,
+    "whole files": recordings.is_whole,
 }

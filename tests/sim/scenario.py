@@ -16,6 +16,8 @@ import world as worlds
 
 PATIENCE = 20.0  # virtual seconds for all to be started
 A_KEEPER = 0.15  # of the worlds have an rtkeep that stays
+WRITING = ("rtlog", "rtcryo")
+OF_DISKS = ("fill_disk", "break_disk", "lose_power", "lose_power_in_writing")
 LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise
 
 
@@ -60,6 +62,11 @@ class Scenario:
             words = users.draw_keeper(draw)
             number = draw.choice(sorted(users.SIGNALS))
             self.commands.append((round(draw.random() * 3, 3), words, users.KEPT, number))
+        writing = [when for when, words, *_ in self.commands if words.split()[0] in WRITING]
+        if writing and draw.random() < 0.4:
+            when = round(draw.choice(writing) + draw.random() * 2.5, 3)
+            self.faults.append((when, draw.choice(OF_DISKS), self.seat))
+            self.faults.sort()
         self.commands.sort(key=lambda each: each[0])
 
     def _draw_fault(self, draw, names):

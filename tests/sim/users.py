@@ -2,6 +2,7 @@
 
 import os
 
+import recordings
 import world as worlds
 
 from rtshell_lite import cli
@@ -51,6 +52,11 @@ def draw(draw, names, only=()):
         f"rtkeep --once --within 5 {FILE}",
         f"rtkeep --dry-run {FILE}",
         "rtkeep status",
+        f"rtcryo -y -o {recordings.SAVED} .",
+        f"rtlog -t 2 -f run{draw.randrange(10**6)}.mcap {one}:out",
+        f"rtlog -t 2 -f run{draw.randrange(10**6)}.mcap .",
+        f"rtlog --pull -t 2 -f run{draw.randrange(10**6)}.mcap {one}:out",
+        f"rtlog --ring 1 --after 0.5 --trigger error -t 3 -f run{draw.randrange(10**6)}.mcap .",
     ]
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted)
@@ -115,6 +121,11 @@ class Command:
     @property
     def is_over(self):
         return self.program.is_over
+
+    @property
+    def was_killed(self):
+        """Whether its host has lost its power meanwhile."""
+        return self.is_over and self.status is None and self.program.failure is None
 
     @property
     def ended(self):

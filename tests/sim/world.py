@@ -18,6 +18,7 @@ import tempfile
 import threading
 
 import disk as disks
+from disk import Killed
 
 from rtshell_lite import cli, notes
 from rtshell_lite.net import loop, real
@@ -36,10 +37,6 @@ HEADER = 12
 REQUEST = 0
 REPLY = 1
 LOOPBACK = "127.0.0.1"
-
-
-class Killed(BaseException):
-    """Raised in a program that is no more."""
 
 
 class World:
@@ -144,7 +141,7 @@ class Host:
         self.name = name
         self.address = address
         self.listeners = {}  # {port, or path of a UNIX socket: Socket}
-        self.disk = disks.Disk(world)
+        self.disk = disks.Disk(self)
         self.is_on = True
         self.ahead = 0.0  # seconds by which its clock is ahead
         self._port = 40000
