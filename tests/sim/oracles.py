@@ -4,6 +4,7 @@ import re
 
 import faults
 import recordings
+import watching
 from users import FILE, KEPT, TIMEOUT
 
 # seconds that a command may take, in timeouts: what rtdoctor's manual promises, and what others take; all of
@@ -16,7 +17,7 @@ SLACK = 1.0
 STATUSES = {0, 1, 2, 3, 4, 5, 6}
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
-LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog"}
+LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog", "rtwatch", "rttop", "rtstodot"}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
@@ -213,7 +214,7 @@ def changes_what_it_says(play, command):
         names = [name for *_, members in play.scenario.processes for name in members]
     if not all(_is_plain(play, command, name) for name in names):
         return None
-    joined = [command.connectors.get(end, set()) for end in ends]
+    joined = [command.connectors.get(end, set()) for end in ends if end[0] == "C"]
     if command.name == "rtcon" and not joined[0] & joined[1]:
         return "status 0, and no connector"
     if command.name == "rtdis" and joined[0]:
@@ -236,7 +237,7 @@ def _doubt_system(play, command):
         return "status 0, and a connection is missing"
     if command.name == "rtteardown" and any(joined):
         return "status 0, and a connection is left"
-    wanted = OF_FILES[command.name]
+    wanted = "Inactive" if "-s Inactive" in command.line else OF_FILES[command.name]
     for name in play.robot.lives:
         if wanted and wanted not in play.robot.states(name, command.begun, command.ended):
             return f"status 0, and {name} was not {wanted}"
@@ -306,7 +307,7 @@ def _by_hand(play, keeper):
 def agrees(play, command):
     """rtcheck finds nothing where nothing has changed."""
     is_unchanged = not play.scenario.faults and all(each.name in LOOKING for each in play.commands)
-    if command.name == "rtcheck" and is_unchanged and play.scenario.active and command.interrupted is None:
+    if command.name == "rtcheck" and "-s" not in command.line and is_unchanged and play.scenario.active and command.interrupted is None:
         if command.status != 0 or command.out:
             return f"status {command.status}: {command.out}{command.error}"
     return None
@@ -402,6 +403,8 @@ ORACLES = {
     "agrees": agrees,
     "kept": is_kept,
     "recorded": recordings.is_recorded,
+    "true pages": watching.pages_are_true,
+    "true events": watching.events_are_true,
     "values": prints_what_was_sent,
 }
 OF_WORLDS = {
