@@ -6,6 +6,7 @@ import world as worlds
 
 LONG = 5.0  # seconds that something lasts which ends by itself
 SLOW = 0.3
+MTU = 300  # octets, of a packet that still comes through
 LATE = 1.7
 
 
@@ -64,7 +65,7 @@ def halt(robot, component):
 
 def cut(robot, host):
     """Nothing reaches a host any more, or leaves it."""
-    robot.world.rules.append(lambda one, other, port: _is_cut(one, other, host))
+    robot.world.rules.append(lambda one, other, *_: _is_cut(one, other, host))
 
 
 def _is_cut(one, other, host):
@@ -76,7 +77,7 @@ def _is_cut(one, other, host):
 def unplug(robot, host):
     """A host is cut off for a while."""
 
-    def rule(one, other, port):
+    def rule(one, other, *_):
         return _is_cut(one, other, host)
 
     robot.world.rules.append(rule)
@@ -85,13 +86,56 @@ def unplug(robot, host):
 
 def close_port(robot, process):
     """A firewall rejects connections from elsewhere to the port of a process."""
+    _filter(robot, process, worlds.REJECT)
+
+
+def shut_port(robot, process):
+    """A firewall drops what comes from elsewhere to the port of a process."""
+    _filter(robot, process, worlds.DROP)
+
+
+def _filter(robot, process, verdict):
     home = robot.programs[process].host
     wanted = {port for port, each in home.listeners.items() if each.program is robot.programs[process]}
 
-    def rule(one, other, port):
-        return worlds.REJECT if other is home and one is not home and port in wanted else None
+    def rule(one, other, port, size):
+        return verdict if other is home and one is not home and port in wanted else None
 
     robot.world.rules.append(rule)
+
+
+def lose_one_way(robot, host):
+    """Nothing that a host sends reaches others any more; what they send reaches it."""
+
+    def rule(one, other, *_):
+        return worlds.DROP if one.name == host and other is not one else None
+
+    robot.world.rules.append(rule)
+
+
+def shrink_packets(robot, host):
+    """Long packets of a host get lost, as in a tunnel whose MTU nobody is told."""
+
+    def rule(one, other, port, size):
+        return worlds.DROP if one.name == host and other is not one and size > MTU else None
+
+    robot.world.rules.append(rule)
+
+
+def hide(robot, host):
+    """A host is behind a NAT: it can reach others, which cannot connect with it."""
+
+    def rule(one, other, port, size):
+        return worlds.DROP if other.name == host and other is not one and size == worlds.BEGIN_OF_ONE else None
+
+    robot.world.rules.append(rule)
+
+
+def reboot(robot, host):
+    """A host loses its power; when it is back, its processes are started again, and connections half open."""
+    home = robot.world.hosts[host]
+    home.lose_power()
+    robot.world.at(LONG, robot.start_host_again, home)
 
 
 def slow_network(robot, host):
@@ -139,8 +183,8 @@ def lose_power_in_writing(robot, host):
 
 
 def wrong_clock(robot, host):
-    """The clock of a host is an hour ahead."""
-    robot.world.hosts[host].ahead += 3600
+    """The clock of a host is set: an hour ahead, or back."""
+    robot.world.hosts[host].ahead += robot.world.random.choice((3600, -3600))
 
 
 # each fault, what it concerns, and whether a doctor who looks after it has to find something
@@ -158,6 +202,11 @@ FAULTS = {
     cut: ("host", False),
     unplug: ("host", False),
     close_port: ("process", False),
+    shut_port: ("process", False),
+    lose_one_way: ("host", False),
+    shrink_packets: ("host", False),
+    hide: ("host", False),
+    reboot: ("host", False),
     slow_network: ("host", False),
     no_names: ("names", True),
     empty_names: ("names", True),
@@ -168,3 +217,5 @@ FAULTS = {
     break_disk: ("seat", False),
 }
 BY_NAME = {fault.__name__: fault for fault in FAULTS}
+OF_NETWORK = {"cut", "unplug", "slow_network", "close_port", "shut_port", "lose_one_way", "shrink_packets"}
+OF_NETWORK |= {"hide", "reboot", "lose_power", "lose_power_in_writing"}

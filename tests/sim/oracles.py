@@ -21,10 +21,10 @@ LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
-NETWORK = {"cut", "unplug", "slow_network", "close_port", "no_names", "empty_names", "lose_power", "lose_power_in_writing"}
+NETWORK = faults.OF_NETWORK | {"no_names", "empty_names"}
 SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
 # after these rtkeep cannot reach all that lives, or the file is about something else
-UNKEPT = {"cut", "close_port", "no_names", "empty_names", "halt", "lose_power", "lose_power_in_writing"}
+UNKEPT = NETWORK - {"unplug"} | {"halt"}
 FILE_ALONE = {"rtteardown", "rtstop", "rtresurrect", "rtstart"}  # change whole systems
 # seconds in which rtkeep has seen all: 10 turns of three kinds of questions, and pauses until it tries again
 SETTLING = {True: 20.0, False: 60.0}

@@ -104,6 +104,15 @@ class Robot:
             return self.programs[name]
         return self.start(name, *self.processes[name])
 
+    def start_host_again(self, home):
+        """What has run on a host, whose power is back."""
+        home.is_on = True
+        if self.home is home:
+            self.names = self.start_names()
+        for name, (host, _) in self.processes.items():
+            if host is home:
+                self.start_again(name)
+
     def living(self, name):
         """The Part with that name that lives now, or None."""
         life = self.lives[name][-1]

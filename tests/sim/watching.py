@@ -3,6 +3,8 @@
 import json
 import re
 
+import faults
+
 STATES = {"INACTIVE": "Inactive", "ACTIVE": "Active", "ERROR": "Error"}
 SEEN = 0.7  # seconds that a state lasts that rtwatch, which looks five times a second, has seen
 ROW = re.compile(r"(Inactive|Active|Error|Created) .*?([*?~]?)(C\d+)\.rtc$")
@@ -64,5 +66,4 @@ def events_are_true(play, command):
 
 def _is_far(play):
     """Whether the network may have held questions up."""
-    names = {"cut", "unplug", "slow_network", "close_port", "lose_power", "lose_power_in_writing"}
-    return any(fault in names for _, fault, _ in play.scenario.faults)
+    return any(fault in faults.OF_NETWORK for _, fault, _ in play.scenario.faults)

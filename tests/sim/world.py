@@ -48,7 +48,7 @@ class World:
         self.time = 0.0
         self.hosts = {}
         self.programs = []
-        self.rules = []  # of firewalls: function(host, other, port) returns DROP, REJECT or None
+        self.rules = []  # of firewalls: function(host, other, port, size) returns DROP, REJECT or None
         self.story = []
         self.delays = {}  # {host: seconds more to it}
         self._events = []
@@ -118,17 +118,21 @@ class World:
         more = self.delays.get(one.name, 0) + self.delays.get(other.name, 0)
         return 2e-4 + self.random.random() * 2e-4 + more
 
-    def verdict(self, one, other, port):
-        """What happens to a packet to a port: None, DROP, REJECT."""
+    def verdict(self, one, other, port, size):
+        """What happens to a packet of so many octets, or BEGIN_OF_ONE of a connection, to a port: None, DROP,
+        REJECT.
+        """
         if one is not other and not (one.is_on and other.is_on):
             return DROP
         for rule in self.rules:
-            found = rule(one, other, port)
+            found = rule(one, other, port, size)
             if found:
                 return found
         return None
 
 
+BEGIN_OF_ONE = 0
+ACKNOWLEDGED = 1  # octets of a packet without any
 DROP = "drop"
 REJECT = "reject"
 
@@ -646,7 +650,9 @@ class Socket:
         """Ask a host for a connection, again and again while nothing answers."""
         if self.is_closed:
             return
-        verdict = self.world.verdict(self.host, other, port)
+        verdict = self.world.verdict(self.host, other, port, BEGIN_OF_ONE)
+        if verdict is None:  # what answers may be lost
+            verdict = self.world.verdict(other, self.host, self.port, ACKNOWLEDGED)
         there_and_back = 2 * self.world.latency(self.host, other)
         if verdict == DROP:
             if left <= 0:
@@ -698,7 +704,9 @@ class Socket:
         """Have all arrive that should have; again after a pause while it is lost."""
         self._is_repeating = False
         while self._sent and self._sent[0][0] <= self.world.time:
-            if self.world.verdict(self.host, self.peer.host, self.served_port()) == DROP:
+            _, _, args = self._sent[0]
+            size = len(args[0]) if args else ACKNOWLEDGED
+            if self.world.verdict(self.host, self.peer.host, self.served_port(), size) == DROP:
                 if self.world.time - self._sent[0][0] > GIVEN_UP:
                     self._sent.clear()
                     return self._fail(errno.ETIMEDOUT)
