@@ -1,8 +1,8 @@
 """What carries the behaviour of mock_components in the bottle, with the names of mock_components/carrier.py:
 simulated programs, their time, and our own ORB.
 
-What a mock does runs on a Strand: a task of its program's loop that is no coroutine but has a thread, so that it
-may wait within any function. A call that it receives is answered at once if it waits for nothing.
+What a mock does runs on a Strand: a task of its program's loop that is no coroutine but has a thread, so that
+it may wait within any function. A call that it receives is answered at once if it waits for nothing.
 """
 
 import functools
@@ -256,9 +256,21 @@ class UserException(Raised):
         super().__init__(self.name, *members)
 
 
-FAILURES = ("BAD_OPERATION", "BAD_PARAM", "COMM_FAILURE", "MARSHAL", "NO_IMPLEMENT", "OBJECT_NOT_EXIST", "TIMEOUT")
-FAILURES += ("TRANSIENT", "UNKNOWN")
-_NAMES = [(errors.Silent, "TIMEOUT"), (errors.Gone, "OBJECT_NOT_EXIST"), (errors.ConnectionLost, "COMM_FAILURE")]
+FAILURES = (
+    "BAD_OPERATION",
+    "BAD_PARAM",
+    "COMM_FAILURE",
+    "MARSHAL",
+    "OBJECT_NOT_EXIST",
+    "TIMEOUT",
+    "TRANSIENT",
+    "UNKNOWN",
+)
+_NAMES = [
+    (errors.Silent, "TIMEOUT"),
+    (errors.Gone, "OBJECT_NOT_EXIST"),
+    (errors.ConnectionLost, "COMM_FAILURE"),
+]
 _users = {}  # type: dict  # {last part of its name: class} of the exceptions of the IDL
 
 
@@ -346,7 +358,7 @@ def unmarshal(descriptor, data, little):
 def contents(scope):
     """As corba/stubs.contents."""
     found = {}
-    for type_id in [each for table in (idl.TYPES, idl.INTERFACES) for each in table if each.startswith(scope)]:
+    for type_id in [each for each in (*idl.TYPES, *idl.INTERFACES) if each.startswith(scope)]:
         descriptor = idl.descriptor(type_id)
         name = idl.name(type_id)
         kind = descriptors.kind(descriptor)

@@ -1,9 +1,9 @@
-"""Programs of a simulated robot: its name server, and processes with mocks (mock_components/) as components."""
+"""Programs of a simulated robot: its name server, and processes with mocks as components."""
 
 import carrier
 import world as worlds
 
-from mock_components import components, context, flavour, naming, stage
+from mock_components import components, flavour, naming, stage
 from mock_components.__main__ import Options
 
 from rtshell_lite.corba import orb, session
