@@ -35,8 +35,11 @@ OPTIONS = Options(
 
 class Part(components.Sender):
     """A component with an in port and an out port, which sends numbers from its `first` on while it is Active
-    and a tool is connected with it; `numbers` are those that it has sent, each with its time.
+    and a tool is connected with it; `numbers` are those that it has sent, each with its time. When it was
+    asked to end, it `left`, and then was `gone`.
     """
+
+    left = gone = None  # type: float
 
     def __init__(self, *given):
         super().__init__(*given)
@@ -65,6 +68,12 @@ class Part(components.Sender):
             out.write(components.values.make(out.type_name, number, True))
         self.read_ports(handle)
         return self._fine(handle)
+
+    def exit(self):
+        self.left = carrier.now() - worlds.FIRST
+        code = super().exit()
+        self.gone = carrier.now() - worlds.FIRST
+        return code
 
     def report(self, kind, hint):
         super().report(kind, hint)

@@ -11,6 +11,7 @@ from users import FILE, KEPT, TIMEOUT
 # them end, whatever hangs
 LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
 OTHERS = 3
+ROUND_TRIPS = 5  # whose answers come late, but come
 A_PROFILE = 1  # more for rtdoctor --profile
 WAITING = re.compile(r"(?:--wait|--within|-t) (\d+)")  # seconds more that somebody has asked for
 SLACK = 1.0
@@ -59,6 +60,8 @@ def ends(play, command):
     limit = LIMITS.get(command.name, OTHERS) * TIMEOUT + SLACK
     for seconds in WAITING.findall(command.line):
         limit += int(seconds)
+    if any(name == "slow_network" for _, name, _ in play.scenario.faults):
+        limit += ROUND_TRIPS * 2 * faults.SLOW
     if "--profile" in command.line:
         limit += A_PROFILE * TIMEOUT
     if not command.is_over:
@@ -189,6 +192,16 @@ def says_what_is_done(play, command):
     name = command.line.split()[-1]
     if wanted not in play.robot.states(name, command.begun, command.ended):
         return f"status 0, but it was {sorted(play.robot.states(name, command.begun, command.ended))}"
+    return None
+
+
+def ends_what_it_says(play, command):
+    """A component is gone where rtexit ends with status 0."""
+    if command.name != "rtexit" or command.status != 0:
+        return None
+    name = command.line.split()[-1]
+    if not play.robot.was_gone(name, command.begun, command.ended):
+        return "status 0, and it lives"
     return None
 
 
@@ -399,6 +412,7 @@ ORACLES = {
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
     "done is done": says_what_is_done,
+    "ended is ended": ends_what_it_says,
     "changed is changed": changes_what_it_says,
     "agrees": agrees,
     "kept": is_kept,

@@ -14,8 +14,8 @@ STARTING = 3.0  # seconds that it takes until a component is bound, or has answe
 
 
 class Life:
-    """One life of a component: in a Program, from `begun` until the program ends; its `component` is made a
-    little later.
+    """One life of a component: in a Program, from `begun` until that or the component ends; its `component` is
+    made a little later.
     """
 
     def __init__(self, begun, first):
@@ -28,12 +28,21 @@ class Life:
         """It has been made."""
         self.component = component
 
+    @property
+    def ended(self):
+        """When, or None."""
+        gone = self.component and self.component.gone
+        return min([each for each in (self.program.ended, gone) if each is not None], default=None)
+
     def is_alive(self, when):
-        ended = self.program.ended
-        return self.begun <= when and (ended is None or when < ended)
+        return self.begun <= when and (self.ended is None or when < self.ended)
 
     def ended_by(self, when):
-        return self.program.ended is not None and self.program.ended <= when
+        return self.ended is not None and self.ended <= when
+
+    def leaves_by(self, when):
+        """Whether its component was asked to end by then."""
+        return self.component is not None and self.component.left is not None and self.component.left <= when
 
 
 class Robot:
@@ -140,7 +149,7 @@ class Robot:
     def was_well(self, name, begun, ended):
         """Whether it lived all the time between two moments, in a process that was not stopped."""
         life = self.lives[name][-1]
-        if life.begun > begun - STARTING or not life.is_alive(ended):
+        if life.begun > begun - STARTING or not life.is_alive(ended) or life.leaves_by(ended):
             return False
         if life.program.lag or life.program.spoil is not None:
             return False

@@ -39,6 +39,7 @@ def draw(draw, names, only=()):
         f"rtconf {one} set gain 5",
         "rtcryo -y .",
         f"rtec {one}",
+        f"rtexit {one}",
         f"rtprint -n 3 -t 4 {one}:out",
         f"rtprint --json -t 1 {one}:out" + (f" {other}:out" if other != one else ""),
         f"rtprint --pull -n 3 -t 3 {one}:out",
