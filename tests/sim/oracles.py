@@ -32,7 +32,7 @@ SETTLING = {True: 20.0, False: 60.0}
 QUICK = 2.5  # seconds in which it has mended a robot that is well
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
-ROUNDS = 3  # how often a process that does not answer is asked again, by commands that give it the time
+ROUNDS = 4  # how often a process that does not answer is asked again, by commands that give it the time
 VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
 SHORT = 2.9  # seconds, in which rtprint -t has not ended
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
@@ -103,6 +103,7 @@ def is_polite(play, command):
     """A process has few questions to answer at a time, and few more that were given up."""
     for name, most in command.program.most_asked.items():
         do_answer = not SILENCING & {fault for _, fault, _ in play.scenario.faults}
+        do_answer = do_answer and "no answer" not in command.error + command.out
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
         if command.name == "rtkeep" and play.robot.programs.get(name) and not _was_well(play, name, command):
             limit += (command.ended - command.begun) / TIMEOUT  # it asks whether it answers again

@@ -118,7 +118,7 @@ class Robot:
         home.is_on = True
         if self.home is home:
             self.names = self.start_names()
-        for name, (host, *_) in self.processes.items():
+        for name, (host, *_) in list(self.processes.items()):
             if host is home:
                 self.start_again(name)
 

@@ -15,7 +15,7 @@ import users
 import world as worlds
 
 PATIENCE = 20.0  # virtual seconds for all to be started
-A_KEEPER = 0.15  # of the worlds have an rtkeep that stays
+A_KEEPER = 0.1  # of the worlds have an rtkeep that stays
 WRITING = ("rtlog", "rtcryo")
 OF_DISKS = ("fill_disk", "break_disk", "lose_power", "lose_power_in_writing")
 LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise

@@ -10,7 +10,7 @@ from rtshell_lite.net import real
 from rtshell_lite.shell import installation
 
 TIMEOUT = 1.0  # seconds, of all commands
-KEPT = 40.0  # seconds that rtkeep keeps a system
+KEPT = 30.0  # seconds that rtkeep keeps a system
 FILE = "robot.rtsys"  # in which the robot was saved when all was well
 SIGNALS = {real.SIGINT: "Ctrl-C", real.SIGTERM: "SIGTERM"}
 _modules = {}  # type: dict
@@ -61,14 +61,13 @@ def draw(draw, names, only=()):
         f"rtcheck -s Inactive {FILE}",
         f"rtcheck --extra {FILE}",
         "rtcat -ll " + one,
-        f"rtexit {one}",
         f"rtcon -i made {one}:out {other}:in",
         "rtstodot",
         f"rtcryo -y -o {recordings.SAVED} .",
-        f"rtlog -t 2 -f run{draw.randrange(10**6)}.mcap {one}:out",
-        f"rtlog -t 2 -f run{draw.randrange(10**6)}.mcap .",
-        f"rtlog --pull -t 2 -f run{draw.randrange(10**6)}.mcap {one}:out",
-        f"rtlog --ring 1 --after 0.5 --trigger error -t 3 -f run{draw.randrange(10**6)}.mcap .",
+        f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
+        f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap .",
+        f"rtlog --pull -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
+        f"rtlog --ring 1 --after 0.5 --trigger error -t 2 -f run{draw.randrange(10**6)}.mcap .",
     ]
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted)

@@ -56,7 +56,8 @@ def events_are_true(play, command):
     for name in re.findall(r"C\d+", command.line):
         if not play.robot.was_well(name, command.begun, command.ended) or _is_far(play):
             continue
-        history = play.robot.lives[name][-1].component.states
+        last = play.robot.lives[name][-1]
+        history = last.component.states if last.component is not None else []
         for (since, state), (until, _) in zip(history, history[1:] + [(command.ended, "")]):
             if command.begun + SEEN < since and min(until, command.ended) - since > SEEN:
                 if (name, state) not in told:
