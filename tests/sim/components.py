@@ -3,7 +3,7 @@
 import carrier
 import world as worlds
 
-from mock_components import components, flavour, naming, stage
+from mock_components import components, flavour, manager, naming, stage
 from mock_components.__main__ import Options
 
 from rtshell_lite.corba import orb, session
@@ -43,9 +43,8 @@ class Part(components.Sender):
 
     def __init__(self, *given):
         super().__init__(*given)
-        self.first = self.options.first
         self.numbers = {}
-        self.options.found(self)
+        self.first = self.options.found(self)
 
     @property
     def busy(self):
@@ -129,15 +128,20 @@ def serve_names(address, port, made):
     return lambda: loop.run(serve(), session=session.Session(PATIENT))
 
 
-def serve(parts, kind, host, server):
-    """main() of a process at a host, of a flavour, which binds its components in the name server at `server`,
-    HOST:PORT; `parts`: [(name, first number that it sends, function that gets the Component)].
+def serve(name, parts, kind, host, server, found):
+    """main() of a process of this name at a host, of a flavour, which binds components with the names `parts`
+    in the name server at `server`, HOST:PORT, and a manager where it can make components itself.
+    found(Part) is called for each, and returns the first number that it is to send.
     """
 
     def set_up(process):
-        here = stage.Stage(process, Naming(process, server), FLAVOURS[kind], OPTIONS)
-        for name, first, found in parts:
-            here.add(SPEC, name, first=first, found=found)
+        options = OPTIONS.but(found=found)
+        here = stage.Stage(process, Naming(process, server), FLAVOURS[kind], options)
+        if here.flavour.creates_here:
+            made = manager.Manager(here, name)
+            made.modules.factories[SPEC.implementation_id] = SPEC
+        for part in parts:
+            here.add(SPEC, part)
 
     async def live(process):
         process.start(host)

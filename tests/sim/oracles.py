@@ -197,13 +197,20 @@ def says_what_is_done(play, command):
 
 
 def ends_what_it_says(play, command):
-    """A component is gone where rtexit ends with status 0."""
-    if command.name != "rtexit" or command.status != 0:
+    """A component is gone, or there, where rtexit or rtmgr ends with status 0."""
+    if command.name not in ("rtexit", "rtmgr") or command.status != 0:
         return None
-    name = command.line.split()[-1]
+    name = re.search(r"C\d+", command.line).group()
+    if "-c" in command.line:
+        return None if play.robot.was_alive(name, command.begun, command.ended) else "status 0, and it is not"
     if not play.robot.was_gone(name, command.begun, command.ended):
         return "status 0, and it lives"
     return None
+
+
+def _parts(play):
+    """The names of the components that were there when all was saved."""
+    return [name for *_, members in play.scenario.processes for name in members]
 
 
 def _is_alone(play, command):
@@ -223,9 +230,9 @@ def changes_what_it_says(play, command):
     if command.status != 0 or not command.is_over or not _is_alone(play, command):
         return None
     _, *ends = command.line.split()
-    names = [word.partition(":")[0] for word in ends if word[0] == "C"]
+    names = [word.partition(":")[0] for word in ends if re.match(r"C\d", word)]
     if command.name in OF_FILES:
-        names = [name for *_, members in play.scenario.processes for name in members]
+        names = _parts(play)
     if not all(_is_plain(play, command, name) for name in names):
         return None
     joined = [command.connectors.get(end, set()) for end in ends if end[0] == "C"]
@@ -252,7 +259,7 @@ def _doubt_system(play, command):
     if command.name == "rtteardown" and any(joined):
         return "status 0, and a connection is left"
     wanted = "Inactive" if "-s Inactive" in command.line else OF_FILES[command.name]
-    for name in play.robot.lives:
+    for name in _parts(play):
         if wanted and wanted not in play.robot.states(name, command.begun, command.ended):
             return f"status 0, and {name} was not {wanted}"
     return None
@@ -270,7 +277,7 @@ def is_kept(play, command):
     if troubles & UNKEPT or not FILE_ALONE.isdisjoint(each.name for each in play.commands):
         return None
     begun = command.ended - SETTLING[("--look" in command.line)]
-    well = {name for name in play.robot.lives if play.robot.was_well(name, begun, command.ended)}
+    well = {name for name in _parts(play) if play.robot.was_well(name, begun, command.ended)}
     for pair in play.scenario.connections:
         if not well.issuperset(pair):  # ports that ask far ends wait for those that hang
             well -= set(pair)

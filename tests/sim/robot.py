@@ -14,19 +14,15 @@ STARTING = 3.0  # seconds that it takes until a component is bound, or has answe
 
 
 class Life:
-    """One life of a component: in a Program, from `begun` until that or the component ends; its `component` is
-    made a little later.
+    """One life of a component: in a Program, from `begun` until that or the component ends; its `component`
+    is made a little later.
     """
 
-    def __init__(self, begun, first):
+    def __init__(self, begun, program, first):
         self.component = None
-        self.program = None
+        self.program = program
         self.begun = begun
         self.first = first  # of the numbers that it sends
-
-    def found(self, component):
-        """It has been made."""
-        self.component = component
 
     @property
     def ended(self):
@@ -68,6 +64,10 @@ class Robot:
     def path(self, name):
         return f"/{self.server}/robot.host_cxt/{name}.rtc"
 
+    def count_bound(self):
+        """How many components have been bound."""
+        return len(self.bound.intersection(self.lives))
+
     def trouble(self, line):
         self.troubles.append((self.world.time, line))
         self.world.tell(line)
@@ -94,19 +94,28 @@ class Robot:
 
     def start(self, name, host, flavour, members):
         """Start a process with these components."""
-        parts = []
-        begun = []
+        main = components.serve(name, members, flavour, host.address, self.server, self._found)
+        program = worlds.Program(host, name, main)
         for each in members:
-            lives = self.lives.setdefault(each, [])
-            begun.append(Life(self.world.time, 1 + len(lives) * A_LIFE))
-            parts.append((each, begun[-1].first, begun[-1].found))
-            lives.append(begun[-1])
-        program = worlds.Program(host, name, components.serve(parts, flavour, host.address, self.server))
-        for life in begun:
-            life.program = program
+            self._begin(each, program)
         self.processes[name] = host, flavour, members
         self.programs[name] = program
         return program
+
+    def _begin(self, name, program):
+        """A Life of a component begins in a Program."""
+        lives = self.lives.setdefault(name, [])
+        lives.append(Life(self.world.time, program, 1 + len(lives) * A_LIFE))
+        return lives[-1]
+
+    def _found(self, component):
+        """A Part has been made, at the start of its process or by a manager."""
+        name = component.instance_name
+        life = self.lives.get(name, [None])[-1]
+        if life is None or life.component is not None:
+            life = self._begin(name, component.process.program)
+        life.component = component
+        return life.first
 
     def start_again(self, name):
         if not self.programs[name].is_over:

@@ -52,10 +52,15 @@ class Scenario:
         for _ in range(draw.choice((0, 1, 1, 1, 2, 3))):
             self._draw_fault(draw, names)
         self.faults.sort()
+        managers = {
+            name: members
+            for name, _, flavour, members in self.processes
+            if components.FLAVOURS[flavour].creates_here
+        }
         self.commands = []
         for _ in range(draw.choice((1, 2, 3, 5))):
             interrupted = draw.random() * 2 if draw.random() < 0.15 else None
-            words = users.draw(draw, names, only)
+            words = users.draw(draw, names, managers, only)
             number = draw.choice(sorted(users.SIGNALS))
             self.commands.append((round(draw.random() * 6, 3), words, interrupted, number))
         if draw.random() < A_KEEPER and (not only or "rtkeep" in only):
@@ -128,7 +133,7 @@ class Play:
             for name, host, flavour, members in scenario.processes:
                 self.robot.start(name, world.hosts[host], flavour, members)
             count = sum(len(members) for *_, members in scenario.processes)
-            world.run(PATIENCE, lambda: len(self.robot.bound) >= count)
+            world.run(PATIENCE, lambda: self.robot.count_bound() >= count)
             self.robot.set_up(scenario.connections, scenario.active)
             self._save()
             self._act()

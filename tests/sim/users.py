@@ -10,14 +10,15 @@ from rtshell_lite.net import real
 from rtshell_lite.shell import installation
 
 TIMEOUT = 1.0  # seconds, of all commands
+MADE = 100  # components that people may make in a process, which are C100, C101 … in the first one
 KEPT = 30.0  # seconds that rtkeep keeps a system
 FILE = "robot.rtsys"  # in which the robot was saved when all was well
 SIGNALS = {real.SIGINT: "Ctrl-C", real.SIGTERM: "SIGTERM"}
 _modules = {}  # type: dict
 
 
-def draw(draw, names, only=()):
-    """The words of a command line, drawn at random."""
+def draw(draw, names, managers, only=()):
+    """The words of a command line, drawn at random; `managers`: {name: components in its process}."""
     one, other = draw.choice(names), draw.choice(names)
     lines = [
         "rtls",
@@ -39,7 +40,6 @@ def draw(draw, names, only=()):
         f"rtconf {one} set gain 5",
         "rtcryo -y .",
         f"rtec {one}",
-        f"rtexit {one}",
         f"rtprint -n 3 -t 4 {one}:out",
         f"rtprint --json -t 1 {one}:out" + (f" {other}:out" if other != one else ""),
         f"rtprint --pull -n 3 -t 3 {one}:out",
@@ -69,6 +69,11 @@ def draw(draw, names, only=()):
         f"rtlog --pull -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
         f"rtlog --ring 1 --after 0.5 --trigger error -t 2 -f run{draw.randrange(10**6)}.mcap .",
     ]
+    for manager, members in managers.items():
+        made = f"C{MADE * (1 + int(manager[1:])) + draw.randrange(3)}"  # of two with one name, one loses it
+        lines.append(f"rtmgr {manager}.mgr -c C?instance_name={made}")
+        lines.append(f"rtmgr {manager}.mgr -d {draw.choice([made, *members])}")
+        lines.append(f"rtcat {manager}.mgr")
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted)
 
@@ -86,7 +91,8 @@ class Command:
         self.line = line
         self.name, *words = line.split()
         names = set(robot.lives)
-        words = [_spelt(word, names) for word in words]
+        if self.name != "rtmgr":  # which knows components by their names alone
+            words = [_spelt(word, names) for word in words]
         module = _module(self.name)
         self.world = robot.world
         environment = {
