@@ -126,7 +126,8 @@ def hide(robot, host):
     """A host is behind a NAT: it can reach others, which cannot connect with it."""
 
     def rule(one, other, port, size):
-        return worlds.DROP if other.name == host and other is not one and size == worlds.BEGIN_OF_ONE else None
+        is_call = other.name == host and other is not one and size == worlds.BEGIN_OF_ONE
+        return worlds.DROP if is_call else None
 
     robot.world.rules.append(rule)
 

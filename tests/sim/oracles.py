@@ -18,7 +18,10 @@ SLACK = 1.0
 STATUSES = {0, 1, 2, 3, 4, 5, 6}
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
-LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog", "rtwatch", "rttop", "rtstodot"}
+LOOKING = {
+    "rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog", "rtwatch", "rttop",
+    "rtstodot",
+}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
@@ -328,7 +331,8 @@ def _by_hand(play, keeper):
 def agrees(play, command):
     """rtcheck finds nothing where nothing has changed."""
     is_unchanged = not play.scenario.faults and all(each.name in LOOKING for each in play.commands)
-    if command.name == "rtcheck" and "-s" not in command.line and is_unchanged and play.scenario.active and command.interrupted is None:
+    is_plain = command.name == "rtcheck" and "-s" not in command.line and command.interrupted is None
+    if is_plain and is_unchanged and play.scenario.active:
         if command.status != 0 or command.out:
             return f"status {command.status}: {command.out}{command.error}"
     return None
@@ -400,7 +404,8 @@ def looking_changes_nothing(play):
     after = play.robot.connectors()
     for end, connectors in after.items():
         more = connectors - play.before.get(end, set())
-        if not all(_is_told(play, each) for each in more) and not any(each.was_killed for each in play.commands):
+        is_told = all(_is_told(play, each) for each in more)
+        if not is_told and not any(each.was_killed for each in play.commands):
             return f"{end} has another connector, of which nobody is told"
         if not play.scenario.faults and play.before[end] - connectors:
             return f"{end} has lost a connector"
