@@ -19,8 +19,8 @@ STATUSES = {0, 1, 2, 3, 4, 5, 6}
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {
-    "rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog", "rtwatch", "rttop",
-    "rtstodot",
+    "rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog", "rtwatch",
+    "rttop", "rtstodot",
 }
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
