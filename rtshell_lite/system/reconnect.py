@@ -73,7 +73,8 @@ class Connections:
         self._halves = doubtful
         for outcome in outcomes:
             if id(outcome.step.connector) in doubtful:
-                self._kept_at(outcome.step.connector.ends[0]).change("ports")
+                for end in outcome.step.connector.ends:  # only one of them does not show it
+                    self._kept_at(end).change("ports")
         return [outcome for outcome in outcomes if id(outcome.step.connector) not in doubtful]
 
 
