@@ -63,6 +63,28 @@ def halt(robot, component):
     robot.ask(component, lambda found: found.owned[0].stop())
 
 
+def forget(robot, component):
+    """The in port of a component forgets its connectors: those that are joined with it do not hear of it."""
+
+    def lose(found):
+        port = found.ports[0]
+        for connector_id in list(port.profiles):
+            del port.profiles[connector_id]
+            port.release(connector_id)
+
+    robot.ask(component, lose)
+
+
+def refuse(robot, component):
+    """The ports of a component refuse whoever wants to connect something."""
+
+    def close(found):
+        for port in found.ports:
+            port.refusal = "RTC_ERROR"
+
+    robot.ask(component, close)
+
+
 def cut(robot, host):
     """Nothing reaches a host any more, or leaves it."""
     robot.world.rules.append(lambda one, other, *_: _is_cut(one, other, host))
@@ -200,6 +222,8 @@ FAULTS = {
     restart: ("process", False),
     error: ("component", True),
     halt: ("component", False),
+    forget: ("component", False),
+    refuse: ("component", False),
     cut: ("host", False),
     unplug: ("host", False),
     close_port: ("process", False),

@@ -28,7 +28,7 @@ OF_FILES["rtstop"] = "Inactive"
 NETWORK = faults.OF_NETWORK | {"no_names", "empty_names"}
 SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
 # after these rtkeep cannot reach all that lives, or the file is about something else
-UNKEPT = NETWORK - {"unplug"} | {"halt"}
+UNKEPT = NETWORK - {"unplug"} | {"halt", "refuse"}
 FILE_ALONE = {"rtteardown", "rtstop", "rtresurrect", "rtstart"}  # change whole systems
 # seconds in which rtkeep has seen all: 10 turns of three kinds of questions, and pauses until it tries again
 SETTLING = {True: 20.0, False: 60.0}
@@ -279,6 +279,8 @@ def is_kept(play, command):
     troubles = {fault for _, fault, _ in play.scenario.faults}
     if troubles & UNKEPT or not FILE_ALONE.isdisjoint(each.name for each in play.commands):
         return None
+    if any(name == "forget" and play.begin + when > command.begun for when, name, _ in play.scenario.faults):
+        return None  # of a connection that it has seen whole, it asks one end
     begun = command.ended - SETTLING[("--look" in command.line)]
     well = {name for name in _parts(play) if play.robot.was_well(name, begun, command.ended)}
     for pair in play.scenario.connections:
