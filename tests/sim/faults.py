@@ -148,8 +148,8 @@ def hide(robot, host):
     """A host is behind a NAT: it can reach others, which cannot connect with it."""
 
     def rule(one, other, port, size):
-        is_call = other.name == host and other is not one and size == worlds.BEGIN_OF_ONE
-        return worlds.DROP if is_call else None
+        is_from_outside = other.name == host and other is not one
+        return worlds.DROP if is_from_outside and size == worlds.BEGIN_OF_ONE else None
 
     robot.world.rules.append(rule)
 

@@ -18,10 +18,8 @@ SLACK = 1.0
 STATUSES = {0, 1, 2, 3, 4, 5, 6}
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
-LOOKING = {
-    "rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck", "rtprint", "rtlog", "rtwatch",
-    "rttop", "rtstodot",
-}
+LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
+LOOKING |= {"rtprint", "rtlog", "rtwatch", "rttop", "rtstodot"}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
@@ -35,6 +33,9 @@ SETTLING = {True: 20.0, False: 60.0}
 QUICK = 2.5  # seconds in which it has mended a robot that is well
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
+WAITING_FOR_OTHERS = 2  # of them
+# give questions up as they end, and ask others
+STAYING = {"rtkeep", "rtlog", "rtprint", "rtwatch", "rttop"}
 ROUNDS = 4  # how often a process that does not answer is asked again, by commands that give it the time
 VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
 SHORT = 2.9  # seconds, in which rtprint -t has not ended
@@ -60,6 +61,8 @@ def judge(play):
 
 def ends(play, command):
     """In the time that is promised."""
+    if command.was_killed:
+        return None
     limit = LIMITS.get(command.name, OTHERS) * TIMEOUT + SLACK
     for seconds in WAITING.findall(command.line):
         limit += int(seconds)
@@ -112,6 +115,9 @@ def is_polite(play, command):
             limit += (command.ended - command.begun) / TIMEOUT  # it asks whether it answers again
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
+        waiting = command.program.most_waiting.get(name, 0)
+        if do_answer and waiting > WAITING_FOR_OTHERS and command.name not in STAYING:
+            return f"{waiting} requests that may wait for others to {name} at a time"
     return None
 
 
@@ -333,8 +339,9 @@ def _by_hand(play, keeper):
 def agrees(play, command):
     """rtcheck finds nothing where nothing has changed."""
     is_unchanged = not play.scenario.faults and all(each.name in LOOKING for each in play.commands)
-    is_plain = command.name == "rtcheck" and "-s" not in command.line and command.interrupted is None
-    if is_plain and is_unchanged and play.scenario.active:
+    if command.name != "rtcheck" or "-s" in command.line or command.interrupted is not None:
+        return None
+    if is_unchanged and play.scenario.active:
         if command.status != 0 or command.out:
             return f"status {command.status}: {command.out}{command.error}"
     return None
@@ -406,8 +413,8 @@ def looking_changes_nothing(play):
     after = play.robot.connectors()
     for end, connectors in after.items():
         more = connectors - play.before.get(end, set())
-        is_told = all(_is_told(play, each) for each in more)
-        if not is_told and not any(each.was_killed for each in play.commands):
+        was_killed = any(each.was_killed for each in play.commands)
+        if not was_killed and not all(_is_told(play, each) for each in more):
             return f"{end} has another connector, of which nobody is told"
         if not play.scenario.faults and play.before[end] - connectors:
             return f"{end} has lost a connector"

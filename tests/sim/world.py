@@ -21,6 +21,7 @@ import disk as disks
 from disk import Killed
 
 from rtshell_lite import cli, notes
+from rtshell_lite.corba import failures
 from rtshell_lite.net import loop, real
 
 BEGIN = 1800000000.0  # seconds since 1970 when a world begins
@@ -34,9 +35,11 @@ MOST_AT_ONCE = 200000  # turns of programs without any time passing: one of them
 FIRST_FD = 100000  # beyond real ones
 # of GIOP: octets of the head of a message, its kinds
 HEADER = 12
+BODY = 200  # in which the name of the operation is
 REQUEST = 0
 REPLY = 1
 LOOPBACK = "127.0.0.1"
+ASKING_OTHERS = [operation.encode() + b"\0" for operation in failures._ASKING_OTHERS]
 
 
 class World:
@@ -182,6 +185,7 @@ class Program:
         self.sockets = {}  # by file descriptor
         self.looking_up = {}
         self.most_asked = {}  # {name of a program: how many requests it had to answer for us at a time}
+        self.most_waiting = {}  # the same of those that may wait for others
         self.status = None
         self.is_over = False
         self.has_crashed = False
@@ -463,13 +467,14 @@ class Poll:
 
 
 class Scan:
-    """The kinds of the GIOP messages in a stream of octets."""
+    """The GIOP messages in a stream of octets."""
 
     def __init__(self):
         self._head = b""
         self._rest = 0  # octets to come of the message that has begun
 
-    def kinds(self, data):
+    def messages(self, data):
+        """[(kind, number of the request, the first octets of its body)] of those that begin in it."""
         found = []
         at = 0
         while at < len(data):
@@ -482,11 +487,16 @@ class Scan:
             self._head += data[at : at + taken]
             at += taken
             if len(self._head) == HEADER:
-                found.append(self._head[7])
                 order = "little" if self._head[6] & 1 else "big"
                 self._rest = int.from_bytes(self._head[8:], order)
+                body = data[at : at + min(self._rest, BODY)]
+                found.append((self._head[7], int.from_bytes(body[:4], order), body))
                 self._head = b""
         return found
+
+
+def _raise_to(most, name, number):
+    most[name] = max(most.get(name, 0), number)
 
 
 class Socket:
@@ -513,6 +523,7 @@ class Socket:
         self._is_repeating = False  # what was lost is sent again
         self.scan = Scan()
         self.asked = 0  # GIOP requests that have been sent here, and not been answered
+        self.waiting = set()  # those of them that may wait for other processes, by their numbers
 
     # ---- as _socket.socket ----
 
@@ -722,16 +733,18 @@ class Socket:
 
     def _count(self, data):
         """Count GIOP requests and replies that are sent."""
-        for kind in self.scan.kinds(data):
+        for kind, number, head in self.scan.messages(data):
             if kind == REQUEST and self.is_of_client:
                 self.asked += 1
-                most = sum(
-                    each.asked for each in self.program.sockets.values() if each.address == self.address
-                )
-                known = self.program.most_asked.get(self.peer.program.name, 0)
-                self.program.most_asked[self.peer.program.name] = max(known, most)
+                if any(operation in head for operation in ASKING_OTHERS):
+                    self.waiting.add(number)
+                there = [each for each in self.program.sockets.values() if each.address == self.address]
+                name = self.peer.program.name
+                _raise_to(self.program.most_asked, name, sum(each.asked for each in there))
+                _raise_to(self.program.most_waiting, name, sum(len(each.waiting) for each in there))
             elif kind == REPLY and not self.is_of_client:
                 self.peer.asked -= 1
+                self.peer.waiting.discard(number)
 
     def take(self, data):
         """Octets have arrived."""
