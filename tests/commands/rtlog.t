@@ -239,7 +239,7 @@ invocation: -f OUT -t 0.5 A:out
 invocation: -p -f LOG A:in
 invocation: -p --anyway -f LOG A:in
 lasting: -f OUT A:out
-prepared: rtec Source0.rtc rate 200; rtact Source0.rtc ConsoleOut0.rtc
+prepared: rtec Source0.rtc rate 40; rtact Source0.rtc ConsoleOut0.rtc
 example: rtlog -p -f robot.mcap --map robot=localhost --only '*Image*' /localhost <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
 example: rtlog -p -f robot.mcap --as-components --serve 2809 --loop <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
 example: rtlog -p -f robot.mcap --as-components --when-connected replay.host_cxt <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .

@@ -79,6 +79,7 @@ NAMES = [
     ("Hand0.rtc:force", "Source0.rtc:number"),
     ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
     ("rtlog -f run.mcap -t 60", "rtlog -f run.mcap -t 1"),
+    ("run.mcap -i -e 1000", "run.mcap -i -e 250"),
     ("rtlog --ring", "rtlog -t 1 --ring"),
     ("rtlog --rotate", "rtlog -t 1 --rotate"),
     ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
