@@ -52,7 +52,7 @@ def _is_noticed(name, old, new, worlds):
     """In which words the worlds notice a change, '' where they do not."""
     with tempfile.TemporaryDirectory() as top:
         for part in ("rtshell_lite", "bin", "mock_components", "tests"):
-            ignored = shutil.ignore_patterns("__pycache__", "data")
+            ignored = shutil.ignore_patterns("__pycache__")
             shutil.copytree(os.path.join(ROOT, part), os.path.join(top, part), ignore=ignored)
         path = os.path.join(top, name)
         with open(path, encoding="utf-8") as file:

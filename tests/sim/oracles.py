@@ -84,7 +84,7 @@ def is_stable(play, command):
     """No bug of ours shows."""
     if command.program.failure is not None:
         return f"raises {command.program.failure!r}"
-    if "internal error" in command.error or "Traceback" in command.error:
+    if any(words in command.error for words in ("internal error", "Traceback", "lacks its module")):
         return command.error.strip()
     is_documented = command.status in (STATUSES if command.interrupted is None else STRUCK)
     if command.is_over and not command.was_killed and not is_documented:
