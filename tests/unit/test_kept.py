@@ -1,0 +1,60 @@
+"""When rtkeep looks at a component again that does not answer as it waits for a neighbour that hangs: each
+such question holds a thread of its process. If this fails, rtkeep takes all threads of healthy processes.
+"""
+import types
+import unittest
+
+from rtshell_lite import errors
+from rtshell_lite.corba import session
+from rtshell_lite.net import loop
+from rtshell_lite.path import parse
+from rtshell_lite.system import keep, kept, policy
+
+
+class Waiting(unittest.TestCase):
+    def setUp(self):
+        self.bell_rang = []
+        component = types.SimpleNamespace(property=lambda name: "")
+        path = parse("/a:1/x.rtc")
+        placement = types.SimpleNamespace(path=path, where=str(path), component=component, error=None)
+
+        async def ask(component):
+            """It lives."""
+
+        self.keeper = types.SimpleNamespace(
+            options=types.SimpleNamespace(policy=policy.USUAL), ask=ask, complain=lambda *_: None,
+            _connections=types.SimpleNamespace(of=lambda those: []),
+            bell=types.SimpleNamespace(ring=lambda: self.bell_rang.append(True)),
+        )
+        self.component = kept.KeptComponent(placement, self.keeper)
+        self.component.shown = types.SimpleNamespace(node=types.SimpleNamespace(endpoint=("a", 2)))
+
+    def run_in_loop(self, function):
+        async def main():
+            return await function()
+        return loop.run(main(), session=session.Session(1.0))
+
+    async def pauses(self):
+        """For how long it is not looked at after each of some looks in vain."""
+        found = []
+        for _ in range(4):
+            await keep.Keeper._not_shown(self.keeper, self.component, errors.Silent("x", "no answer"))
+            found.append(self.component.due - loop.now())
+        return found
+
+    def test_it_is_looked_at_ever_later(self):
+        pauses = self.run_in_loop(self.pauses)
+        for pause, least in zip(pauses, (4, 8, 16, 32)):
+            self.assertAlmostEqual(pause, least, delta=1)
+
+    def test_and_at_once_when_what_held_it_up_may_be_over(self):
+        async def main():
+            await self.pauses()
+            self.component.wait_no_more()
+            return self.component.due - loop.now()
+        self.assertLessEqual(self.run_in_loop(main), 0)
+        self.assertTrue(self.bell_rang)
+
+
+if __name__ == "__main__":
+    unittest.main()
