@@ -231,6 +231,7 @@ class Presence:
         if not each.is_there:
             return
         if isinstance(error, errors.Gone):
+            self._try_connections()
             self._lose(each, error, "has exited")
         elif isinstance(error, errors.ConnectionRefused):
             # also where it may live: its name may lead to another object now

@@ -20,6 +20,7 @@ from rtshell_lite.system import placements, steps
 from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptComponent
 
 TICK = 0.1  # seconds between looks whether all is done
+WAIT = 1.0  # seconds until a look that failed is taken again
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 
@@ -215,6 +216,7 @@ class Keeper(presence.Presence):
                 await shown.ask(**wanted)
         if kept.shown is not shown:  # it has ended
             return
+        kept.held_up = 0
         kept.placement.error = None
         kept.placement.found = capture.found_in(shown)
         await restore.presence(kept.placement)
@@ -229,10 +231,9 @@ class Keeper(presence.Presence):
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
         kept.changed = kept.changed | kept.looking
+        kept.due = loop.now() + WAIT
         if not kept.is_there:
             return
-        kept.wait()
-        kept.due = kept.silent_until
         kept.placement.error = error
         session.current().ask_again(kept.endpoint)
         near = {other for _, ends in self._connections.of([kept]) for other in ends}
@@ -240,6 +241,7 @@ class Keeper(presence.Presence):
         hung = sorted(other.where for other in near if other.is_hung)
         if hung:
             error = errors.Unreachable(kept.where, "waits for " + ", ".join(hung))
+            kept.hold_up()
         if kept.is_there and not kept.is_hung:
             self.complain(kept, WHOLE, error)
 

@@ -54,6 +54,7 @@ class KeptComponent(presence.Followed):
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
     known = None  # the identity of the object that it was before the file was read again, or it refused
     due = 0.0
+    held_up = 0  # looks in a row that have failed as a neighbour hangs
 
     def __init__(self, placement, keeper):
         super().__init__(placement.path)
@@ -94,11 +95,21 @@ class KeptComponent(presence.Followed):
             return []
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
 
-    def wait_no_more(self):
-        if self.due == self.silent_until:  # it was not looked at
+    def hold_up(self):
+        """It waits for one that hangs. Each look holds a thread of its process: they come ever later."""
+        self.due = loop.now() + min(presence.FIRST_PAUSE * 2**self.held_up, presence.LONGEST_PAUSE)
+        self.held_up += 1
+
+    def release(self):
+        """What has held it up may be over: look at it at once."""
+        if self.held_up:
+            self.held_up = 0
             self.due = loop.now()
             self.keeper.bell.ring()
+
+    def wait_no_more(self):
         super().wait_no_more()
+        self.release()
 
     def become(self, state):
         """Note its state."""
@@ -150,6 +161,7 @@ class KeptComponent(presence.Followed):
         """Let it be kept again, whatever a person has done."""
         self.is_paused = False
         self.forget_all()
+        self.release()
         if self.is_there:
             self.change(WHOLE)
 
@@ -181,6 +193,7 @@ class KeptComponent(presence.Followed):
     # ---- what is noticed ----
 
     def appeared(self):
+        self.release()
         is_other = orb.identity(self.shown.node.ref) != self.known
         self.known = None
         if is_other:

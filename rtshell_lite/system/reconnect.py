@@ -73,8 +73,9 @@ class Connections:
         self._halves = doubtful
         for outcome in outcomes:
             if id(outcome.step.connector) in doubtful:
-                for end in outcome.step.connector.ends:  # only one of them does not show it
-                    self._kept_at(end).change("ports")
+                for kept in map(self._kept_at, outcome.step.connector.ends):
+                    if kept.is_there:  # only one of them does not show it
+                        kept.change("ports")
         return [outcome for outcome in outcomes if id(outcome.step.connector) not in doubtful]
 
 

@@ -5,6 +5,7 @@ world: console --context h1.host_cxt/%n.rtc
 world: console --context h2.host_cxt/%n.rtc
 world: console --context h3.host_cxt/%n.rtc
 world: console --context h4.host_cxt/%n.rtc
+both: each ORB waits in its own way
 
   $ for i in 1 2 3 4; do rtcomp -a ../h$i.host_cxt/ConsoleIn0.rtc manager.mgr:Arm$i; done
   $ members() { rtcat -ll "$@" | sed -n -e '/ Member /p' -e '/Participants/{n;p;}'; }

@@ -2,6 +2,7 @@ rtdis, rtteardown and rtkeep leave a connection in which a value may wait: full_
 
 world: sources 1 100 8 --flavour cpp2
 world: these ConsoleOut --flavour cpp2
+both: each ORB waits in its own way
 
 A component of C++ ends when such a connection is removed while a value waits for room in the buffer of its in port.
 

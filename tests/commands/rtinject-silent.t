@@ -2,6 +2,7 @@ A port that does not answer does not hold up the others; it gets values again wh
 
 world: two
 world: these ConsoleOut:Far0
+both: each ORB waits in its own way
 
   $ export RTSHELL_TIMEOUT=1
   $ got() { ctl "$@" | cut -d' ' -f1; }

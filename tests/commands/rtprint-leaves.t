@@ -3,6 +3,7 @@ of a publisher has ended components.
 
 world: senders 500 100
 world: senders 50 100 --context slow.host_cxt/%n.rtc
+both: each ORB receives and sends values in its own way
 
   $ rtprint -q Source0.rtc:number >/dev/null & pid=$!; soon 'ctl connectors Source0:number | grep -q rtprint'
   $ rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1

@@ -3,6 +3,7 @@ such question holds a thread of its process. If this fails, rtkeep takes all thr
 """
 import types
 import unittest
+from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
@@ -21,9 +22,10 @@ class Waiting(unittest.TestCase):
         async def ask(component):
             """It lives."""
 
+        self.neighbour = mock.Mock(where="/a:1/y.rtc", is_hung=True)
         self.keeper = types.SimpleNamespace(
             options=types.SimpleNamespace(policy=policy.USUAL), ask=ask, complain=lambda *_: None,
-            _connections=types.SimpleNamespace(of=lambda those: []),
+            _connections=types.SimpleNamespace(of=lambda those: [("it", {self.neighbour})]),
             bell=types.SimpleNamespace(ring=lambda: self.bell_rang.append(True)),
         )
         self.component = kept.KeptComponent(placement, self.keeper)
@@ -46,6 +48,26 @@ class Waiting(unittest.TestCase):
         pauses = self.run_in_loop(self.pauses)
         for pause, least in zip(pauses, (4, 8, 16, 32)):
             self.assertAlmostEqual(pause, least, delta=1)
+
+    def test_it_is_looked_at_soon_where_nothing_hangs(self):
+        self.neighbour.is_hung = False
+        for pause in self.run_in_loop(self.pauses):
+            self.assertAlmostEqual(pause, keep.WAIT, delta=0.5)
+
+    def test_a_question_about_its_ports_that_fails_meanwhile_changes_nothing(self):
+        async def main():
+            await self.pauses()
+            self.component.wait()
+            self.component.wait_no_more()
+            return self.component.due - loop.now()
+        self.assertLessEqual(self.run_in_loop(main), 0)
+
+    def test_another_object_of_that_name_is_looked_at_at_once(self):
+        async def main():
+            await self.pauses()
+            self.component.release()
+            return await self.pauses()
+        self.assertAlmostEqual(self.run_in_loop(main)[0], 4, delta=1)
 
     def test_and_at_once_when_what_held_it_up_may_be_over(self):
         async def main():

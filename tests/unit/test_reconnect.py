@@ -11,7 +11,9 @@ class Halves(unittest.TestCase):
     def test_what_is_half_there_is_looked_at_from_both_ends_and_then_removed(self):
         looked_at = []
         kept = {
-            end: types.SimpleNamespace(change=lambda part, end=end: looked_at.append((end, part)))
+            end: types.SimpleNamespace(
+                is_there=True, change=lambda part, end=end: looked_at.append((end, part))
+            )
             for end in ("out", "in")
         }
         connector = types.SimpleNamespace(ends=("out", "in"))

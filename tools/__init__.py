@@ -1,0 +1,1 @@
+"""What writes the files that are generated, in a checkout."""
