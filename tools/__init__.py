@@ -1,1 +1,0 @@
-"""What writes the files that are generated, in a checkout."""
