@@ -8,7 +8,7 @@ world: custom --flavour java --context java.host_cxt/%n.rtc
   $ printing() { w=$1; shift; "$@" & pid=$!; soon 'ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-'
   >   ctl @$w write Arm0:status 3; wait $pid; }
 
-Nobody knows it:
+Nobody knows it; what fills the gaps between values may be anything:
 
   $ rtprint -n 1 Arm0.rtc:status
   rtprint: /localhost:$PORT/test.host_cxt/Arm0.rtc:status: no such data type known: IDL:Arm/Status:1.0; name its IDL file (--idl FILE) or compiled stubs (-m MODULE -p DIR), or look at the bytes (--raw)
@@ -16,9 +16,9 @@ Nobody knows it:
   $ printing custom rtprint -n 1 --raw Arm0.rtc:status
   64 bytes
   00000000  00 00 00 00 00 00 00 00 01 00 00 00 02 00 00 00  ................
-  00000010  09 00 00 00 73 68 6f 75 6c 64 65 72 00 00 00 00  ....shoulder....
+  00000010  09 00 00 00 73 68 6f 75 6c 64 65 72 00 .. .. ..  \.\.\.\.shoulder\.... (re)
   00000020  00 00 00 00 00 00 08 40 06 00 00 00 65 6c 62 6f  .......@....elbo
-  00000030  77 00 00 00 00 00 00 00 00 00 00 00 00 00 f8 3f  w..............?
+  00000030  77 00 .. .. .. .. .. .. 00 00 00 00 00 00 f8 3f  w\..{6}\.{6}.\? (re)
   maybe: time 0.000000000
 
 The component knows it:
