@@ -17,6 +17,7 @@ def simulate(*words):
     """(status, what tests/simulate prints)"""
     done = subprocess.run(
         [sys.executable, os.path.join(TESTS, "simulate"), *words],
+        stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         universal_newlines=True,
