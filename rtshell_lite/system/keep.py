@@ -241,6 +241,7 @@ class Keeper(presence.Presence):
         hung = sorted(other.where for other in near if other.is_hung)
         if hung:
             error = errors.Unreachable(kept.where, "waits for " + ", ".join(hung))
+        if hung or kept.is_hung:
             kept.hold_up()
         if kept.is_there and not kept.is_hung:
             self.complain(kept, WHOLE, error)
