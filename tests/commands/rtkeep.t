@@ -62,7 +62,7 @@ It stays, and mends: a connection, an Error, a component that was killed and is 
   Plain0.rtc: Active
   Plain0.rtc: answers again
   Plain0.rtc: its process is gone
-  Plain0.rtc: no answer within 3s: left alone
+  Plain0.rtc: (not asked: its process gave )?no answer within 3s: left alone (re)
 
 What a person does is reported, and left alone.
 
