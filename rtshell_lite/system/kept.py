@@ -54,7 +54,7 @@ class KeptComponent(presence.Followed):
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
     known = None  # the identity of the object that it was before the file was read again, or it refused
     due = 0.0
-    held_up = 0  # looks in a row that have failed as a neighbour hangs
+    held_up = 0  # looks in a row that have failed because it or a neighbour hangs
 
     def __init__(self, placement, keeper):
         super().__init__(placement.path)
@@ -96,8 +96,10 @@ class KeptComponent(presence.Followed):
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
 
     def hold_up(self):
-        """It waits for one that hangs. Each look holds a thread of its process: they come ever later."""
-        self.due = loop.now() + min(presence.FIRST_PAUSE * 2**self.held_up, presence.LONGEST_PAUSE)
+        """It hangs, or waits for one that does. Each look holds a thread of its process: they come ever later.
+        """
+        doublings = min(self.held_up, 20)  # it may hang for days
+        self.due = loop.now() + min(presence.FIRST_PAUSE * 2**doublings, presence.LONGEST_PAUSE)
         self.held_up += 1
 
     def release(self):

@@ -49,6 +49,12 @@ class Waiting(unittest.TestCase):
         for pause, least in zip(pauses, (4, 8, 16, 32)):
             self.assertAlmostEqual(pause, least, delta=1)
 
+    def test_it_may_hang_for_days(self):
+        async def main():
+            self.component.held_up = 5000
+            self.component.hold_up()
+        self.run_in_loop(main)
+
     def test_it_is_looked_at_soon_where_nothing_hangs(self):
         self.neighbour.is_hung = False
         for pause in self.run_in_loop(self.pauses):
