@@ -299,7 +299,9 @@ async def on_components(paths, function, or_managers=False):
 
 
 async def components(paths, or_managers=False):
-    """The Node of the component at each path, an errors.Error for what is none; `or_managers` as above."""
+    """The Node of the component at each path, an errors.Error where there is no component; `or_managers` as
+    above.
+    """
     orb.start()  # its failures are not the failure of a path
     return await session.each(paths, component_or_manager if or_managers else component, at_server)
 

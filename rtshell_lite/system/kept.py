@@ -96,8 +96,7 @@ class KeptComponent(presence.Followed):
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
 
     def hold_up(self):
-        """It hangs, or waits for one that does. Each look holds a thread of its process: they come ever later.
-        """
+        """It hangs, or waits for one that does. Each look holds a thread of it: they come ever later."""
         doublings = min(self.held_up, 20)  # it may hang for days
         self.due = loop.now() + min(presence.FIRST_PAUSE * 2**doublings, presence.LONGEST_PAUSE)
         self.held_up += 1
