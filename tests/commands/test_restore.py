@@ -14,7 +14,6 @@ from rtshell_lite.system import apply, capture, restore
 from rtshell_lite.xmlprofile import model, rtsprofile
 
 ONCE = "what becomes of a system does not depend on the Python"
-BOTH = "each ORB fails in its own way"
 WORDS = ["x", "two words", "日本", "a=b", "<&>\"'", "-5", "\\x20", "$(false)", "tab\there", "\udcff", "; rm"]
 NOTHING = restore.Options(False, None, False)
 SHORT = 25  # calls that are to fail: of 39 that change something, and as many of 217 others; all with --long
