@@ -7,8 +7,7 @@ both: each ORB waits in its own way
   $ export RTSHELL_TIMEOUT=1
   $ got() { ctl "$@" | cut -d' ' -f1; }
   $ rtact ConsoleOut0.rtc Far0.rtc
-  $ rtinject -n -1 -r 50 -c 1 ConsoleOut0.rtc:in Far0.rtc:in 2>said & pid=$!; got received ConsoleOut0:in 20
-  20
+  $ rtinject -n -1 -r 50 -c 1 ConsoleOut0.rtc:in Far0.rtc:in 2>said & pid=$!; [ $(got received ConsoleOut0:in 20) -ge 20 ]
   $ hang these; soon 'grep -q answer said'; n=$(got received ConsoleOut0:in)
   $ [ $(within 0-4 ctl received ConsoleOut0:in $((n + 90)) | cut -d' ' -f1) -ge $((n + 90)) ]
   $ wake these; n=$(got @these received Far0:in); [ $(got @these received Far0:in $((n + 9))) -ge $((n + 9)) ]

@@ -4,7 +4,8 @@ world: senders 100 100
 world: these ConsoleOut
 
   $ rtact ConsoleOut0.rtc; rtlog -q -i -e 30 -f a.rtlog Source0.rtc:number.n
-  $ rtec ConsoleOut0.rtc rate 20; rtlog -q -p -f a.rtlog -r 0.2 ConsoleOut0.rtc:in.n; ctl @these received ConsoleOut0:in | cut -d' ' -f1
+  $ rtec ConsoleOut0.rtc rate 50
+  $ rtlog -q -p -f a.rtlog -r 0.1 ConsoleOut0.rtc:in.n; ctl @these received ConsoleOut0:in | cut -d' ' -f1
   30
   $ ctl @these buffer ConsoleOut0:in; ctl @these connectors ConsoleOut0:in
   8 overwrite
