@@ -49,7 +49,6 @@ Event = collections.namedtuple("Event", "path time kind subject event")
 # What rtdoctor says: `level` is fail, warn or ok; `check` the kind of the check; `path` the object, or "here"
 # for this host; a message; what mends it, a command or words, or "".
 Finding = collections.namedtuple("Finding", "level check path message remedy cause")
-PROFILE = ("instance_name", "type_name", "description", "version", "vendor", "category")
 # A port: its path, its type (DataInPort, DataOutPort, CorbaPort, Port), a dict, and the ids of its
 # connections.
 Port = collections.namedtuple("Port", "path type properties connections")
@@ -223,7 +222,7 @@ class Component:
         node = await self._node()
         await ports.refs(node)  # first, see `component.profile`
         known = await component.profile(node)
-        fields = {name: getattr(known, name) for name in PROFILE}
+        fields = {name: getattr(known, name) for name in component.FACTS}
         fields["properties"] = dict(known.properties)
         return fields
 

@@ -13,7 +13,6 @@ from rtshell_lite.robot import component, composites, configuration, contexts, p
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot
 from rtshell_lite.text import json_line, printable
 
-FIELDS = ("instance_name", "type_name", "category", "vendor", "version", "description")
 TRANSITIONS = {"Active": transitions.ACTIVATE, "Inactive": transitions.DEACTIVATE, "reset": transitions.RESET}
 WAIT = 5.0  # seconds that a state may take to be reached, as with rtact --wait
 
@@ -101,7 +100,7 @@ class ComponentDirectory(Directory):
 
     def entries(self, value):
         found = {"state": (Control, self.state, lambda state: state + "\n", self._change)}
-        for field in FIELDS:
+        for field in component.FACTS:
             found[field] = Text, self.profile, functools.partial(_field, field)
         found["profile.json"] = Text, self.everything, lambda fields: json_line(fields) + "\n"
         found["properties"] = Items, self.profile, lambda profile: profile.properties

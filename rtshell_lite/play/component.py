@@ -6,6 +6,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.giop.requests import Thrown
 from rtshell_lite.net import loop  # noqa: F401: in a type comment
+from rtshell_lite.robot.component import FACTS
 from rtshell_lite.text import printable, to_wire
 
 STATES = ("Created", "Inactive", "Active", "Error")  # RTC::LifeCycleState by number
@@ -205,9 +206,8 @@ class Organisation:
 
 
 class Component:
-    """A component: `identity` {type_name, description, version, vendor, category}, `properties` [(name,
-    value)] of its profile, `ports` (of ports.py), `contexts` that it owns, `participating` in others', its
-    `configuration`.
+    """A component: `identity` {name: text} of FACTS, `properties` [(name, value)] of its profile, `ports` (of
+    ports.py), `contexts` that it owns, `participating` in others', its `configuration`.
     """
 
     interface = "OpenRTM.DataFlowComponent"
@@ -255,12 +255,9 @@ class Component:
     # ---- operations of RTObject ----
 
     def get_component_profile(self):
-        about = [
-            wire(self.identity.get(key, ""))
-            for key in ("type_name", "description", "version", "vendor", "category")
-        ]
+        texts = dict(self.identity, instance_name=self.instance_name)
         return orb.struct("RTC.ComponentProfile")(
-            wire(self.instance_name), *about, [port.profile() for port in self.ports], None,
+            *[wire(texts.get(name, "")) for name in FACTS], [port.profile() for port in self.ports], None,
             nvlist(self.properties + list(self.configuration.pairs())),
         )
 

@@ -8,10 +8,10 @@ from rtshell_lite.play import ports as port_kinds
 from rtshell_lite.play import recording as recordings
 from rtshell_lite.play.component import wire
 from rtshell_lite.robot import ports
+from rtshell_lite.robot.component import FACTS
 from rtshell_lite.system import capture
 from rtshell_lite.xmlprofile import model
 
-IDENTITY = ("type_name", "description", "version", "vendor", "category")
 OBSERVERS = "sdo.service.consumer.available_services"  # of which a recording has none
 LOOK = 0.01  # seconds between two looks whether values have been sent
 RATE = 1000.0  # Hz of contexts of which nothing is known
@@ -51,9 +51,9 @@ class Stage:
     def _component(self, scene, where, described):
         known = scene.details.get(where, {})
         if known:
-            identity = {key: recordings.text_in(known, key) for key in IDENTITY}
+            identity = {key: recordings.text_in(known, key) for key in FACTS}
         else:
-            identity = _identity(described.id)
+            identity = capture.identity(described.id)
         pairs = _profile_properties(known)
         pairs.append(("rtlog.recording", self._recording.log.where))
         made = parts.Component(described.instance_name, identity, pairs, parts.Configuration({}, ""))
@@ -299,13 +299,6 @@ def _unknown(source):
         id="RTC::::", path_uri=str(source.object()).lstrip("/"), instance_name=source.instance,
         execution_contexts=[context],
     )
-
-
-def _identity(component_id):
-    """What the id of a component in an RtsProfile says: RTC:vendor:category:type:version."""
-    words = (component_id.split(":") + [""] * 5)[:5]
-    _, vendor, category, type_name, version = words
-    return dict(vendor=vendor, category=category, type_name=type_name, version=version)
 
 
 def _profile_properties(known):

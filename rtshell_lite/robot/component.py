@@ -16,8 +16,18 @@ POLL = 0.2  # seconds between looks at a state: monitors that ask more often hav
 MOST_CONTEXTS = 64
 MOST_MEMBERS = 1000
 
+# What RTC::ComponentProfile says of a component, in the order of the IDL: its name in JSON and programs, and
+# the one that people read.
+FACTS = {
+    "instance_name": "Instance name",
+    "type_name": "Type name",
+    "description": "Description",
+    "version": "Version",
+    "vendor": "Vendor",
+    "category": "Category",
+}
 # RTC::ComponentProfile as text; `properties` is a list of (name, value) in the component's order.
-Profile = record("Profile", "instance_name type_name description version vendor category parent properties")
+Profile = record("Profile", " ".join(FACTS) + " parent properties")
 
 # RTC::ExecutionContextProfile and more of its interface. `rate` in Hz, `owner` and `participants` are
 # references.
@@ -70,18 +80,18 @@ async def profile(node, brief=False, names=False):
         parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id"))
     else:
         parent = ""
-    texts = [
-        from_wire(s)
-        for s in (
-            raw.instance_name, raw.type_name, raw.description, raw.version, raw.vendor, raw.category, parent
-        )
-    ]
+    texts = [from_wire(getattr(raw, name)) for name in FACTS]
     listed = raw.properties
     if names:
         listed = []
     elif brief:
         listed = listed[:1]
-    return Profile(*texts, orb.properties(listed))
+    return Profile(*texts, from_wire(parent), orb.properties(listed))
+
+
+def facts(texts):
+    """[(label, text)] of those FACTS that `texts` {name: text} has, in the order of the labels."""
+    return sorted((label, texts[name]) for name, label in FACTS.items() if name in texts)
 
 
 async def instance_name(node, ref):

@@ -20,6 +20,8 @@ MANAGER = "MANAGER"
 # An extended property of a component: corbaloc of its object, when it was saved. It shows whether it lives
 # where its name is lost.
 REFERENCE = "REFERENCE"
+# what of component.FACTS the id of a component says, in its order
+IN_ID = ("vendor", "category", "type_name", "version")
 # Fields of a model.DataPortConnector that mean properties `dataport.…` of the connection.
 DATA_FIELDS = ("data_type", "interface_type", "dataflow_type", "subscription_type")
 
@@ -105,7 +107,12 @@ def found_in(shown, brief=False):
 
 def component_id(profile):
     """The id of a component in an RtsProfile, from its Profile."""
-    return f"RTC:{profile.vendor}:{profile.category}:{profile.type_name}:{profile.version}"
+    return ":".join(["RTC"] + [getattr(profile, name) for name in IN_ID])
+
+
+def identity(component_id):
+    """{name: text} of component.FACTS that the id of a component in an RtsProfile says."""
+    return dict(zip(IN_ID, component_id.split(":")[1:] + [""] * len(IN_ID)))
 
 
 def path_uri(node):

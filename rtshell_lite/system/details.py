@@ -8,7 +8,7 @@ contexts: handle kind rate running properties; states {handle: state}.
 
 import json
 
-from rtshell_lite.robot import ports
+from rtshell_lite.robot import component, ports
 from rtshell_lite.system import capture
 
 
@@ -20,8 +20,7 @@ def dump(found):
 
 def _component(each):
     made = {"path": "/" + capture.path_uri(each.node)}
-    for key in ("instance_name", "type_name", "description", "version", "vendor", "category"):
-        made[key] = getattr(each.profile, key)
+    made.update((name, getattr(each.profile, name)) for name in component.FACTS)
     made["properties"] = [list(pair) for pair in each.profile.properties]
     made["ports"] = [_port(port, each.profile.instance_name) for port in each.ports]
     made["contexts"] = [

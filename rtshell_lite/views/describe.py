@@ -44,19 +44,8 @@ def lines(snapshot, level, ends, paint):
     kind = "Composite" if snapshot.organisations else "Monolithic"
     if snapshot.composites:
         kind += " composite member"
-    yield from _pairs(
-        [
-            ("Category", profile.category),
-            ("Description", profile.description),
-            ("Instance name", profile.instance_name),
-            ("Type name", profile.type_name),
-            ("Vendor", profile.vendor),
-            ("Version", profile.version),
-            ("Parent", profile.parent),
-            ("Type", kind),
-        ],
-        "  ",
-    )
+    others = [("Parent", profile.parent), ("Type", kind)]
+    yield from _pairs(component.facts(profile._asdict()) + others, "  ")
     if profile.properties and level < 2:
         yield " +Extra properties"
     elif profile.properties:

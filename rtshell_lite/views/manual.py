@@ -34,7 +34,7 @@ async def collect(node, graph=False):
     sets = await configuration.of(node)
     profile = await component.profile(node)
     texts = _values(sets, "__doc__")
-    fields = [("Vendor", profile.vendor), ("Version", profile.version), ("Category", profile.category)]
+    fields = [(component.FACTS[name], getattr(profile, name)) for name in ("vendor", "version", "category")]
     fields += [(label, texts[key]) for key, label in _AUTHORS_FIELDS if key in texts]
     generated = {
         "ports": lambda: _ports_section(profile, listed, graph),

@@ -2,7 +2,7 @@
 value).
 """
 
-from rtshell_lite.robot import ports
+from rtshell_lite.robot import component, ports
 from rtshell_lite.system import capture
 from rtshell_lite.text import printable
 from rtshell_lite.views import describe
@@ -83,17 +83,8 @@ def port_parts(box):
 
 def _of_snapshot(snapshot):
     profile = snapshot.profile
-    rows = [
-        ("Instance name", profile.instance_name),
-        ("Type name", profile.type_name),
-        ("Category", profile.category),
-        ("Description", profile.description),
-        ("Vendor", profile.vendor),
-        ("Version", profile.version),
-        ("Parent", profile.parent),
-        ("Process", "%s:%s" % tuple(snapshot.node.endpoint)),
-    ]
-    found = [("Component", [(name, value) for name, value in rows if value])]
+    process = "%s:%s" % tuple(snapshot.node.endpoint)
+    found = [_component(profile._asdict(), [("Parent", profile.parent), ("Process", process)])]
     for organisation in snapshot.organisations:
         members = [("Member", path) for path in snapshot.members.get(organisation.id, ())]
         found.append(("Composition", [("ID", organisation.id)] + members))
@@ -103,6 +94,12 @@ def _of_snapshot(snapshot):
         found.append(_context(context, state, snapshot))
     found.append(("Extra properties", sorted(profile.properties)))
     return found
+
+
+def _component(texts, others):
+    """The first part: component.FACTS, those first that are names, then other rows, without empty ones."""
+    rows = sorted(component.facts(texts), key=lambda row: not row[0].endswith("name")) + others
+    return "Component", [(name, value) for name, value in rows if value]
 
 
 def _context(context, state, snapshot):
@@ -130,29 +127,19 @@ def _port_rows(port):
 # ---- what a file has ----
 
 
-def _of_file(component):
-    kind, _, rest = component.id.partition(":")
-    vendor, category, type_name, version = (rest.split(":") + [""] * 4)[:4]
-    required = "yes" if component.is_required else "no"
-    rows = [
-        ("Instance name", component.instance_name),
-        ("Type name", type_name),
-        ("Category", category),
-        ("Vendor", vendor),
-        ("Version", version),
-        ("Id", component.id),
-        ("Required", required),
-        ("Comment", component.comment),
-    ]
-    found = [("Component", [(name, value) for name, value in rows if value])]
-    members = [("Member", member.component.instance_name) for member in component.participants]
+def _of_file(described):
+    texts = dict(capture.identity(described.id), instance_name=described.instance_name)
+    required = "yes" if described.is_required else "no"
+    others = [("Id", described.id), ("Required", required), ("Comment", described.comment)]
+    found = [_component(texts, others)]
+    members = [("Member", member.component.instance_name) for member in described.participants]
     if members:
-        found.append(("Composition", [("Type", component.composite_type)] + members))
-    for context in component.execution_contexts:
+        found.append(("Composition", [("Type", described.composite_type)] + members))
+    for context in described.execution_contexts:
         rows = [("Kind", context.kind), ("Rate", f"{context.rate:g} Hz")]
         rows += [("Participant", each.instance_name) for each in context.participants]
         found.append((f"Execution context {context.id}", rows + _properties(context)))
-    found.append(("Properties", _properties(component)))
+    found.append(("Properties", _properties(described)))
     return found
 
 

@@ -7,9 +7,31 @@ from unittest import mock
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
 from rtshell_lite.net import loop
-from rtshell_lite.robot import composites, fsm, transitions, tree
+from rtshell_lite.robot import component, composites, fsm, transitions, tree
+from rtshell_lite.system import capture
 
 NODE = tree.Node(path.parse("/localhost/a.rtc"), "component", None)
+
+
+class Facts(unittest.TestCase):
+    def test_an_id_says_four_of_them(self):
+        texts = dict(zip(component.FACTS, ("Arm0", "Arm", "moves", "1.2", "Me", "robots")))
+        profile = component.Profile(*texts.values(), "", [])
+        self.assertEqual(capture.component_id(profile), "RTC:Me:robots:Arm:1.2")
+        identity = {name: texts[name] for name in ("vendor", "category", "type_name", "version")}
+        self.assertEqual(capture.identity("RTC:Me:robots:Arm:1.2"), identity)
+        self.assertEqual(capture.identity("RTC:Me:robots:Arm:1.2:more"), identity)
+
+    def test_an_id_may_be_too_short(self):
+        nothing = dict.fromkeys(("vendor", "category", "type_name", "version"), "")
+        for short in ("", "RTC", "RTC:", "RTC:::"):
+            self.assertEqual(capture.identity(short), nothing)
+
+    def test_they_have_labels(self):
+        self.assertEqual(
+            component.facts({"vendor": "Me", "category": "robots", "parent": "A"}),
+            [("Category", "robots"), ("Vendor", "Me")],
+        )
 
 
 class Asked:

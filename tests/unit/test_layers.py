@@ -124,6 +124,12 @@ def imports(tree):
             yield from (("%s.%s" % (node.module, name.name), node in inner) for name in node.names)
 
 
+def words(tree):
+    """The constants and the names of attributes in a part of a module."""
+    constants = {node.value for node in walk(tree) if isinstance(node, ast.Constant)}
+    return constants | {node.attr for node in walk(tree) if isinstance(node, ast.Attribute)}
+
+
 class Layers(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -171,6 +177,17 @@ class Layers(unittest.TestCase):
             self.assertTrue(free, "these import each other: %s" % sorted(targets))
             for name in free:
                 del targets[name]
+
+    @unittest.skipIf(sys.version_info < (3, 8), "this Python knows no ast.Constant")
+    def test_facts_of_a_profile_are_listed_once(self):
+        """A new one is a row of component.FACTS, and not one of seven lists."""
+        lists = [
+            path
+            for path, tree in self.trees.items()
+            for node in walk(tree)
+            if isinstance(node, (ast.Dict, ast.List, ast.Tuple)) and {"vendor", "description"} <= words(node)
+        ]
+        self.assertEqual(lists, ["rtshell_lite/robot/component.py"])
 
     def test_a_package_is_a_docstring(self):
         wrong = [
