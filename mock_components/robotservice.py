@@ -36,7 +36,7 @@ def _operations(name):
 
 
 def _plain(descriptor):
-    return schemas._Described().of(descriptor)
+    return schemas._Described().visit(descriptor)
 
 
 def item(name):

@@ -9,10 +9,7 @@ import functools
 from rtshell_lite import errors
 from rtshell_lite.corba import answers
 from rtshell_lite.giop import descriptors, ior, rare, references
-from rtshell_lite.giop.descriptors import (
-    ALIAS, ANY, ARRAY, CHAR, EXCEPTION, FIXED, INDIRECT, OBJECT, OCTET, SEQUENCE, STRING, STRUCT, TYPECODE,
-    ULONGLONG, UNION,
-)
+from rtshell_lite.giop.descriptors import ANY, INDIRECT, TYPECODE, ULONGLONG, Visitor
 from rtshell_lite.giop.marshal import Any, TypeCode
 from rtshell_lite.text import from_wire, to_wire
 
@@ -27,7 +24,7 @@ def invoke(orb, where, ref, schema, args):
 
     given, returned, raised = _described(schema)
     try:
-        values = tuple(_sent(orb, descriptor, value) for descriptor, value in zip(schema.given, args))
+        values = tuple(map(_Sent(orb).visit, schema.given, args))
     except OverflowError as e:
         raise errors.Refused(where, f"cannot be asked: {e}", name="BAD_PARAM")
     answers.begin()
@@ -35,14 +32,12 @@ def invoke(orb, where, ref, schema, args):
         result = ref._obj.invoke(schema.name, (given, returned, raised), values)
     except CORBA.UserException as e:
         descriptor = schema.raised[e._NP_RepositoryId]
-        raise errors.Raised(where, descriptor[3], _received(orb, descriptor, e))
+        raise errors.Raised(where, descriptor[3], _Received(orb).visit(descriptor, e))
     answers.check(where)
     if len(schema.returned or ()) < 2:
         result = [result]
     try:
-        values = [
-            _received(orb, descriptor, value) for descriptor, value in zip(schema.returned or (), result)
-        ]
+        values = list(map(_Received(orb).visit, schema.returned or (), result))
     except RecursionError:
         raise errors.Garbled(where, "nested too deep")
     if len(values) == 1:
@@ -53,11 +48,11 @@ def invoke(orb, where, ref, schema, args):
 @functools.lru_cache(maxsize=MANY)
 def _described(schema):
     """The descriptors that omniORBpy takes for a schema."""
-    given = tuple(_Described().of(descriptor) for descriptor in schema.given)
+    given = tuple(_Described().visit(descriptor) for descriptor in schema.given)
     if schema.is_oneway:
         returned = None
     else:
-        returned = tuple(_Described(is_guarded=True).of(descriptor) for descriptor in schema.returned)
+        returned = tuple(_Described(is_guarded=True).visit(descriptor) for descriptor in schema.returned)
     raised = {
         type_id: _Described(is_guarded=True).exception(descriptor)
         for type_id, descriptor in schema.raised.items()
@@ -65,7 +60,7 @@ def _described(schema):
     return given, returned, raised or None
 
 
-class _Described:
+class _Described(Visitor):
     """Makes descriptors for omniORBpy; in those of an answer (`is_guarded`) references are read as octets,
     which are checked before omniORB makes objects of them.
     """
@@ -74,25 +69,22 @@ class _Described:
         self.is_guarded = is_guarded
         self.holes = {}  # identity of a struct or union → [its descriptor, once it is made]
 
-    def of(self, descriptor):
-        kind = descriptors.kind(descriptor)
-        if kind in (SEQUENCE, ARRAY):
-            return (kind, self.of(descriptors.element(descriptor)), descriptors.length(descriptor))
-        if kind == ALIAS:
-            return descriptor[:3] + (self.of(descriptors.aliased(descriptor)),)
-        if kind == OBJECT and self.is_guarded:
-            return ior.guarded(descriptor, _taker, None)
-        if kind == INDIRECT:
-            descriptor = descriptors.around(descriptor)
-            kind = descriptors.kind(descriptor)
-        hole = self.holes.get(id(descriptor))
-        if hole:
-            return hole[0] or (INDIRECT, hole)
-        if kind == STRUCT:
-            return self._within(descriptor, lambda: (STRUCT,) + descriptor[1:4] + self._members(descriptor))
-        if kind == UNION:
-            return self._within(descriptor, lambda: self._union(descriptor))
+    def other(self, descriptor):
         return descriptor
+
+    def sequence(self, descriptor):
+        return (descriptor[0], self.visit(descriptors.element(descriptor)), descriptors.length(descriptor))
+
+    array = sequence
+
+    def alias(self, descriptor):
+        return descriptor[:3] + (self.visit(descriptors.aliased(descriptor)),)
+
+    def reference(self, descriptor):
+        return ior.guarded(descriptor, _taker, None) if self.is_guarded else descriptor
+
+    def struct(self, descriptor):
+        return self._once(descriptor, lambda: descriptor[:4] + self._members(descriptor))
 
     def exception(self, descriptor):
         from omniORB import CORBA
@@ -101,18 +93,26 @@ class _Described:
         made = type(name, (plain, CORBA.UserException), {"_NP_RepositoryId": type_id})
         return (kind, made, type_id, name) + self._members(descriptor)
 
-    def _within(self, descriptor, make):
+    def _once(self, descriptor, make):
+        hole = self.holes.get(id(descriptor))
+        if hole:
+            return hole[0] or (INDIRECT, hole)
         hole = self.holes[id(descriptor)] = [None]
         hole[0] = make()
         return hole[0]
 
     def _members(self, descriptor):
         return tuple(
-            part for name, inner in descriptors.members(descriptor) for part in (name, self.of(inner))
+            part for name, inner in descriptors.members(descriptor) for part in (name, self.visit(inner))
         )
 
+    def union(self, descriptor):
+        return self._once(descriptor, lambda: self._union(descriptor))
+
     def _union(self, descriptor):
-        given = tuple((case.label, case.member, self.of(case.type)) for case in descriptors.cases(descriptor))
+        given = tuple(
+            (case.label, case.member, self.visit(case.type)) for case in descriptors.cases(descriptor)
+        )
         default = descriptors.default_index(descriptor)
         other = given[default] if default >= 0 else None
         by_label = {case[0]: case for case in given if case is not other}
@@ -135,82 +135,90 @@ def _taker(type_id):
     return take
 
 
-def _is_plain(element):
-    """Whether elements of a type are the same for both."""
-    return not isinstance(descriptors.target(element), tuple) and descriptors.kind(element) not in (
-        ANY, TYPECODE
-    )
+class _Converter(Visitor):
+    """Values of a type, for an ORB of omniORBpy, as others: visit(descriptor, value)."""
+
+    def __init__(self, orb):
+        self.orb = orb
+
+    def other(self, descriptor, value):
+        return value
+
+    def struct(self, descriptor, value):
+        parts = [self.visit(inner, getattr(value, name)) for name, inner in descriptors.members(descriptor)]
+        return descriptors.factory(descriptor)(*parts)
+
+    exception = struct
+
+    def union(self, descriptor, value):
+        case = descriptors.cases_by_label(descriptor).get(value._d, descriptors.default_case(descriptor))
+        if case is None:
+            return value
+        return descriptors.factory(descriptor)(value._d, self.visit(case.type, value._v))
+
+    def sequence(self, descriptor, value):
+        element = descriptors.target(descriptors.element(descriptor))
+        if not isinstance(element, tuple) and element not in (ANY, TYPECODE):
+            return value  # the same for both
+        return [self.visit(element, part) for part in value]
+
+    array = sequence
 
 
-def _sent(orb, descriptor, value):
-    """A value of ours as omniORBpy takes it."""
-    descriptor = descriptors.target(descriptor)
-    kind = descriptors.kind(descriptor)
-    if kind == STRING:
+class _Sent(_Converter):
+    """Values of ours as omniORBpy takes them."""
+
+    def string(self, descriptor, value):
         return to_wire(value)
-    if kind == OBJECT:
-        return value and orb.string_to_object(value.text())
-    if kind == ANY:
+
+    def reference(self, descriptor, value):
+        return value and self.orb.string_to_object(value.text())
+
+    def any(self, descriptor, value):
         from omniORB import CORBA
 
-        inner = value.descriptor
-        return CORBA.Any(_typecode(inner), _sent(orb, inner, value.content))
-    if kind == TYPECODE:
+        return CORBA.Any(_typecode(value.descriptor), self.visit(value.descriptor, value.content))
+
+    def typecode(self, descriptor, value):
         return _typecode(value.descriptor)
-    if kind == FIXED:
+
+    def fixed(self, descriptor, value):
         from omniORB import CORBA
 
         return CORBA.fixed(descriptor[1], descriptor[2], int(value.replace(".", "")))
-    if kind in (SEQUENCE, ARRAY):
-        _check_numbers(descriptors.element(descriptor), value)
-    return _each_part(functools.partial(_sent, orb), descriptor, value)
 
+    def sequence(self, descriptor, value):
+        is_long = descriptors.target(descriptors.element(descriptor)) == ULONGLONG
+        if is_long and any(number >> 63 for number in value):  # which omniORBpy (4.3) sends as others
+            raise OverflowError("omniORBpy sends no such numbers in sequences; set RTSHELL_ORB=builtin")
+        return super().sequence(descriptor, value)
 
-def _check_numbers(element, value):
-    """Raise OverflowError for numbers in a sequence that omniORBpy (4.3) sends as others."""
-    if descriptors.target(element) == ULONGLONG and any(number >> 63 for number in value):
-        raise OverflowError("omniORBpy sends no such numbers in sequences; set RTSHELL_ORB=builtin")
+    array = sequence
 
 
 def _typecode(descriptor):
     from omniORB import tcInternal
 
-    return tcInternal.createTypeCode(_Described().of(descriptor))
+    return tcInternal.createTypeCode(_Described().visit(descriptor))
 
 
-def _received(orb, descriptor, value):
-    """A value that omniORBpy has read, as ours."""
-    descriptor = descriptors.target(descriptor)
-    kind = descriptors.kind(descriptor)
-    if kind == STRING:
+class _Received(_Converter):
+    """Values that omniORBpy has read as ours."""
+
+    def string(self, descriptor, value):
         return from_wire(value)
-    if kind == OBJECT and value is not None and not isinstance(value, references.Reference):
-        return references.from_text(orb.object_to_string(value))
-    if kind == ANY:
+
+    def reference(self, descriptor, value):
+        if value is None or isinstance(value, references.Reference):
+            return value
+        return references.from_text(self.orb.object_to_string(value))
+
+    def any(self, descriptor, value):
         inner = descriptors.adopted(value.typecode()._d)
-        return Any(inner, _received(orb, inner, value.value()))
-    if kind == TYPECODE:
+        return Any(inner, self.visit(inner, value.value()))
+
+    def typecode(self, descriptor, value):
         return TypeCode(descriptors.adopted(value._d))
-    if kind == FIXED:
+
+    def fixed(self, descriptor, value):
         return rare.fixed(str(value), *descriptor[1:])
-    return _each_part(functools.partial(_received, orb), descriptor, value)
-
-
-def _each_part(convert, descriptor, value):
-    kind = descriptors.kind(descriptor)
-    if kind in (STRUCT, EXCEPTION):
-        parts = [convert(inner, getattr(value, name)) for name, inner in descriptors.members(descriptor)]
-        return descriptors.factory(descriptor)(*parts)
-    if kind == UNION:
-        case = descriptors.cases_by_label(descriptor).get(value._d, descriptors.default_case(descriptor))
-        if case is None:
-            return value
-        return descriptors.factory(descriptor)(value._d, convert(case.type, value._v))
-    if kind in (SEQUENCE, ARRAY):
-        element = descriptors.element(descriptor)
-        if descriptors.kind(descriptors.target(element)) in (OCTET, CHAR):
-            return value
-        if _is_plain(element):
-            return value
-        return [convert(element, part) for part in value]
-    return value

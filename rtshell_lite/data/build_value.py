@@ -9,8 +9,7 @@ import struct
 
 from rtshell_lite import errors
 from rtshell_lite.giop.descriptors import (
-    ALIAS, ANY, ARRAY, BOOLEAN, CHAR, DOUBLE, ENUM, FIXED, FLOAT, INDIRECT, LONGDOUBLE, OBJECT, OCTET,
-    RANGES, SEQUENCE, STRING, STRUCT, TYPECODE, UNION, WCHAR, WSTRING, bound, cases, cases_by_label,
+    CHAR, FLOAT, OCTET, RANGES, SEQUENCE, STRUCT, WCHAR, WSTRING, Visitor, bound, cases, cases_by_label,
     default_case, discriminator, dotted, element, factory, items, kind, length, members, target, type_id,
     words,
 )
@@ -43,7 +42,8 @@ def build(descriptor, written, where, json=False, now=None, find=None):
     …}, where find(name) gives the descriptor of its type, a reference as an IOR or {"_ior": …}, nil as None.
     Raises BadValue, and what `find` raises.
     """
-    return _Builder(json, now or (0, 0), find).build(descriptor, written, where, DEEPEST)
+    builder = _Builder if find is None else _CallBuilder
+    return builder(json, now or (0, 0), find).visit(descriptor, written, where, DEEPEST)
 
 
 def timed(descriptor):
@@ -63,49 +63,28 @@ def is_time(descriptor):
     return [name for name, _ in members(descriptor)] == ["sec", "nsec"]
 
 
-class _Builder:
+class _Builder(Visitor):
+    """Values that data ports have."""
+
     def __init__(self, json, now, find):
         self.json = json
         self.now = now
         self.find = find
 
-    def build(self, descriptor, written, where, depth):
-        if kind(descriptor) in (ALIAS, INDIRECT):
-            descriptor = target(descriptor)
+    def visit(self, descriptor, written, where, depth):
         if depth < 0:
             raise errors.BadValue(where, "is nested too deep")
-        sort = kind(descriptor)
-        if sort in RANGES:
-            return self._whole(descriptor, written, where)
-        if sort in (FLOAT, DOUBLE, LONGDOUBLE):
-            return self._real(descriptor, written, where)
-        if sort == BOOLEAN:
-            if isinstance(written, int) and written in (0, 1):
-                return bool(written)
-            return _unfit(descriptor, written, where)
-        if sort in (CHAR, WCHAR):
-            return self._character(descriptor, written, where)
-        if sort in (STRING, WSTRING):
-            return self._string(descriptor, written, where)
-        if sort == FIXED:
-            return self._fixed(descriptor, written, where)
-        if sort == ENUM:
-            return self._item(descriptor, written, where)
-        if sort in (SEQUENCE, ARRAY):
-            return self._elements(descriptor, written, where, depth)
-        if sort == STRUCT:
-            return self._struct(descriptor, written, where, depth)
-        if sort == UNION:
-            return self._union(descriptor, written, where, depth)
-        if sort == ANY and self.find is not None:
-            return self._any(descriptor, written, where, depth)
-        if sort == TYPECODE and self.find is not None:
-            return self._typecode(descriptor, written, where)
-        if sort == OBJECT and self.find is not None:
-            return self._reference(descriptor, written, where)
+        return self.method(descriptor)(descriptor, written, where, depth)
+
+    def other(self, descriptor, written, where, _):
         raise errors.BadValue(where, f"values of {words(descriptor)} cannot be made")
 
-    def _whole(self, descriptor, written, where):
+    def boolean(self, descriptor, written, where, _):
+        if isinstance(written, int) and written in (0, 1):
+            return bool(written)
+        return _unfit(descriptor, written, where)
+
+    def integer(self, descriptor, written, where, _):
         if kind(descriptor) == OCTET and isinstance(written, bytes) and len(written) == 1:
             return written[0]
         if isinstance(written, bool) or not isinstance(written, int):
@@ -117,7 +96,7 @@ class _Builder:
             )
         return written
 
-    def _real(self, descriptor, written, where):
+    def real(self, descriptor, written, where, _):
         if isinstance(written, Word):
             written = NUMBERS.get(written.name, written)
         elif isinstance(written, str) and self.json:
@@ -132,7 +111,9 @@ class _Builder:
             raise errors.BadValue(where, f"out of range for {_a(descriptor)}: {_shown(written)}")
         return number
 
-    def _fixed(self, descriptor, written, where):
+    longdouble = real
+
+    def fixed(self, descriptor, written, where, _):
         """A number, or a text for one with many digits."""
         if isinstance(written, bool) or not isinstance(written, (int, float, str)):
             _unfit(descriptor, written, where)
@@ -143,13 +124,15 @@ class _Builder:
         except ValueError as e:
             raise errors.BadValue(where, f"{e}: {_shown(written)}")
 
-    def _character(self, descriptor, written, where):
+    def char(self, descriptor, written, where, _):
         highest = "\xff" if kind(descriptor) == CHAR else "\uffff"
         if not isinstance(written, str) or len(written) != 1 or written > highest:
             _unfit(descriptor, written, where)
         return written
 
-    def _string(self, descriptor, written, where):
+    wchar = char
+
+    def string(self, descriptor, written, where, _):
         wide = kind(descriptor) == WSTRING
         if not isinstance(written, str):
             _unfit(descriptor, written, where)
@@ -166,7 +149,9 @@ class _Builder:
             raise errors.BadValue(where, f"longer than {most} bytes of UTF-8")
         return written
 
-    def _item(self, descriptor, written, where):
+    wstring = string
+
+    def enum(self, descriptor, written, where, _):
         known = items(descriptor)
         name = getattr(written, "_n", None)
         if not name and isinstance(written, Word):
@@ -185,7 +170,7 @@ class _Builder:
         shown = f"{_shown(written)} (they are {listed})"
         raise errors.BadValue(where, f"no {words(descriptor)}: {shown}")
 
-    def _elements(self, descriptor, written, where, depth):
+    def sequence(self, descriptor, written, where, depth):
         sort = kind(target(element(descriptor)))
         if sort == OCTET and isinstance(written, (str, bytes)):
             written = self._octets(written, where)
@@ -204,7 +189,7 @@ class _Builder:
         if isinstance(written, (str, bytes)):
             return written
         values = [
-            self.build(element(descriptor), part, f"{where}[{i}]", depth - 1)
+            self.visit(element(descriptor), part, f"{where}[{i}]", depth - 1)
             for i, part in enumerate(written)
         ]
         if sort == OCTET:
@@ -212,6 +197,8 @@ class _Builder:
         if sort == CHAR:
             return "".join(values)
         return values
+
+    array = sequence
 
     def _octets(self, written, where):
         if isinstance(written, bytes):
@@ -227,7 +214,7 @@ class _Builder:
                 where, f"octets are written as a list of numbers or in base64: {_shown(written)}"
             )
 
-    def _struct(self, descriptor, written, where, depth):
+    def struct(self, descriptor, written, where, depth):
         if is_time(descriptor) and written == Word("{time}"):
             return factory(descriptor)(*self.now)
         given = self._given(descriptor, written, where)
@@ -244,7 +231,7 @@ class _Builder:
             if name not in given:
                 raise errors.BadValue(where, f"{name} is missing")
             member = f"{where}: {name}" if " " not in where else f"{where}.{name}"
-            values.append(self.build(inner, given[name], member, depth - 1))
+            values.append(self.visit(inner, given[name], member, depth - 1))
         return factory(descriptor)(*values)
 
     def _given(self, descriptor, written, where):
@@ -281,7 +268,7 @@ class _Builder:
             given[_member(names, name)] = value
         return given
 
-    def _union(self, descriptor, written, where, depth):
+    def union(self, descriptor, written, where, depth):
         make = factory(descriptor)
         known = cases(descriptor)
         if isinstance(written, Call):
@@ -296,7 +283,7 @@ class _Builder:
         if len(given) > 1 or unknown or not written:
             raise errors.BadValue(where, f"a {words(descriptor)} is one of {', '.join(names)}")
         if "_d" in written:
-            label = self.build(discriminator(descriptor), written["_d"], where + " discriminator", depth - 1)
+            label = self.visit(discriminator(descriptor), written["_d"], where + " discriminator", depth - 1)
         else:
             label = next((case.label for case in known if case.member == given[0]), None)
         case = cases_by_label(descriptor).get(label, default_case(descriptor))
@@ -304,10 +291,14 @@ class _Builder:
             return make(label, None)
         if not given or given[0] not in (case.member, "_v"):
             raise errors.BadValue(where, f"with discriminator {label} it holds {case.member}")
-        content = self.build(case.type, written[given[0]], f"{where}.{case.member}", depth - 1)
+        content = self.visit(case.type, written[given[0]], f"{where}.{case.member}", depth - 1)
         return make(label, content)
 
-    def _any(self, descriptor, written, where, depth):
+
+class _CallBuilder(_Builder):
+    """Those, and what only calls have."""
+
+    def any(self, descriptor, written, where, depth):
         from rtshell_lite.data import type_names
         from rtshell_lite.giop.marshal import Any
 
@@ -320,9 +311,9 @@ class _Builder:
         inner = type_names.descriptor(written["_type"], self.find)
         if inner in (0, 1):
             return Any(inner, None)
-        return Any(inner, self.build(inner, written["_value"], where, depth - 1))
+        return Any(inner, self.visit(inner, written["_value"], where, depth - 1))
 
-    def _typecode(self, descriptor, written, where):
+    def typecode(self, descriptor, written, where, _):
         from rtshell_lite.data import type_names
         from rtshell_lite.giop.marshal import TypeCode
 
@@ -334,7 +325,7 @@ class _Builder:
             _unfit(descriptor, written, where, ": the name of a type is wanted")
         return TypeCode(type_names.descriptor(written, self.find))
 
-    def _reference(self, descriptor, written, where):
+    def reference(self, descriptor, written, where, _):
         from rtshell_lite.giop import ior, references
 
         if isinstance(written, references.Reference) or written is None:

@@ -5,6 +5,7 @@ union its first member with a label, and so a template of an operation's argumen
 from rtshell_lite import errors
 from rtshell_lite.data import values
 from rtshell_lite.giop import descriptors, marshal, rare
+from rtshell_lite.giop.descriptors import Visitor
 
 MOST = 100000  # parts of a value: arrays of arrays are soon too large for anybody
 
@@ -18,74 +19,78 @@ def template(parameters):
 
 def value(descriptor):
     """The value of a type to begin with. Raises BadType for a type that has none, or a very large one."""
-    return _Default(descriptor).of(descriptor)
+    return _Default(descriptor).visit(descriptor)
 
 
-class _Default:
+class _Default(Visitor):
     def __init__(self, whole):
         self.whole = whole
         self.left = MOST
 
-    def of(self, descriptor):
+    def visit(self, descriptor):
         self.left -= 1
         if self.left < 0:
             raise errors.BadType(descriptors.name(self.whole), "too large to be written down")
-        descriptor = descriptors.target(descriptor)
-        sort = descriptors.kind(descriptor)
-        if sort in descriptors.RANGES:
-            return 0
-        if sort in _PLAIN:
-            return _PLAIN[sort]
-        if sort == descriptors.FIXED:
-            return rare.fixed("0", *descriptor[1:])
-        if sort == descriptors.ENUM:
-            return descriptors.items(descriptor)[0]
-        if sort == descriptors.SEQUENCE:
-            return self.elements(descriptors.element(descriptor), 0)
-        if sort == descriptors.ARRAY:
-            return self.elements(descriptors.element(descriptor), descriptors.length(descriptor))
-        if sort == descriptors.STRUCT:
-            return descriptors.factory(descriptor)(
-                *[self.of(inner) for _, inner in descriptors.members(descriptor)]
-            )
-        if sort == descriptors.UNION:
-            return self.union(descriptor)
-        if sort == descriptors.ANY:
-            return marshal.Any((descriptors.STRING, 0), "")
-        if sort == descriptors.TYPECODE:
-            return marshal.TypeCode((descriptors.STRING, 0))
+        return super().visit(descriptors.target(descriptor))
+
+    def other(self, descriptor):
+        form = descriptors.FORMS.get(descriptors.kind(descriptor))
+        if form in _PLAIN:
+            return _PLAIN[form]
         raise errors.BadType(
             descriptors.name(self.whole), f"no value of {descriptors.words(descriptor)} can be written down"
         )
 
-    def elements(self, inner, count):
+    def fixed(self, descriptor):
+        return rare.fixed("0", *descriptor[1:])
+
+    def enum(self, descriptor):
+        return descriptors.items(descriptor)[0]
+
+    def sequence(self, descriptor):
+        return self._elements(descriptors.element(descriptor), 0)
+
+    def array(self, descriptor):
+        return self._elements(descriptors.element(descriptor), descriptors.length(descriptor))
+
+    def _elements(self, inner, count):
         sort = descriptors.kind(descriptors.target(inner))
         self.left -= count
         if self.left < 0:
             count = 0
-            self.of(inner)
+            self.visit(inner)
         if sort == descriptors.OCTET:
             return bytes(count)
         if sort == descriptors.CHAR:
             return " " * count
-        return [self.of(inner) for _ in range(count)]
+        return [self.visit(inner) for _ in range(count)]
+
+    def struct(self, descriptor):
+        parts = [self.visit(inner) for _, inner in descriptors.members(descriptor)]
+        return descriptors.factory(descriptor)(*parts)
 
     def union(self, descriptor):
         case = next(
             iter(descriptors.cases_by_label(descriptor).values()), descriptors.default_case(descriptor)
         )
-        return descriptors.factory(descriptor)(case.label, self.of(case.type))
+        return descriptors.factory(descriptor)(case.label, self.visit(case.type))
+
+    def any(self, descriptor):
+        return marshal.Any(marshal.TEXT, "")
+
+    def typecode(self, descriptor):
+        return marshal.TypeCode(marshal.TEXT)
 
 
 # a blank, because a NUL cannot be seen
 _PLAIN = {
-    descriptors.FLOAT: 0.0,
-    descriptors.DOUBLE: 0.0,
-    descriptors.LONGDOUBLE: 0.0,
-    descriptors.BOOLEAN: False,
-    descriptors.CHAR: " ",
-    descriptors.WCHAR: " ",
-    descriptors.STRING: "",
-    descriptors.WSTRING: "",
-    descriptors.OBJECT: None,
+    "integer": 0,
+    "real": 0.0,
+    "longdouble": 0.0,
+    "boolean": False,
+    "char": " ",
+    "wchar": " ",
+    "string": "",
+    "wstring": "",
+    "reference": None,
 }

@@ -12,59 +12,67 @@ item's number
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import (
-    ALIAS, ARRAY, ENUM, FIXED, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, VALUE, WSTRING, kind
+    ALIAS, ARRAY, ENUM, FIXED, FORMS, INDIRECT, OBJECT, SEQUENCE, STRING, STRUCT, UNION, WSTRING, Visitor,
+    kind,
 )
 
 LARGEST = 1 << 20  # bytes of the JSON
 _KINDS = {words: kind for kind, words in descriptors.NAMES.items()}
 
 
-def plain(descriptor, seen=None):
+def plain(descriptor):
     """A descriptor as lists, texts and numbers."""
-    if seen is None:
-        seen = set()
-    sort = kind(descriptor)
-    if not isinstance(descriptor, tuple):
+    return _Plain().visit(descriptor)
+
+
+class _Plain(Visitor):
+    def __init__(self):
+        self.seen = set()  # ids of the structs, unions and enums that have been described
+
+    def visit(self, descriptor):
+        identifier = descriptors.type_id(descriptor)
+        if kind(descriptor) in (STRUCT, UNION, ENUM, INDIRECT) and identifier in self.seen:
+            return ["see", identifier]
+        if kind(descriptor) in (STRUCT, UNION, ENUM):
+            self.seen.add(identifier)
+        return super().visit(descriptor)
+
+    def other(self, descriptor):
         return descriptors.NAMES[descriptor]
-    if sort == STRING:
-        return ["string", descriptors.bound(descriptor)]
-    if sort == WSTRING:
-        return ["wstring", descriptors.bound(descriptor)]
-    if sort in (SEQUENCE, ARRAY):
-        elements = plain(descriptors.element(descriptor), seen)
-        if sort == SEQUENCE:
-            return ["sequence", elements, descriptors.length(descriptor)]
-        return ["array", elements, descriptors.length(descriptor)]
-    if sort == ALIAS:
-        return ["alias", descriptor[1], descriptor[2], plain(descriptors.aliased(descriptor), seen)]
-    if sort == FIXED:
-        return ["fixed", descriptor[1], descriptor[2]]
-    if sort in (OBJECT, VALUE):
-        return ["object", descriptor[1], descriptor[2]]
-    identifier = descriptors.type_id(descriptor)
-    if identifier in seen:
-        return ["see", identifier]
-    if sort == INDIRECT:
-        return plain(descriptors.around(descriptor), seen)
-    seen.add(identifier)
-    if sort == ENUM:
-        return ["enum", identifier, descriptor[2], [item._n for item in descriptors.items(descriptor)]]
-    if sort == STRUCT:
-        return [
-            "struct", identifier, descriptor[3],
-            [[name, plain(inner, seen)] for name, inner in descriptors.members(descriptor)],
-        ]
-    return [
-        "union",
-        identifier,
-        descriptor[3],
-        plain(descriptors.discriminator(descriptor), seen),
-        descriptors.default_index(descriptor),
-        [
-            [getattr(case.label, "_v", case.label), case.member, plain(case.type, seen)]
+
+    def string(self, descriptor):
+        return [FORMS[kind(descriptor)], *descriptor[1:]]
+
+    wstring = fixed = string
+
+    def reference(self, descriptor):
+        return ["object", *descriptor[1:]]
+
+    value = reference
+
+    def sequence(self, descriptor):
+        elements = self.visit(descriptors.element(descriptor))
+        return [FORMS[kind(descriptor)], elements, descriptors.length(descriptor)]
+
+    array = sequence
+
+    def alias(self, descriptor):
+        return ["alias", *descriptor[1:3], self.visit(descriptors.aliased(descriptor))]
+
+    def enum(self, descriptor):
+        return ["enum", *descriptor[1:3], [item._n for item in descriptors.items(descriptor)]]
+
+    def struct(self, descriptor):
+        members = [[name, self.visit(inner)] for name, inner in descriptors.members(descriptor)]
+        return ["struct", *descriptor[2:4], members]
+
+    def union(self, descriptor):
+        switch = self.visit(descriptors.discriminator(descriptor))
+        cases = [
+            [getattr(case.label, "_v", case.label), case.member, self.visit(case.type)]
             for case in descriptors.cases(descriptor)
-        ],
-    ]
+        ]
+        return ["union", *descriptor[2:4], switch, descriptors.default_index(descriptor), cases]
 
 
 def descriptor(data):

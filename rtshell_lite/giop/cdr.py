@@ -8,9 +8,8 @@ bytes take memory in proportion to their number. Strings are UTF-8; invalid byte
 import struct
 
 from rtshell_lite.giop.descriptors import (
-    ARRAY, BOOLEAN, CHAR, DOUBLE, FLOAT, LONG, LONGLONG, OCTET, SEQUENCE, SHORT, STRING, STRUCT, ULONG,
-    ULONGLONG, UNION, USHORT, WCHAR, WSTRING, bound, cases_by_label, default_case, discriminator, element,
-    factory, kind, length, members, target,
+    BOOLEAN, CHAR, DOUBLE, FLOAT, FORMS, LONG, LONGLONG, OCTET, SHORT, ULONG, ULONGLONG, USHORT, bound,
+    cases_by_label, default_case, discriminator, element, factory, kind, length, members, target,
 )
 from rtshell_lite.giop.fixed_size import CODES, SIZES, Fault, Forms, fixed, least
 
@@ -28,24 +27,13 @@ def codec(descriptor, little):
     return maker.reader(descriptor), maker.writer(descriptor)
 
 
-FORMS = {
-    STRUCT: "struct",
-    UNION: "union",
-    SEQUENCE: "sequence",
-    ARRAY: "array",
-    STRING: "string",
-    WSTRING: "wstring",
-    WCHAR: "wchar",
-}
-
-
 # ---- readers and writers ----
 
 
 class Maker:
-    """Makes readers and writers of one byte order; a recursive type finds its own by its identity."""
-
-    forms = FORMS
+    """Makes readers and writers of one byte order, by a method for each form (descriptors.FORMS) whose size
+    varies; a recursive type finds its own by its identity.
+    """
 
     def __init__(self, order):
         self.order = order
@@ -75,13 +63,13 @@ class Maker:
     def _new(self, descriptor, verb):
         form = fixed(descriptor)
         if form:
-            return getattr(self, verb + "_fixed")(form)
-        form = self.forms.get(kind(descriptor))
-        if form is None:
+            return getattr(self, verb + "_sized")(form)
+        make = getattr(self, f"{verb}_{FORMS.get(kind(descriptor))}", None)
+        if make is None:
             raise Fault(f"a value of kind {kind(descriptor)}")
-        return getattr(self, f"{verb}_{form}")(descriptor)
+        return make(descriptor)
 
-    def read_fixed(self, form):
+    def read_sized(self, form):
         forms = Forms(self.order, form.codes)
         make = form.make
 
@@ -92,7 +80,7 @@ class Maker:
 
         return read
 
-    def write_fixed(self, form):
+    def write_sized(self, form):
         forms = Forms(self.order, form.codes)
         flatten = form.flatten
 

@@ -65,6 +65,34 @@ RANGES = {
 BUILT = (STRUCT, UNION, ENUM, STRING, WSTRING, SEQUENCE, ARRAY, ALIAS, INDIRECT)
 # what a union may be switched by
 LABELS = (SHORT, USHORT, LONG, ULONG, LONGLONG, ULONGLONG, BOOLEAN, CHAR, ENUM)
+# What the methods for each kind are called: those of a Visitor, and of cdr.Maker behind read_ and write_.
+FORMS = {
+    **dict.fromkeys(RANGES, "integer"),
+    FLOAT: "real",
+    DOUBLE: "real",
+    LONGDOUBLE: "longdouble",
+    BOOLEAN: "boolean",
+    CHAR: "char",
+    WCHAR: "wchar",
+    STRING: "string",
+    WSTRING: "wstring",
+    FIXED: "fixed",
+    ENUM: "enum",
+    SEQUENCE: "sequence",
+    ARRAY: "array",
+    STRUCT: "struct",
+    EXCEPTION: "exception",
+    UNION: "union",
+    ALIAS: "alias",
+    INDIRECT: "indirect",
+    OBJECT: "reference",
+    ANY: "any",
+    TYPECODE: "typecode",
+    PRINCIPAL: "principal",
+    VALUE: "value",
+}
+# where the id of a type is; its name comes after it
+_ID = {STRUCT: 2, UNION: 2, EXCEPTION: 2, ALIAS: 1, ENUM: 1, OBJECT: 1, VALUE: 1}
 
 DEEPEST = 64  # types inside types
 LARGEST = 20000  # types within a type
@@ -274,10 +302,8 @@ def type_id(descriptor):
     """The repository id of a named type, '' for others."""
     if kind(descriptor) == INDIRECT:
         descriptor = around(descriptor)
-    if kind(descriptor) in (STRUCT, UNION, EXCEPTION):
-        return descriptor[2]
-    if kind(descriptor) in (ALIAS, ENUM, OBJECT, VALUE):
-        return descriptor[1]
+    if kind(descriptor) in _ID:
+        return descriptor[_ID[kind(descriptor)]]
     return ""
 
 
@@ -313,12 +339,10 @@ def words(descriptor):
         )
     if sort == ARRAY:
         return _array_words(descriptor)
-    if sort in (STRUCT, UNION, EXCEPTION):
-        return descriptor[3]
+    if sort in _ID:
+        return descriptor[_ID[sort] + 1]
     if sort == INDIRECT:
         return words(around(descriptor))
-    if sort in (ALIAS, ENUM, OBJECT, VALUE):
-        return descriptor[2]
     if sort == FIXED:
         return "fixed"
     return "type %d" % sort
@@ -357,6 +381,29 @@ def _within(descriptor, where):
             (f"{where}.{case.member}", case.type) for case in cases(descriptor)
         ]
     return []
+
+
+class Visitor:
+    """Does something for each kind of types: a class has a method for each form that it knows, by its name
+    in FORMS, and `other` for the rest. Aliases and indirections are followed.
+    """
+
+    def visit(self, descriptor, *args):
+        """What the method for this descriptor, called with it and with `args`, returns."""
+        return self.method(descriptor)(descriptor, *args)
+
+    def method(self, descriptor):
+        """What visits this descriptor."""
+        sort = descriptor[0] if isinstance(descriptor, tuple) else descriptor
+        return getattr(self, FORMS.get(sort, "other"), None) or self.other
+
+    def other(self, descriptor, *args):
+        raise NotImplementedError
+
+    def alias(self, descriptor, *args):
+        return self.visit(target(descriptor), *args)
+
+    indirect = alias
 
 
 # ---- taking what others made ----

@@ -6,9 +6,7 @@ import struct
 from _thread import RLock
 
 from rtshell_lite.giop import cdr, descriptors, ior
-from rtshell_lite.giop.descriptors import (
-    ANY, CHAR, EXCEPTION, FIXED, LONGDOUBLE, OBJECT, OCTET, PRINCIPAL, STRING, TYPECODE
-)
+from rtshell_lite.giop.descriptors import ANY, CHAR, OCTET, STRING
 from rtshell_lite.giop.fixed_size import Fault
 from rtshell_lite.giop import allowance
 from rtshell_lite.giop.references import Reference
@@ -53,18 +51,8 @@ class Maker(cdr.Maker):
     around, each in an any.
     """
 
-    forms = dict(cdr.FORMS)
-    forms.update(
-        {
-            OBJECT: "reference",
-            ANY: "any",
-            TYPECODE: "typecode",
-            EXCEPTION: "struct",
-            FIXED: "rare",
-            LONGDOUBLE: "rare",
-            PRINCIPAL: "rare",
-        }
-    )
+    read_exception = cdr.Maker.read_struct
+    write_exception = cdr.Maker.write_struct
 
     def __init__(self, order, depth=0):
         super().__init__(order)
@@ -342,15 +330,18 @@ class Maker(cdr.Maker):
 
         return write
 
-    def read_rare(self, descriptor):
+    def read_fixed(self, descriptor):
         from rtshell_lite.giop import rare
 
         return rare.reader(descriptor, self.order)
 
-    def write_rare(self, descriptor):
+    def write_fixed(self, descriptor):
         from rtshell_lite.giop import rare
 
         return rare.writer(descriptor, self.order)
+
+    read_longdouble = read_principal = read_fixed
+    write_longdouble = write_principal = write_fixed
 
 
 class ValueMaker(Maker):

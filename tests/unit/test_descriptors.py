@@ -1,9 +1,11 @@
 """Descriptors from peers and users' stubs, which may be broken or hostile."""
 import unittest
+from unittest import mock
 
 from rtshell_lite import errors
-from rtshell_lite.giop import descriptors
-from rtshell_lite.giop.descriptors import CHAR, ENUM, INDIRECT, SEQUENCE, STRUCT
+from rtshell_lite.corba import schemas
+from rtshell_lite.giop import cdr, descriptors, marshal
+from rtshell_lite.giop.descriptors import ALIAS, CHAR, ENUM, INDIRECT, SEQUENCE, STRUCT
 from rtshell_lite.data import type_json
 
 LONG = next(kind for kind, words in descriptors.NAMES.items() if words == "long")
@@ -66,6 +68,51 @@ class FromFiles(unittest.TestCase):
         with self.assertRaisesRegex(errors.BadType, "a type in a file: is used, but nowhere defined"):
             type_json.descriptor(b'["struct", "A", "a", [["x", ["sequence", ["see", "B"], 0]],'
                                  b' ["y", ["struct", "B", "b", [["k", "long"]]]]]]')
+
+
+class Forms(unittest.TestCase):
+    def test_each_kind_has_one(self):
+        kinds = set(range(2, 30)) | {descriptors.INDIRECT}
+        self.assertEqual(set(descriptors.FORMS), kinds)
+
+    def test_a_kind_that_is_new_is_a_row(self):
+        class Words(descriptors.Visitor):
+            def other(self, descriptor, *around):
+                return ("?",) + around
+
+            def complex(self, descriptor, *around):
+                return ("complex",) + around
+
+            def sequence(self, descriptor, *around):
+                return self.visit(descriptors.element(descriptor), "sequence", *around)
+
+        new = 99
+        alias = (ALIAS, "IDL:X:1.0", "X", (new, 64))
+        there = [None]
+        there[0] = (SEQUENCE, (INDIRECT, [alias]), 0)
+        with mock.patch.dict(descriptors.FORMS, {new: "complex"}):
+            self.assertEqual(Words().visit((INDIRECT, there), "end"), ("complex", "sequence", "end"))
+        self.assertEqual(Words().visit(alias), ("?",))
+
+    def test_what_has_no_values_is_not_read(self):
+        for kind in (1, 99, descriptors.VALUE, INDIRECT + 100):
+            for maker in (cdr.Maker, marshal.Maker, marshal.ValueMaker):
+                with self.subTest(kind=kind, maker=maker), self.assertRaisesRegex(
+                    ValueError, "a value of kind %d" % kind
+                ):
+                    maker("<").reader((kind, "IDL:X:1.0", "X"))
+        for kind in (descriptors.ANY, descriptors.TYPECODE, descriptors.PRINCIPAL, descriptors.LONGDOUBLE):
+            with self.assertRaises(ValueError):
+                cdr.Maker("<").reader(kind)
+            marshal.Maker("<").reader(kind)
+
+
+class OfOmniorb(unittest.TestCase):
+    def test_values_of_an_alias_are_converted(self):
+        value = mock.Mock(**{"typecode.return_value": mock.Mock(_d=LONG), "value.return_value": 42})
+        listed = (SEQUENCE, (ALIAS, "IDL:Value:1.0", "Value", descriptors.ANY), 0)
+        (found,) = schemas._Received(None).visit(listed, [value])
+        self.assertEqual((found.descriptor, found.content), (LONG, 42))
 
 
 class Labels(unittest.TestCase):
