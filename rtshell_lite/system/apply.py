@@ -12,20 +12,13 @@ from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
 from rtshell_lite.system import placements, steps
-
-DONE = "done"
-ALREADY = "already done"
-FAILED = "failed"
-UNTRIED = "not tried"
-UNSURE = "uncertain"  # a call was lost, and the look after it, too
-UNDONE = "undone"
-STUCK = "not undone"
+from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, NOT_TRIED, NOT_UNDONE, UNCERTAIN, UNDONE
 
 
 class Outcome:
-    """What has become of a step: its `status`, one of the above, and the errors.Error that says why."""
+    """What has become of a step: its `status`, one of outcomes.DONE …, and the errors.Error that says why."""
 
-    def __init__(self, step, status=UNTRIED, error=None):
+    def __init__(self, step, status=NOT_TRIED, error=None):
         self.step = step
         self.status = status
         self.error = error
@@ -37,12 +30,12 @@ class Outcome:
     @property
     def pending(self):
         """True for a step that is still to be done."""
-        return self.status == UNTRIED and self.error is None
+        return self.status == NOT_TRIED and self.error is None
 
     @property
     def failed(self):
         """True for a step that was not done or undone as it should, or of which that is not known."""
-        return self.status in (FAILED, UNSURE, STUCK)
+        return self.status in (FAILED, UNCERTAIN, NOT_UNDONE)
 
     def fail(self, error, status=FAILED):
         """Note why the step has failed."""
@@ -52,9 +45,6 @@ class Outcome:
     def as_dict(self):
         """For JSON."""
         step = self.step
-        result = self.status
-        if result == ALREADY:
-            result = "already"
         error = None
         if self.error is not None:
             error = str(self.error)
@@ -63,7 +53,7 @@ class Outcome:
             "path": step.where,
             "required": step.required,
             "command": step.command or None,
-            "result": result,
+            "result": self.status,
             "error": error,
         }
 
@@ -113,9 +103,9 @@ def _spoilt(outcomes):
 
 async def _roll_back(outcomes):
     """Undo what has been done, the last first."""
-    for outcome in reversed([outcome for outcome in outcomes if outcome.status in (DONE, UNSURE)]):
+    for outcome in reversed([outcome for outcome in outcomes if outcome.status in (DONE, UNCERTAIN)]):
         loop.current().allow_more()
-        outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was undone"), STUCK)
+        outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was undone"), NOT_UNDONE)
         if outcome.after is None:  # it was interrupted before it was looked at again
             outcome.after = (await _answers([outcome]))[0]
         failure = await _tried(outcome.step.undo(outcome.before, outcome.after))
@@ -128,7 +118,7 @@ async def _roll_back(outcomes):
             outcome.status = UNDONE
             outcome.error = None
         else:
-            outcome.fail(failure or errors.Refused(outcome.step.where, "is still there"), STUCK)
+            outcome.fail(failure or errors.Refused(outcome.step.where, "is still there"), NOT_UNDONE)
 
 
 def _levels(outcomes):
@@ -305,7 +295,7 @@ async def _act_on_all(outcomes, is_to_be_known):
 
 async def _act(outcome, over):
     """Do a step, and note what is known of it in case an interruption comes before it is judged."""
-    outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was done"), UNSURE)
+    outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was done"), UNCERTAIN)
     try:
         outcome.failure = await _tried(outcome.step.act(outcome.before))
         if outcome.failure is None:
@@ -348,9 +338,8 @@ async def _judge(outcome, failure):
         else:
             why = failure or e
         if (_lost(outcome.after) is e or outcome.step.tolerant) and not placements.is_gone(e):
-            outcome.fail(
-                errors.Unreachable(outcome.step.where, f"{e.why}; whether it was done is not known"), UNSURE
-            )
+            error = errors.Unreachable(outcome.step.where, f"{e.why}; whether it was done is not known")
+            outcome.fail(error, UNCERTAIN)
             return
     outcome.fail(why)
     await _tried(outcome.step.tidy(outcome.after))

@@ -18,6 +18,7 @@ from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
 from rtshell_lite.system import placements, steps
 from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptComponent
+from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, GONE
 
 TICK = 0.1  # seconds between looks whether all is done
 WAIT = 1.0  # seconds until a look that failed is taken again
@@ -91,7 +92,7 @@ class Keeper(presence.Presence):
         await session.each(unseen, self._look)
         here = [kept for kept in meant if kept.is_usable and kept.is_started]
         for result in await self._carry_out(
-            planned.actions, transitions.DEACTIVATE, here, lambda kept: plan.GONE
+            planned.actions, transitions.DEACTIVATE, here, lambda kept: GONE
         ):
             kept = self._kept_of[id(result.action.component)]
             if result.error is None:
@@ -270,10 +271,10 @@ class Keeper(presence.Presence):
         kept = self._kept_of[id(step.placements[0])]
         if kept.placement.found is None:  # another object has come meanwhile
             return
-        if outcome.status in (apply.DONE, apply.ALREADY):
+        if outcome.status in (DONE, ALREADY):
             kept.settled[_key(step)] = step.setting
             kept.said.pop(_key(step), None)
-        if outcome.status == apply.DONE:
+        if outcome.status == DONE:
             kept.hands.pop(_key(step), None)
             self.happened(kept, "", "restored " + _title(step), begun)
             for other in [self._kept_of[id(placement)] for placement in step.placements]:
@@ -306,7 +307,7 @@ class Keeper(presence.Presence):
             return False
         key = _key(step)
         kept = self._kept_of[id(step.placements[0])]
-        if outcome.status == apply.ALREADY and kept.hands.pop(key, None):
+        if outcome.status == ALREADY and kept.hands.pop(key, None):
             self.happened(kept, f"{_title(step)} is again as in the file")
         if not outcome.pending:
             return False
@@ -352,7 +353,7 @@ class Keeper(presence.Presence):
                 kept.is_busy = False
             self.bell.ring()  # some may have been seen meanwhile
         for kept, outcome in zip(due, outcomes):
-            if outcome.status == apply.DONE:
+            if outcome.status == DONE:
                 self.happened(kept, "was not there", "created", begun)
             elif outcome.error is not None:
                 kept.repairs.fail(outcome.error.why)
@@ -437,8 +438,8 @@ class Keeper(presence.Presence):
 
         def reached(other):
             if other.state == "Active" or other.is_usable and not other.is_started:
-                return plan.ALREADY
-            return plan.FAILED
+                return ALREADY
+            return FAILED
 
         begun = loop.now()
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)

@@ -11,6 +11,7 @@ import collections
 
 from rtshell_lite import errors
 from rtshell_lite.system import capture
+from rtshell_lite.system.outcomes import NOT_TRIED, REACHED
 from rtshell_lite.text import printable
 
 # One component to be taken through a transition in one of its contexts. `context` is the context's id in the
@@ -27,15 +28,6 @@ After = collections.namedtuple("After", "number sync timeout text")
 
 # `actions` in the order of their numbers, from 1; `notes` are lines on what is odd in the file, and harmless.
 Plan = collections.namedtuple("Plan", "actions notes")
-
-# What became of an action. A component that is gone counts as stopped: nothing has to wait for it.
-DONE = "done"
-ALREADY = "already"
-GONE = "gone"
-FAILED = "failed"
-UNCERTAIN = "uncertain"
-NOT_TRIED = "not tried"
-REACHED = (DONE, ALREADY, GONE)
 
 
 # ---- from a profile to a plan ----
@@ -332,7 +324,7 @@ class Schedule:
     """Decides when each action may begin. The caller reports what happens and the time (seconds, of any
     clock).
 
-    ended    {number: one of DONE … NOT_TRIED}
+    ended    {number: status, one of outcomes.DONE …}
     """
 
     def __init__(self, actions, target):
@@ -351,11 +343,11 @@ class Schedule:
         """The component of an action has accepted the command."""
         self._accepted.add(number)
 
-    def end(self, number, outcome):
+    def end(self, number, status):
         """An action has ended."""
         action = self.actions[number]
-        self.ended[number] = outcome
-        if outcome not in REACHED and action.required and action.order is not None and not _waits(action):
+        self.ended[number] = status
+        if status not in REACHED and action.required and action.order is not None and not _waits(action):
             self._failed.append(action)
 
     def is_over(self):
@@ -409,11 +401,11 @@ class Schedule:
         return None
 
     def _holds(self, after):
-        outcome = self.ended.get(after.number)
+        status = self.ended.get(after.number)
         if after.sync:
-            return outcome in REACHED
+            return status in REACHED
         # an action that failed has taken place, too
-        return after.number in self._accepted or outcome is not None
+        return after.number in self._accepted or status is not None
 
     def _obstacle(self, action):
         """Why an action cannot go: the failure of one that it depends on."""
@@ -422,9 +414,9 @@ class Schedule:
                 return self._reason("comes after", other)
         for after in action.after:
             other = self.actions[after.number]
-            outcome = self.ended.get(after.number)
-            stops = after.sync or other.required or outcome == NOT_TRIED
-            if outcome is not None and outcome not in REACHED and stops:
+            status = self.ended.get(after.number)
+            stops = after.sync or other.required or status == NOT_TRIED
+            if status is not None and status not in REACHED and stops:
                 return self._reason("waits for", other)
         return None
 

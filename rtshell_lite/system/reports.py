@@ -5,6 +5,7 @@ rtteardown) and on plans (rtstart, rtstop).
 import collections
 
 from rtshell_lite import notes, text
+from rtshell_lite.system.outcomes import ALREADY, DONE, REACHED
 
 
 async def of_steps(args, outcomes, carry_out):
@@ -23,7 +24,7 @@ async def of_steps(args, outcomes, carry_out):
 
 def _report(args, outcomes):
     tally = notes.Tally()
-    counts = collections.OrderedDict((status, 0) for status in ("done", "already done"))
+    counts = collections.OrderedDict((status, 0) for status in (DONE, ALREADY))
     for outcome in outcomes:
         counts[outcome.status] = counts.get(outcome.status, 0) + 1
         if args.json:
@@ -31,9 +32,9 @@ def _report(args, outcomes):
         elif args.dry_run and outcome.pending and not outcome.likely:
             print(outcome.step.command)
         if not outcome.failed:
-            is_good = outcome.status in ("done", "already done") or args.dry_run and outcome.pending
+            is_good = outcome.status in REACHED or args.dry_run and outcome.pending
             tally.done += is_good and not args.rollback
-            if outcome.status != "already done":
+            if outcome.status != ALREADY:
                 why = " because of " + outcome.error.where if outcome.error else ""
                 notes.detail(f"{outcome.step.title}: {outcome.status}{why}")
         elif outcome.step.required:
@@ -42,7 +43,8 @@ def _report(args, outcomes):
             notes.note(f"{outcome.error} (not required)")
     if any(counts.values()) and not args.dry_run:
         tell = notes.note if tally.statuses else notes.detail
-        parts = ["%d %s" % (number, status) for status, number in counts.items() if number]
+        words = {ALREADY: "already done"}
+        parts = ["%d %s" % (number, words.get(status, status)) for status, number in counts.items() if number]
         tell(", ".join(parts))
     return tally.status()
 
@@ -70,9 +72,7 @@ class Progress(notes.Tally):
         self._as_json(result)
         if error is None:
             self.add(action)
-            already = ""
-            if result.outcome == "already":
-                already = "already "
+            already = "already " if result.status == ALREADY else ""
             notes.detail(f"{action.path}: {already}{self.state}")
         elif action.component.is_required:
             self.add(error)
@@ -96,7 +96,7 @@ class Progress(notes.Tally):
             "path": action.path,
             "context": action.context,
             "required": action.component.is_required,
-            "result": result.outcome,
+            "result": result.status,
             "error": error,
         }
         print(text.json_line(values))

@@ -8,6 +8,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.robot import manager, ports, tree
 from rtshell_lite.system import apply, capture, connect_steps, plan, relocate, placements, steps
+from rtshell_lite.system.outcomes import ALREADY, NOT_TRIED
 from rtshell_lite.text import printable, shell_word
 
 # How a profile is to be restored. `create` whether missing components are to be created, `manager` the path
@@ -238,9 +239,9 @@ async def _configurations(placement):
             outcomes.append(await apply.assess(steps.Values(placement, one.id, part)))
     if placement.component.active_configuration_set:
         active = await apply.assess(steps.Active(placement, placement.component.active_configuration_set))
-        if active.status == apply.ALREADY and any(outcome.pending for outcome in outcomes):
+        if active.status == ALREADY and any(outcome.pending for outcome in outcomes):
             # setting values deactivates, until the set is activated again
-            active.status = apply.UNTRIED
+            active.status = NOT_TRIED
             active.likely = True
         outcomes.append(active)
     return outcomes
@@ -301,7 +302,7 @@ async def connections(connecting):
                 )
             )
         else:
-            outcome.status = apply.UNTRIED
+            outcome.status = NOT_TRIED
             outcome.error = None
             removal = await apply.assess(
                 connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids)
@@ -354,8 +355,8 @@ async def tearing_down(profile, options, is_forced=False):
     outcomes += [await apply.assess(step) for step in removals]
     if not some:
         for outcome in outcomes:
-            if outcome.status == apply.ALREADY:
-                outcome.status = apply.UNTRIED
+            if outcome.status == ALREADY:
+                outcome.status = NOT_TRIED
                 outcome.error = lost[0].error
     return outcomes, notes
 

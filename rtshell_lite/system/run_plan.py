@@ -8,14 +8,14 @@ from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports, transitions
-from rtshell_lite.system import capture, plan, placements, steps
+from rtshell_lite.system import capture, outcomes, plan, placements, steps
 from rtshell_lite.text import printable
 
 AT_ONCE = 4  # components of one process that are changed at a time: each is asked often until it has changed
 
-# What became of an action: `outcome` is one of plan.DONE …, `error` an errors.Error that says why, None where
-# all is well.
-Result = collections.namedtuple("Result", "action outcome error")
+# What became of an action: `status` is one of outcomes.DONE …, `error` an errors.Error that says why, None
+# where all is well.
+Result = collections.namedtuple("Result", "action status error")
 
 # The execution contexts of a component: their handles in the order in which -e counts, and how many of them
 # it owns.
@@ -91,10 +91,10 @@ class Run:
         for action in self.actions:
             found = self._found[id(action.component)]
             if isinstance(found, errors.Error):
-                self.progress.ended(Result(action, plan.FAILED, found))
+                self.progress.ended(Result(action, outcomes.FAILED, found))
             else:
                 error = errors.NotTried(action.path, "something that is required failed")
-                self.progress.skipped(Result(action, plan.NOT_TRIED, error))
+                self.progress.skipped(Result(action, outcomes.NOT_TRIED, error))
 
     async def _checked(self, wanted, answer):
         """(node, _Contexts) of a component of the profile.
@@ -115,10 +115,10 @@ class Run:
 
     def take(self, nodes, ended):
         """Have only the actions done whose components are in `nodes`, {id of a model.Component: Node};
-        `ended` is {number: outcome} of all others.
+        `ended` is {number: status} of all others.
         """
-        for number, outcome in ended.items():
-            self._schedule.end(number, outcome)
+        for number, status in ended.items():
+            self._schedule.end(number, status)
         self._found = {key: (node, None) for key, node in nodes.items()}
 
     async def _look(self, profile, function):
@@ -150,7 +150,7 @@ class Run:
                             self._start(action, group)
                         else:
                             self.progress.ended(
-                                Result(action, plan.NOT_TRIED, errors.NotTried(action.path, reason))
+                                Result(action, outcomes.NOT_TRIED, errors.NotTried(action.path, reason))
                             )
                     await self._wait(self._schedule.next_time(now))
         finally:
@@ -190,7 +190,7 @@ class Run:
         self.progress.starting(action, plan.plain_line(action, self.transition.name.capitalize()))
 
     def _end(self, result):
-        self._schedule.end(result.action.number, result.outcome)
+        self._schedule.end(result.action.number, result.status)
         self._changed.ring()
         self.progress.ended(result)
 
@@ -201,9 +201,9 @@ class Run:
                 continue
             if action.number in self._asked:
                 error = errors.Uncertain(action.path, "interrupted")
-                self._end(Result(action, plan.UNCERTAIN, error))
+                self._end(Result(action, outcomes.UNCERTAIN, error))
             else:
-                self._end(Result(action, plan.NOT_TRIED, errors.NotTried(action.path, "interrupted")))
+                self._end(Result(action, outcomes.NOT_TRIED, errors.NotTried(action.path, "interrupted")))
 
     # ---- one action ----
 
@@ -220,8 +220,8 @@ class Run:
             index = _context(node, contexts or await _contexts(node), action)
             has_changed = await transitions.change_as_planned(node, self.transition, index, self.wait, stage)
             if has_changed:
-                return Result(action, plan.DONE, None)
-            return Result(action, plan.ALREADY, None)
+                return Result(action, outcomes.DONE, None)
+            return Result(action, outcomes.ALREADY, None)
         except errors.Unreachable as e:
             if action.number in self._asked:
                 return await self._seen(action, node, e)
@@ -234,7 +234,7 @@ class Run:
         where = failure.where
         why = failure.why
         if session.current().silence(node.endpoint):
-            return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))
+            return Result(action, outcomes.UNCERTAIN, errors.Uncertain(where, why))
         try:
             now = await component.uncertain_if_refused(
                 transitions.state_as_planned(node, self.transition, self.wait)
@@ -242,17 +242,17 @@ class Run:
         except (errors.Gone, errors.ConnectionRefused, errors.Refused) as e:
             return self._failed(action, e)
         except errors.Error:
-            return Result(action, plan.UNCERTAIN, errors.Uncertain(where, why))
+            return Result(action, outcomes.UNCERTAIN, errors.Uncertain(where, why))
         if now == self.transition.target:
-            return Result(action, plan.DONE, None)
+            return Result(action, outcomes.DONE, None)
         if now not in why:
             failure = errors.Unreachable(where, f"{why}; it is {now} now")
         return self._failed(action, failure)
 
     def _failed(self, action, error):
         if self.transition is transitions.DEACTIVATE and placements.is_gone(error):
-            return Result(action, plan.GONE, error)
-        return Result(action, plan.FAILED, error)
+            return Result(action, outcomes.GONE, error)
+        return Result(action, outcomes.FAILED, error)
 
 
 # ---- asking ----

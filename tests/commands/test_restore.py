@@ -152,7 +152,7 @@ class Everything(Worlds):
         try:
             self.make(dice)
             saved = captured()
-            self.assertEqual(statuses(restored(saved)), {"already done"})
+            self.assertEqual(statuses(restored(saved)), {"already"})
             if not reboot or dice.random() < 0.5:
                 self.assertLessEqual(statuses(torn_down(saved)), {"done"})
                 self.assertEqual(
@@ -166,9 +166,9 @@ class Everything(Worlds):
             for form in (rtsprofile.XML, rtsprofile.YAML):  # through a file, as users do
                 saved = rtsprofile.load(rtsprofile.dump(saved, form), "", form)
             outcomes = restored(saved)
-            self.assertLessEqual(statuses(outcomes), {"already done", "done"}, described(outcomes))
+            self.assertLessEqual(statuses(outcomes), {"already", "done"}, described(outcomes))
             self.assertEqual(without_dates(captured()), without_dates(saved))
-            self.assertEqual(statuses(restored(saved)), {"already done"})
+            self.assertEqual(statuses(restored(saved)), {"already"})
         finally:
             for world in (here, there, third):
                 world.close()
@@ -248,13 +248,13 @@ class Faults(Worlds):
         then = {each.path_uri: each for each in self.saved.components}
         for each in outcomes:
             step = each.step
-            if each.status not in ("done", "already done", "failed", "not tried", "undone"):
+            if each.status not in ("done", "already", "failed", "not tried", "undone"):
                 self.assertEqual(each.status, "uncertain")
                 continue
             so = self.is_so(step, now, then)
             if so is not None:
                 was = step.kind != "connect" and self.is_so(step, self.wrecked, then)
-                self.assertEqual(so, was or each.status in ("done", "already done"), described([each]))
+                self.assertEqual(so, was or each.status in ("done", "already"), described([each]))
 
     def is_so(self, step, now, then):
         if step.kind == "connect":
@@ -297,7 +297,7 @@ class Faults(Worlds):
         outcomes = restored(self.saved, all_or_nothing)
         self.truth(outcomes)
         again = restored(self.saved)
-        self.assertLessEqual(statuses(again), {"done", "already done"}, described(again))
+        self.assertLessEqual(statuses(again), {"done", "already"}, described(again))
         self.assertEqual(without_dates(captured()), without_dates(self.saved))
         return outcomes
 
@@ -315,7 +315,7 @@ class Faults(Worlds):
                 self.wreck()
                 self.worlds[place].ctl("fail", operation, str(number), kind)
                 seen |= statuses(self.check())
-        self.assertLessEqual({"done", "already done", "failed", "not tried"}, seen)
+        self.assertLessEqual({"done", "already", "failed", "not tried"}, seen)
 
     def test_rolled_back_all_is_as_before(self):
         """Unless undoing fails, which is reported."""
@@ -329,7 +329,7 @@ class Faults(Worlds):
                     world.ctl("fail", operation, str(number), "UNKNOWN")
                     outcomes = restored(self.saved, all_or_nothing=True)
                     world.ctl("reset")
-                    if statuses(outcomes) <= {"done", "already done"}:
+                    if statuses(outcomes) <= {"done", "already"}:
                         self.assertEqual(
                             without_dates(captured()), without_dates(self.saved), described(outcomes)
                         )
@@ -356,13 +356,13 @@ class Faults(Worlds):
                 self.worlds[place].ctl("fail", operation, str(count), "DIE")
                 outcomes = restored(self.saved)
                 self.assertLessEqual(
-                    statuses(outcomes), {"done", "already done", "failed", "not tried"}, described(outcomes)
+                    statuses(outcomes), {"done", "already", "failed", "not tried"}, described(outcomes)
                 )
                 self.assertIn("failed", statuses(outcomes))
                 self.worlds[place].close()
                 self.worlds[place] = self.start(*(HERE, THERE)[place])
                 again = restored(self.saved)
-                self.assertLessEqual(statuses(again), {"done", "already done"}, described(again))
+                self.assertLessEqual(statuses(again), {"done", "already"}, described(again))
                 self.assertEqual(without_dates(captured()), without_dates(self.saved))
 
 

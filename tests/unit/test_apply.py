@@ -8,6 +8,7 @@ import unittest
 from rtshell_lite import errors
 from rtshell_lite.net import loop
 from rtshell_lite.system import apply, placements, steps
+from rtshell_lite.system.outcomes import DONE, FAILED, NOT_UNDONE, UNCERTAIN, UNDONE
 
 
 class Step(steps.Step):
@@ -105,25 +106,24 @@ class Reports(unittest.TestCase):
 
     def test_failed_undoing_is_reported(self):
         self.check([Switch("a", undoes=False), Switch("b", False, False), Switch("c")],
-                   [(apply.STUCK, "a: is still there"), (apply.FAILED, "b: reported success, but "
-                                                                       "nothing changed"),
-                    (apply.UNDONE, None)], True)
+                   [(NOT_UNDONE, "a: is still there"), (FAILED, "b: reported success, but nothing changed"),
+                    (UNDONE, None)], True)
 
     def test_an_interruption_while_it_was_undone(self):
         self.check([Switch("a"), Switch("b", False, True, KeyboardInterrupt), Switch("c", False, False)],
-                   [(apply.DONE, None), (apply.STUCK, "b: interrupted while it was undone"),
-                    (apply.FAILED, "c: reported success, but nothing changed")], True)
+                   [(DONE, None), (NOT_UNDONE, "b: interrupted while it was undone"),
+                    (FAILED, "c: reported success, but nothing changed")], True)
 
     def test_a_look_that_fails_twice_leaves_it_uncertain(self):
         lost = errors.Refused("a", "no answer to that")
         self.check(
             [Switch("a", False, lost, lost), Switch("b", False, lost)],
-            [(apply.UNSURE, "a: no answer to that; whether it was done is not known"), (apply.DONE, None)],
+            [(UNCERTAIN, "a: no answer to that; whether it was done is not known"), (DONE, None)],
         )
 
     def test_a_step_that_its_look_rules_out_has_failed(self):
         self.check([Switch("a", False, "is no switch"), Switch("b", "is no switch")],
-                   [(apply.FAILED, "a: is no switch"), (apply.FAILED, "b: is no switch")])
+                   [(FAILED, "a: is no switch"), (FAILED, "b: is no switch")])
 
 
 if __name__ == "__main__":

@@ -189,6 +189,13 @@ class Layers(unittest.TestCase):
         ]
         self.assertEqual(lists, ["rtshell_lite/robot/component.py"])
 
+    @unittest.skipIf(sys.version_info < (3, 8), "this Python knows no ast.Constant")
+    def test_what_becomes_of_changes_has_one_vocabulary(self):
+        """Steps and plans end in the same words, so that programs which read their JSON need one list."""
+        for word in ("already", "uncertain", "not tried", "undone", "not undone"):
+            homes = [path for path, tree in self.trees.items() if word in words(tree)]
+            self.assertEqual(homes, ["rtshell_lite/system/outcomes.py"], word)
+
     def test_a_package_is_a_docstring(self):
         wrong = [
             path

@@ -11,6 +11,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspa
 
 from rtshell_lite import errors  # noqa: E402
 from rtshell_lite.system import capture, plan  # noqa: E402
+from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, GONE, UNCERTAIN  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
 
@@ -239,8 +240,8 @@ class World:
                     continue
                 assert name not in self.started
                 self.started[name] = self.now
-                seconds, outcome = self.fate.get(name, (0.1, plan.DONE))
-                if outcome in (plan.DONE, plan.UNCERTAIN):
+                seconds, outcome = self.fate.get(name, (0.1, DONE))
+                if outcome in (DONE, UNCERTAIN):
                     heapq.heappush(happening, (self.now + seconds / 2, 0, action.number, None))
                 heapq.heappush(happening, (self.now + seconds, 1, action.number, outcome))
             if self.schedule.is_over():
@@ -272,7 +273,7 @@ class Playing(unittest.TestCase):
 
     def test_in_order(self):
         world = play(
-            "ABCD", order("A", 5), order("B", 2), order("C", 2), B=(1, plan.DONE), C=(2, plan.ALREADY)
+            "ABCD", order("A", 5), order("B", 2), order("C", 2), B=(1, DONE), C=(2, ALREADY)
         )
         self.assertEqual(world.started, {"D": 0, "B": 0.1, "C": 0.1, "A": 2.1})
 
@@ -284,7 +285,7 @@ class Playing(unittest.TestCase):
             after("C", "A"),
             after("D", "B", sync=True),
             after("E", "B"),
-            B=(1, plan.DONE),
+            B=(1, DONE),
         )
         self.assertEqual(world.started, {"A": 0, "C": 0.1, "B": 0.6, "E": 1.1, "D": 1.6})
 
@@ -302,19 +303,19 @@ class Playing(unittest.TestCase):
             after("C", "B", timeout=999),
             after("D", "C"),
             after("E", "B", timeout=1600),
-            B=(1, plan.DONE),
+            B=(1, DONE),
         )
         self.assertEqual(world.reasons, {"A": "Sync to B: not Active within 1500ms",
                                          "C": "After B's action: not accepted within 999ms",
                                          "D": "it waits for /h/C.rtc, which was not tried"})
         self.assertEqual(world.ended["D"], 0.999)
         world = play(
-            "ABC", wait("A", 1599), wait("C", 1), after("B", "C", sync=True, timeout=1600), C=(2, plan.DONE)
+            "ABC", wait("A", 1599), wait("C", 1), after("B", "C", sync=True, timeout=1600), C=(2, DONE)
         )
         self.assertEqual(world.ended["B"], 1.6)  # and not when A is due, shortly before
 
     def test_a_failure_stops_what_depends_on_it(self):
-        failed = (0.1, plan.FAILED)
+        failed = (0.1, FAILED)
         world = play(
             "ABCDEF",
             order("A", 1),
@@ -332,7 +333,7 @@ class Playing(unittest.TestCase):
         self.assertEqual(sorted(world.reasons), ["C", "D"])
 
     def test_a_failure_of_an_optional_one_stops_what_is_in_sync(self):
-        failed = (0.1, plan.FAILED)
+        failed = (0.1, FAILED)
         components = [component("A", False), "B", "C", "D"]
         conditions = order("A", 1), order("B", 2), after("C", "A", sequence=3), after("D", "A", sync=True)
         world = play(components, *conditions, A=failed)
@@ -340,9 +341,9 @@ class Playing(unittest.TestCase):
 
     def test_stopping_goes_on(self):
         conditions = order("A", 1), order("B", 2), after("C", "A", sequence=3), after("D", "A", sync=True)
-        world = play("ABCD", *conditions, start=False, A=(0.1, plan.FAILED))
+        world = play("ABCD", *conditions, start=False, A=(0.1, FAILED))
         self.assertEqual(world.reasons, {"D": "it waits for /h/A.rtc, which failed"})
-        self.assertEqual(play("ABCD", *conditions, start=False, A=(0.1, plan.GONE)).reasons, {})
+        self.assertEqual(play("ABCD", *conditions, start=False, A=(0.1, GONE)).reasons, {})
 
     def test_random_plans(self):
         for seed in range(600):
@@ -381,7 +382,7 @@ class Random:
                 conditions.append(after(name, sequence=self.order[name]))
         rng.shuffle(conditions)
         self.delayed = set(self.wait) | set(self.after)
-        outcomes = [plan.DONE] * 6 + [plan.ALREADY, plan.FAILED, plan.UNCERTAIN]
+        outcomes = [DONE] * 6 + [ALREADY, FAILED, UNCERTAIN]
         self.fate = {name: (rng.choice([0.0, 0.05, 0.3, 1.0]), rng.choice(outcomes)) for name in names}
         shuffled = rng.sample(names, len(names))
         self.world = play(

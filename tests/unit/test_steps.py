@@ -7,7 +7,8 @@ from unittest import mock
 from rtshell_lite import errors
 from rtshell_lite.net import loop
 from rtshell_lite.robot import configuration, ports
-from rtshell_lite.system import apply, compare, connect_steps, restore, steps
+from rtshell_lite.system import compare, connect_steps, restore, steps
+from rtshell_lite.system.outcomes import ALREADY, NOT_TRIED
 from rtshell_lite.xmlprofile import model
 
 
@@ -134,8 +135,8 @@ class Rates(unittest.TestCase):
         ]
 
     def test_its_own(self):
-        self.assertEqual(self.rates(("5", "PERIODIC", 1000.0)), [(5, 0, apply.ALREADY)])
-        self.assertEqual(self.rates(("5", "periodic_execution", 500.0)), [(5, 0, apply.UNTRIED)])
+        self.assertEqual(self.rates(("5", "PERIODIC", 1000.0)), [(5, 0, ALREADY)])
+        self.assertEqual(self.rates(("5", "periodic_execution", 500.0)), [(5, 0, NOT_TRIED)])
 
     def test_others(self):
         self.assertEqual(

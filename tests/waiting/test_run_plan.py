@@ -11,6 +11,7 @@ from rtshell_lite.corba import session  # noqa: E402
 from rtshell_lite.net import loop  # noqa: E402
 from rtshell_lite.robot import transitions, tree  # noqa: E402
 from rtshell_lite.system import capture, plan, run_plan  # noqa: E402
+from rtshell_lite.system.outcomes import ALREADY, DONE, UNCERTAIN  # noqa: E402
 from rtshell_lite.xmlprofile import model  # noqa: E402
 
 ONCE = "plans are the same for every Python"
@@ -38,7 +39,7 @@ class Reported:
         pass
 
     def ended(self, result):
-        self.outcomes[result.action.component.instance_name] = result.outcome
+        self.outcomes[result.action.component.instance_name] = result.status
 
 
 class Sweep(unittest.TestCase):
@@ -93,10 +94,10 @@ class Sweep(unittest.TestCase):
             return
         self.assertEqual(sorted(outcomes), NAMES)
         for name, outcome in outcomes.items():
-            if outcome != plan.UNCERTAIN:
+            if outcome != UNCERTAIN:
                 self.assertEqual(
                     states[name],
-                    reached if outcome in (plan.DONE, plan.ALREADY) else before,
+                    reached if outcome in (DONE, ALREADY) else before,
                     (name, outcomes),
                 )
 
@@ -111,16 +112,16 @@ class Sweep(unittest.TestCase):
                 outcomes = self.start()
                 self.compare(outcomes, "ACTIVE", "INACTIVE")
                 self.forget()
-                self.assertLessEqual(set(self.start().values()), {plan.DONE, plan.ALREADY})
+                self.assertLessEqual(set(self.start().values()), {DONE, ALREADY})
                 self.assertEqual(set(self.states().values()), {"ACTIVE"})
                 changing = operation.replace("activate", "deactivate")
                 self.ctl("fail", changing, str(nth), kind)
                 stopped = self.stop()
                 self.compare(stopped, "INACTIVE", "ACTIVE")
                 self.forget()
-                self.assertLessEqual(set(self.stop().values()), {plan.DONE, plan.ALREADY})
+                self.assertLessEqual(set(self.stop().values()), {DONE, ALREADY})
                 self.assertEqual(set(self.states().values()), {"INACTIVE"})
-                through = {plan.DONE, plan.ALREADY}
+                through = {DONE, ALREADY}
                 if outcomes is not None and set(outcomes.values()) | set(stopped.values()) <= through:
                     return
         self.fail("%s: it never came through" % operation)
