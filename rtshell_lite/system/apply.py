@@ -45,16 +45,13 @@ class Outcome:
     def as_dict(self):
         """For JSON."""
         step = self.step
-        error = None
-        if self.error is not None:
-            error = str(self.error)
         return {
             "step": step.kind,
             "path": step.where,
             "required": step.required,
             "command": step.command or None,
             "result": self.status,
-            "error": error,
+            "error": None if self.error is None else str(self.error),
         }
 
 

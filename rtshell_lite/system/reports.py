@@ -87,9 +87,6 @@ class Progress(notes.Tally):
         if not self.as_json:
             return
         action = result.action
-        error = None
-        if result.error:
-            error = str(result.error)
         values = {
             "action": self.verb.lower(),
             "number": action.number,
@@ -97,6 +94,6 @@ class Progress(notes.Tally):
             "context": action.context,
             "required": action.component.is_required,
             "result": result.status,
-            "error": error,
+            "error": None if result.error is None else str(result.error),
         }
         print(text.json_line(values))
