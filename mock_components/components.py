@@ -23,19 +23,16 @@ CONFIG_SAMPLE = {
     "default": {"double_param0": "0.99", "double_param1": "-0.99", "int_param0": "0", "int_param1": "1",
                 "str_param0": "default", "str_param1": "default set in conf file",
                 "vector_param0": "0.0,0.1,0.2,0.3,0.4,0.5,0.6"},
-    "mode0": {"double_param0": (
-        "3.141592653589793238462643383279"
-    ), "double_param1": "2.718281828459045235360287471352",
-              "int_param0": "12345", "int_param1": "98765", "str_param0": "mode0", "str_param1": "foo",
+    "mode0": {"double_param0": "3.141592653589793238462643383279",
+              "double_param1": "2.718281828459045235360287471352", "int_param0": "12345",
+              "int_param1": "98765", "str_param0": "mode0", "str_param1": "foo",
               "vector_param0": "0.0,0.1,0.2,0.3,0.4"},
-    "mode1": {"double_param0": (
-        "297992458"
-    ), "double_param1": "2.97992458e+8", "int_param0": "-999", "int_param1": "999",
-              "str_param0": "mode1", "str_param1": "AIST", "vector_param0": "1,2,3,4,5,6,7,8,9"},
+    "mode1": {"double_param0": "297992458", "double_param1": "2.97992458e+8", "int_param0": "-999",
+              "int_param1": "999", "str_param0": "mode1", "str_param1": "AIST",
+              "vector_param0": "1,2,3,4,5,6,7,8,9"},
     "__widget__": {"double_param0": "slider.0.1", "double_param1": "text", "int_param0": "slider.10",
-                   "int_param1": (
-                       "spin"
-                   ), "str_param0": "radio", "str_param1": "text", "vector_param0": "text"},
+                   "int_param1": "spin", "str_param0": "radio", "str_param1": "text",
+                   "vector_param0": "text"},
     "__constraints__": {"double_param0": "0<=x<=100", "double_param1": "", "int_param0": "0<=x<=150",
                         "int_param1": "0<=x<=1000", "str_param0": "(default,mode0,mode1,foo,bar,radio)",
                         "str_param1": "", "vector_param0": ""},
@@ -44,14 +41,10 @@ CONFIG_SAMPLE_CPP = {"__widget__": {"double_param0": "slider.10"},
                      "__constraints__": {"str_param0": "(default,mode0,mode1)"}}
 MOTOR_ID = {"default": {"motor_id": "0"}, "__widget__": {"motor_id": "text"}, "__type__": {"motor_id": "int"}}
 SCANNER = {
-    "default": {"port_opts": (
-        "type=serial,device=/dev/ttyACM0,timeout=1"
-    ), "start_angle": "-1.57", "end_angle": "1.57",
-                "cluster_count": "1", "high_sens": "0"},
-    "fast": {"port_opts": (
-        "type=serial,device=/dev/ttyACM0,timeout=1"
-    ), "start_angle": "-0.5", "end_angle": "0.5",
-             "cluster_count": "4", "high_sens": "0"},
+    "default": {"port_opts": "type=serial,device=/dev/ttyACM0,timeout=1", "start_angle": "-1.57",
+                "end_angle": "1.57", "cluster_count": "1", "high_sens": "0"},
+    "fast": {"port_opts": "type=serial,device=/dev/ttyACM0,timeout=1", "start_angle": "-0.5",
+             "end_angle": "0.5", "cluster_count": "4", "high_sens": "0"},
     "__constraints__": {"cluster_count": "x >= 1", "high_sens": "(0,1)"},
 }
 

@@ -715,9 +715,8 @@ def _as_text(value, CORBA):
     typecode = value.typecode()
     value = value.value()
     kind = typecode.kind()
-    if kind in (
-        CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except
-    ):  # the data_value of 1.1, a TimedLong of zeros
+    # the data_value of 1.1, a TimedLong of zeros
+    if kind in (CORBA.tk_struct, CORBA.tk_union, CORBA.tk_except):
         return f"<{from_wire(typecode.id())}>"
     if kind == CORBA.tk_objref:
         return start().object_to_string(value)

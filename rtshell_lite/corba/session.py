@@ -141,9 +141,8 @@ class Session:
         lacks something.
         """
         what = _SCARCE.get(e.errno)
-        if what and not (
-            what == "ports" and ":" in host
-        ):  # a host without IPv6 has no address for it, either
+        # a host without IPv6 has no address for it, either
+        if what and not (what == "ports" and ":" in host):
             self.shortage = errors.Shortage(what, os.strerror(e.errno))
 
 

@@ -172,9 +172,8 @@ class _Parser:
             else:
                 value = self.string()
             self.advance()
-            while (
-                kind == "string" and self.kind == "string" and isinstance(value, type(self.string()))
-            ):  # "a" "b"
+            # as in "a" "b"
+            while kind == "string" and self.kind == "string" and isinstance(value, type(self.string())):
                 value += self.string()
                 self.advance()
             return value

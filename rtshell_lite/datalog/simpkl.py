@@ -126,9 +126,8 @@ class Log:
         if (module, name) in _RTSHELL or (module, name) == ("omniORB", "EnumItem"):
             return True
         parts = module.split(".")
-        if any(
-            ".".join(parts[start:]) in self._modules for start in range(len(parts))
-        ):  # stubs may be in a package
+        # stubs may be in a package
+        if any(".".join(parts[start:]) in self._modules for start in range(len(parts))):
             return True
         return parts[0] in _HOMES and parts[-1] in _STANDARD
 

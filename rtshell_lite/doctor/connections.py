@@ -181,9 +181,8 @@ async def _again(link, ends):
         if identity == orb.identity(link.port.ref):
             own = ends[identity].port
     now = next((connector for connector in own.connectors if connector.id == link.connector.id), None)
-    if now is None or _identities(now) != _identities(
-        link.connector
-    ):  # gone, or made again with other ends: just changing
+    # gone, or made again with other ends: just changing
+    if now is None or _identities(now) != _identities(link.connector):
         return None
     return Link(link.snapshot, own, now)
 

@@ -89,9 +89,8 @@ class Poll:
         await self.snapshot.ask(states=snapshot.FULL)
         news = []
         for seen, state in zip(self.seen, self.snapshot.states):
-            if (
-                seen.state not in (None, state) and state != "Created"
-            ):  # a context that it has just left answers that
+            # a context that it has just left answers that
+            if seen.state not in (None, state) and state != "Created":
                 news.append(("RTC_STATUS", seen.handle, state.upper()))
             seen.state = state
         return news

@@ -155,9 +155,8 @@ class Watched:
         except (errors.Gone, errors.ConnectionRefused) as e:
             await self._gone(e)
         except errors.Unreachable as e:
-            if (
-                isinstance(e, errors.Unanswered) or self.doubtful
-            ):  # a process that ends drops its connections first
+            # a process that ends drops its connections first
+            if isinstance(e, errors.Unanswered) or self.doubtful:
                 self._silent("NO_ANSWER", e.why)
             self.doubtful = True
         except errors.Refused:

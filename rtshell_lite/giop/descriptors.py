@@ -420,9 +420,8 @@ def adopted(descriptor, find=None, classes=False):
 
 
 class Adoption:
-    def __init__(
-        self, find=None, classes=False, most=LARGEST, each=1
-    ):  # most: types and items; `each` struct and union counts so
+    # `most`: types and items; each struct and union counts as `each`
+    def __init__(self, find=None, classes=False, most=LARGEST, each=1):
         self.find = find
         self.classes = classes
         self.most = most
@@ -532,9 +531,8 @@ class Adoption:
 
 def check_identifier(word):
     """`word` when it can name a member. Raises BadType."""
-    if (
-        not isinstance(word, str) or not _is_identifier(word) or word in ("_d", "_n", "_v")
-    ):  # these distinguish unions and items
+    # these distinguish unions and items
+    if not isinstance(word, str) or not _is_identifier(word) or word in ("_d", "_n", "_v"):
         raise errors.BadType(repr(word), "not an identifier")
     return word
 

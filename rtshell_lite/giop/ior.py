@@ -247,9 +247,8 @@ def _start(type_id):
     size = len(type_id)
     ends = type_id.find(b"\0")
     try:
-        if (
-            size > LONGEST_TYPE or ends != size - 1
-        ):  # of the empty one, without even a NUL, as some ORBs write it, both are -1
+        # of the empty one, without even a NUL, as some ORBs write it, both are -1
+        if size > LONGEST_TYPE or ends != size - 1:
             raise ValueError
         type_id.decode("utf-8")
     except ValueError:

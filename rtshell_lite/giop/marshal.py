@@ -246,9 +246,8 @@ class Maker(cdr.Maker):
                 return None, at
             ior.check(type_id, profiles)  # other ORBs may end from what it refuses, if that were sent on
             ref = Reference(type_id[:-1], tuple(profiles), interface)
-            if (
-                not interface and not ref.address.host and ior.IIOP in dict(profiles)
-            ):  # what a name is bound to
+            # what a name is bound to
+            if not interface and not ref.address.host and ior.IIOP in dict(profiles):
                 raise ior.BadReference("an unusable reference")
             return ref, at
 

@@ -65,9 +65,8 @@ async def serve(directory, ttl, read_only=False, over=False, leave=None):
     async with mount.tasks:
         try:
             await server.Server(mount, naming.Root(mount), fd, ready).serve()
-            device = (
-                None  # unmounted: what is mounted there now is another tree, even if it has the same number
-            )
+            # unmounted: what is mounted there now is another tree, even if it has the same number
+            device = None
         finally:
             if device and kernel.mounted().get(directory) == device:
                 _unmount(directory)

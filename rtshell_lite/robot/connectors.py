@@ -141,9 +141,8 @@ async def disconnect(port, connector, is_forced=False):
     if not is_forced:
         await blocking.until_safe(port, connector)
     connector_id = to_wire(connector.id)
-    for operation in (
-        "disconnect", "notify_disconnect"
-    ):  # the second reaches this end alone, for a dead far end
+    # the second reaches this end alone, for a dead far end
+    for operation in ("disconnect", "notify_disconnect"):
         failure = await _forgetting_failed(port, operation, connector_id)
         if failure is None:
             return

@@ -308,9 +308,8 @@ async def whole_id(node, ident):
     for operation in ("get_factory_profiles", "get_loadable_modules"):
         for module in await modules(node, operation):
             is_named = name in (module.get("implementation_id"), module.get("type_name"))
-            if is_named and all(
-                module.get(key, "") in ("", value) for key, value in wanted.items()
-            ):  # Python may not find out all
+            # Python may not find out all
+            if is_named and all(module.get(key, "") in ("", value) for key, value in wanted.items()):
                 return component_id(module)
     return ident
 

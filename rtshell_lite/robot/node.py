@@ -250,9 +250,8 @@ async def bound(node):
             if len(name.id) + len(name.kind) >= LONGEST:
                 too_long += 1
                 continue
-            entries[Name(from_wire(name.id), from_wire(name.kind)), binding.binding_type._v == 1] = (
-                None  # 1: ncontext
-            )
+            # 1: ncontext
+            entries[Name(from_wire(name.id), from_wire(name.kind)), binding.binding_type._v == 1] = None
     if too_long:
         notes.left_out(
             f"{node.path}: {too_long} of {received} names are left out: they are longer than {LONGEST} "

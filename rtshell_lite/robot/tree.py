@@ -137,9 +137,8 @@ async def _resolved(server, path):
         return await _descend(server, path.names)
     await _directory(server)
     for size, name in enumerate(path.names[:-1], 1):
-        if name.kind in (
-            "rtc", "mgr"
-        ):  # otherwise the name server asks this object whether it is a naming context
+        # otherwise the name server asks this object whether it is a naming context
+        if name.kind in ("rtc", "mgr"):
             above = await _directory(await _resolved(server, path._replace(names=path.names[:size])))
             if above.kind == "manager":
                 return await _descend(above, path.names[size:])

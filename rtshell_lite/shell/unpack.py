@@ -100,9 +100,8 @@ class Files:
         """Add what can be imported from a wheel; scripts, headers and data are left out."""
         try:
             with zipfile.ZipFile(path) as wheel:
-                if (
-                    sum(member.file_size for member in wheel.infolist()) > LARGEST
-                ):  # no more of a member is read than it claims
+                # no more of a member is read than it claims
+                if sum(member.file_size for member in wheel.infolist()) > LARGEST:
                     raise errors.Error(f"{path}: refused: it unpacks to more than {LARGEST >> 20} MB")
                 for member in wheel.infolist():
                     target = _target(path, member.filename)

@@ -193,9 +193,8 @@ class Connect(Connection):
     def __init__(self, connector, ends, ids):
         super().__init__(connector, ends, ids)
         self.requested = dict(self.wanted)
-        if not self.requested.get("dataport.data_type", "").startswith(
-            "IDL:"
-        ):  # a short name: the ports know the long one
+        # a short name: the ports know the long one
+        if not self.requested.get("dataport.data_type", "").startswith("IDL:"):
             self.requested.pop("dataport.data_type", None)
         self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.requested)
 

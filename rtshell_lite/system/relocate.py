@@ -151,11 +151,8 @@ def _renamed(word, names):
     """The name of an instance, or of its port INSTANCE.port, with the name that `names` {before:
     now} have for it.
     """
-    for name, dot, rest in (
-        (word, "", ""),
-        word.partition("."),
-        word.rpartition("."),
-    ):  # names and ports may have dots
+    # names and ports may have dots
+    for name, dot, rest in ((word, "", ""), word.partition("."), word.rpartition(".")):
         if name and name in names:
             return names[name] + dot + rest
     return word

@@ -283,9 +283,8 @@ def notify(**said):
 
 def watchdog():
     """Seconds between the signs of life that the service manager wants, or None."""
-    if os.environ.get("WATCHDOG_PID", str(os.getpid())) != str(
-        os.getpid()
-    ):  # it is meant for another process
+    # it is meant for another process
+    if os.environ.get("WATCHDOG_PID", str(os.getpid())) != str(os.getpid()):
         return None
     try:
         return int(os.environ.get("WATCHDOG_USEC", "")) / 2e6

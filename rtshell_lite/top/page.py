@@ -163,9 +163,8 @@ class Page:
         self.rows = []  # that match the filter
         self.common = ""  # the directory that their names leave out
         self.selected = None  # the path of a Row
-        self.number = self.first = self.room = (
-            0  # index of the selected Row, of the first one shown; how many can be shown
-        )
+        # index of the selected Row, of the first one shown; how many can be shown
+        self.number = self.first = self.room = 0
         self.message = ""
         self.typing = False  # whether the user types the filter
         self.asked = None  # the transitions.Transition and the Row that wait for a y
@@ -489,9 +488,8 @@ class Page:
         height, width = self.window.getmaxyx()
         if y >= height:
             return
-        with contextlib.suppress(
-            curses.error
-        ):  # the cursor cannot go after the last cell; it is written all the same
+        # the cursor cannot go after the last cell; it is written all the same
+        with contextlib.suppress(curses.error):
             self.window.addstr(y, 0, _clipped(self._spelt(line), width), attributes)
 
     def _spelt(self, line):

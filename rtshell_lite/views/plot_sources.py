@@ -12,9 +12,8 @@ FEWEST = 3  # of them
 STEPS = 30  # spans in which values are counted that are known only by their number, at most
 ENOUGH = 10  # values of such a span, or the rate would seem to jump
 PER_SECOND = ", values per second"  # after the name of what has a rate
-SHOWN = (
-    "", "rate", "delay"
-)  # what is shown of values: their fields, how many came a second, how old they were
+# what is shown of values: their fields, how many came a second, how old they were
+SHOWN = ("", "rate", "delay")
 
 
 class Source:

@@ -38,9 +38,7 @@ class Channel:
         members = datatypes.members(self.type_id) if type else None
         self.stamped = bool(members) and members[0] == ("tm", "Time")
         self.flow = statistics.Flow()
-        self.shown = self.failed = (
-            False  # whether any of its values could be shown, and whether any could not
-        )
+        self.shown = self.failed = False  # whether any of its values could be shown, or could not
 
     def value(self, message):
         """The Python value of a Message, or its member `field`. Raises errors.Error."""

@@ -119,9 +119,8 @@ class Request:
                     check_end(data, end)
             elif status == messages.SYSTEM_EXCEPTION:
                 name, label, completed = _system_exception(data, at, little)
-                if (
-                    name == "COMM_FAILURE" and self.is_idempotent and not self.retried
-                ):  # the peer has lost a connection of its own
+                # the peer has lost a connection of its own
+                if name == "COMM_FAILURE" and self.is_idempotent and not self.retried:
                     self.retried = 1
                     return True
                 error = failures.system(str(self.call.where), name, label)
@@ -202,9 +201,8 @@ class Request:
             if e.strerror:
                 return errors.Unreachable(where, f"cannot be reached ({e.strerror})")
             return errors.Unreachable(where, "cannot be reached")
-        if isinstance(
-            e, ior.BadReference
-        ):  # the answer can be read; it costs what the reference is bound to, not who sent it
+        # the answer can be read; it costs what the reference is bound to, not who sent it
+        if isinstance(e, ior.BadReference):
             return errors.Garbled(where, str(e))
         return errors.Unreachable(where, f"garbled answer ({_words(e)})")
 

@@ -379,9 +379,8 @@ class Peers:
                     self._reply(peer, data)
                 if connection.end:
                     raise connection.end
-                if (
-                    not connection.requests and connection.has_begun()
-                ):  # nobody waits for this reply, and it may have no end
+                # nobody waits for this reply, and it may have no end
+                if not connection.requests and connection.has_begun():
                     self._drop(peer)
                     return
                 connection.flush()

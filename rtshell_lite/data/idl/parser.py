@@ -9,9 +9,10 @@ from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scop
 from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
+# beside operations and attributes
 WITHIN_INTERFACES = (
     "typedef", "const", "exception", "struct", "union", "enum", "native", "typeid", "typeprefix"
-)  # beside operations and attributes
+)
 
 
 def parse_file(path, include=()):
