@@ -939,7 +939,7 @@ class _Watching(_Happenings):
     """What happens to components, on a thread of its own."""
 
     async def _receive(self, words):
-        from rtshell_lite.events import watch
+        from rtshell_lite.live import watch
 
         here = loop.current()
         here.make_bell()

@@ -111,7 +111,7 @@ class ComponentDirectory(Directory):
         return found
 
     def hidden(self, value):
-        from rtshell_lite.events import observer, watch
+        from rtshell_lite.live import observer, watch
         from rtshell_lite.mount.streams import WatchStream
 
         return {

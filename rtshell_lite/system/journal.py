@@ -1,7 +1,7 @@
 """What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the
 whole system.
 
-Events come as in rtwatch, but those of ports from events/connections.py; logs come as in rtvlog. The profile
+Events come as in rtwatch, but those of ports from live/connections.py; logs come as in rtvlog. The profile
 is an attachment, as rtcryo writes it, with another one for what details.py keeps: at the start, and after
 changes.
 """
@@ -9,7 +9,7 @@ changes.
 
 from rtshell_lite import errors, notes
 from rtshell_lite.datalog import schemas
-from rtshell_lite.events import connections, watch
+from rtshell_lite.live import connections, watch
 from rtshell_lite.net import calendar, loop
 from rtshell_lite.xmlprofile import rtsprofile
 
@@ -48,7 +48,7 @@ class Journal:
         self._work = work
         self._events = work.channels.add_json("/events", schemas.of_events())
         self._logs = work.channels.add_json("/logs", _RECORDS)
-        kinds = set(watch.KINDS) - {"HEARTBEAT", "PORT_EVENT"}  # see events/connections.py
+        kinds = set(watch.KINDS) - {"HEARTBEAT", "PORT_EVENT"}  # see live/connections.py
         async with watch.Watch(watch.Events(kinds), self._note) as events:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
                 async with loop.Group() as others:

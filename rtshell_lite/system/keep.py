@@ -1,6 +1,6 @@
 """Keeping a system as its RtsProfile says: look, compare, mend, wait until something happens.
 
-What has changed is noticed by events/presence.py. Only that is looked at again, by the steps of restore.py,
+What has changed is noticed by live/follow.py. Only that is looked at again, by the steps of restore.py,
 and started by the plan of the file.
 
 What hangs is left alone: its neighbours look hung, too, and a second process of a name makes things worse
@@ -12,7 +12,7 @@ import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.events import presence
+from rtshell_lite.live import follow
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
@@ -26,12 +26,12 @@ FAREWELL = 2.0  # seconds until a component that has exited is created again: it
 MINUTE = 60.0
 
 # `create`, `manager` and `strict_path` as in restore.Options. `strict`: undo what a person did, too; `look`:
-# see presence.Presence; `watch`: whether changes are to be noticed later; `policy` for components without
+# see follow.Presence; `watch`: whether changes are to be noticed later; `policy` for components without
 # their own.
 Options = collections.namedtuple("Options", "create manager strict_path strict look watch policy")
 
 
-class Keeper(presence.Presence):
+class Keeper(follow.Presence):
     """Keeps a system: `async with Keeper(…) as keeper: await keeper.follow()`.
 
     on_event    called with each happening.Happening
@@ -217,7 +217,7 @@ class Keeper(presence.Presence):
                 await shown.ask(**wanted)
         if kept.shown is not shown:  # it has ended
             return
-        kept.held_up = 0
+        kept.held_up.end()
         kept.placement.error = None
         kept.placement.found = capture.found_in(shown)
         await restore.presence(kept.placement)

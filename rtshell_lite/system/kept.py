@@ -6,7 +6,7 @@ keep.py decides what is done about it.
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.events import presence
+from rtshell_lite.live import follow, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.system import policy
@@ -31,7 +31,7 @@ PART_OF = {
 }
 
 
-class KeptComponent(presence.Followed):
+class KeptComponent(follow.Followed):
     """One component that is kept.
 
     placement      its placements.Placement; `placement.error` says why nothing can be done with it
@@ -54,7 +54,6 @@ class KeptComponent(presence.Followed):
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
     known = None  # the identity of the object that it was before the file was read again, or it refused
     due = 0.0
-    held_up = 0  # looks in a row that have failed because it or a neighbour hangs
 
     def __init__(self, placement, keeper):
         super().__init__(placement.path)
@@ -68,6 +67,7 @@ class KeptComponent(presence.Followed):
         self.hands = {}
         self.said = {}
         self.since = loop.wall()
+        self.held_up = times.Patience()  # with looks that fail because it or a neighbour hangs
         self.drives = []
         self.drivers = []
         # False for one whose state is nobody's business here
@@ -97,14 +97,13 @@ class KeptComponent(presence.Followed):
 
     def hold_up(self):
         """It hangs, or waits for one that does. Each look holds a thread of it: they come ever later."""
-        doublings = min(self.held_up, 20)  # it may hang for days
-        self.due = loop.now() + min(presence.FIRST_PAUSE * 2**doublings, presence.LONGEST_PAUSE)
-        self.held_up += 1
+        self.held_up.wait()
+        self.due = self.held_up.until
 
     def release(self):
         """What has held it up may be over: look at it at once."""
-        if self.held_up:
-            self.held_up = 0
+        if self.held_up.is_on:
+            self.held_up.end()
             self.due = loop.now()
             self.keeper.bell.ring()
 

@@ -3,18 +3,18 @@
 At most IN_FLIGHT remote calls are made at a time, to all processes together. Each look asks a component for
 its state; its contexts, rates and connections, which change less often and cost more, are asked for less
 often. Where there are more than FEW components, those that nobody sees now are looked at SELDOM, and a live
-page lends them observers (hearing.py): what reports its changes is hardly asked.
+page lends them observers (live/hear.py): what reports its changes is hardly asked.
 """
 
 import collections
 
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import orb, session
+from rtshell_lite.live import hear
 from rtshell_lite.net import loop
 from rtshell_lite.data import rates
 from rtshell_lite.robot import component, places, ports, snapshot, transitions, tree
 from rtshell_lite.text import safe
-from rtshell_lite.top import hearing
 from rtshell_lite.top.rows import Row, natural
 from rtshell_lite.views import describe
 
@@ -51,7 +51,7 @@ class Entry:
     is_in_doubt = False  # whether it may have lost its observer
 
     def __init__(self, node, hearing):
-        """`hearing`: the hearing.Hearing that lends observers."""
+        """`hearing`: the hear.Hearing that lends observers."""
         self.node = node
         self._hearing = hearing
         self.group = node.endpoint
@@ -272,7 +272,7 @@ class Top:
     def __init__(self, tops, delay, is_live=False):
         self.delay = delay
         self._is_live = is_live
-        self._hearing = hearing.Hearing()
+        self._hearing = hear.Hearing()
         self.bell = loop.Bell()  # rings when there are news
         self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
         self._found = {}  # by top: {path: identity of a component}

@@ -13,7 +13,7 @@ from unittest import mock
 
 import fluent
 from rtshell_lite import errors, notes
-from rtshell_lite.events import forward, msgpack
+from rtshell_lite.live import forward, msgpack
 from rtshell_lite.net import loop
 
 PAIR = [1795247382.25, fluent.record("INFO", "Motor0", "warm")]

@@ -5,9 +5,8 @@ import unittest
 from unittest import mock
 
 from rtshell_lite import errors
-from rtshell_lite.events import observer
+from rtshell_lite.live import hear, observer, times
 from rtshell_lite.net import loop
-from rtshell_lite.top import hearing
 
 C = observer.OBSERVER
 
@@ -37,7 +36,11 @@ class Subscription:
     log = []  # type: list
     refuses = False
 
+    reference = "a reference"
+    where = "x"
+
     def __init__(self, node, interface, properties, heard):
+        self.endpoint = node.endpoint
         self.interface = interface
         self.properties = properties
         self.heard = heard
@@ -59,16 +62,16 @@ class Hearing(unittest.TestCase):
         Subscription.log = []
         Subscription.refuses = False
         self.now = 1000.0
-        self.hearing = hearing.Hearing()
+        self.hearing = hear.Hearing()
 
         async def profile(node):
             self.log.append("profile")
             return mock.Mock(properties=[("sdo.service.consumer.available_services", node.offered)])
 
         for where, name, value in (
-            (hearing.component, "profile", profile),
-            (hearing.observer, "Subscription", Subscription),
-            (hearing.loop, "now", lambda: self.now),
+            (hear.component, "profile", profile),
+            (hear.observer, "Subscription", Subscription),
+            (hear.loop, "now", lambda: self.now),
         ):
             patched = mock.patch.object(where, name, value)
             patched.start()
@@ -98,7 +101,7 @@ class Hearing(unittest.TestCase):
         one.subscription.heard("event")
         self.assertEqual(one.events, ["event"])
         self.assertTrue(self.hearing.reports(one) and self.hearing.reports(two))
-        self.now += hearing.LATE + 1
+        self.now += times.LATE + 1
         self.assertFalse(self.hearing.reports(two))
         self.lend(two, one)
         self.assertEqual(self.log[4:], ["beating"], "another one is to beat, as the first may be gone")
@@ -106,7 +109,7 @@ class Hearing(unittest.TestCase):
     def test_who_cannot_call_loses_them(self):
         one, two = Entry("a"), Entry("b")
         self.lend(one, two)
-        self.now += hearing.LATE + 1
+        self.now += times.LATE + 1
         self.lend(two, one)
         self.assertEqual(self.log[4:], ["detached", "detached"])
         self.assertIsNone(one.subscription)

@@ -7,8 +7,8 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba.session import Session
-from rtshell_lite.events import watch
-from rtshell_lite.events.observer import Record, event
+from rtshell_lite.live import watch
+from rtshell_lite.live.observer import Record, event
 from rtshell_lite.net import loop
 
 

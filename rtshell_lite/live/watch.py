@@ -4,14 +4,11 @@ import collections
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
-from rtshell_lite.events import observer, polling
-from rtshell_lite.events.observer import BEAT, Event
+from rtshell_lite.live import hear, observer, polling, times
+from rtshell_lite.live.observer import Event
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, tree
 
-LATE = 1.5 * BEAT  # seconds; after that long without a heartbeat a component is asked whether it lives
-LOST = 3 * BEAT  # after these a missing heartbeat is reported
-LOOK = 1.0  # seconds between questions whether a component lives, or is back
 RATE = 1 / component.POLL  # Hz
 # items that may wait to be printed, and characters in them
 MOST = 100000
@@ -19,9 +16,9 @@ MOST_CHARACTERS = 16 << 20
 # items that are printed at a time, and about how many characters in them: each may be printed as ten
 BATCH = 1000
 BATCH_CHARACTERS = 1 << 18
-# seconds to wait for answers after Ctrl-C: C++ 2.1 removes an observer at once, but answers after a
-# heartbeat, 1 s
-HURRY = 0.1
+
+LATE = times.BEATS_LATE * times.BEAT_SHOWN
+LOST = times.BEATS_LOST * times.BEAT_SHOWN
 
 LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
 KINDS = list(observer.KINDS) + [LIFE]
@@ -141,7 +138,7 @@ class Watched:
         now = loop.now()
         try:
             if self.node is None:
-                if now - self.looked >= LOOK:
+                if now - self.looked >= times.RETURN:
                     self.looked = now
                     await self._return()
                 return
@@ -169,7 +166,7 @@ class Watched:
         beats = (
             self.subscription.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
         )
-        return not beats and now - self.looked >= LOOK
+        return not beats and now - self.looked >= times.LOOK
 
     def is_heard(self):
         """Whether it has called us recently, or recently got an observer."""
@@ -386,26 +383,7 @@ class Watch:
         `hurried`: all processes are asked, but their answers are not waited for; those that were heard
         recently will do it.
         """
-        stuck = [subscription for subscription in self.subscriptions if subscription.reference is not None]
-
-        async def detach(subscription):
-            try:
-                await subscription.detach()
-            except errors.Error as e:
-                if isinstance(e, errors.Unanswered):
-                    raise
-            stuck.remove(subscription)
-
-        places = {subscription: (subscription.node.endpoint, subscription.where) for subscription in stuck}
-        all_of_them = session.each(list(stuck), detach, places.get)
-        try:
-            if hurried:
-                await loop.race(all_of_them, loop.sleep(HURRY))
-            else:
-                await all_of_them
-        finally:
-            for subscription in self.subscriptions:
-                subscription.forget()
+        stuck = await hear.take_back(self.subscriptions, times.HURRY_SHOWN if hurried else None)
         turned_away = session.current().turned_away
         if turned_away:
             notes.left_out(

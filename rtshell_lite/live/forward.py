@@ -21,8 +21,8 @@ import ipaddress
 import struct
 
 from rtshell_lite import errors, notes
-from rtshell_lite.events import msgpack
-from rtshell_lite.events.observer import Record
+from rtshell_lite.live import msgpack
+from rtshell_lite.live.observer import Record
 from rtshell_lite.net import loop, real, tcp
 from rtshell_lite.text import printable
 

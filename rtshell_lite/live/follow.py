@@ -14,23 +14,12 @@ import functools
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
-from rtshell_lite.events import observer
+from rtshell_lite.live import hear, observer, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, snapshot, tree
 from rtshell_lite.text import from_wire, to_wire
 
-SEEK = 0.3  # seconds between looks for the names of absent components; more where there are many
-BEAT = 20.0  # seconds between heartbeats of an observed component
-LATE = 1.5 * BEAT  # seconds; after that long without one it is asked whether it lives
-AGAIN = 2.0  # seconds between questions to a dead object whose name is still bound
-TRIES = 5  # of a question whose connection is lost: to a process that ends, as a rule
-PAUSE = 0.15  # seconds between them
-HURRY = 0.3  # seconds that components have to answer when observers are taken back
 ROUND = 10  # turns, at most, until a process has been asked all questions of a kind
-# Seconds until a component is asked for connections again that did not answer: at first, doubled each time,
-# and at most. While a far end hangs, each such question may wait there and hold a thread.
-FIRST_PAUSE = 4.0
-LONGEST_PAUSE = 300.0
 
 KINDS = ("RTC_STATUS", "EC_EVENT", "CONFIG_EVENT")  # not PORT_EVENT
 
@@ -47,13 +36,12 @@ class Followed:
     shown = subscription = error = None
     is_hung = is_ending = False
     heard = asked = 0.0
-    silent_until = 0.0  # it is not asked for connections
-    pause = FIRST_PAUSE
     dead = None  # the identity of its object that is gone
 
     def __init__(self, path):
         self.path = path
         self.where = str(path)
+        self.patience = times.Patience()  # about its connections
 
     @property
     def is_there(self):
@@ -103,21 +91,15 @@ class Followed:
         if kind is None:
             return
         if self.subscription is None:
-            self.subscription = observer.observer(self.node, kind, KINDS, self._hear, BEAT)
+            self.subscription = observer.observer(self.node, kind, KINDS, self._hear, times.BEAT)
         try:
             await self.subscription.attach()
         except errors.Refused:
             self.forget()
 
-    def wait(self):
-        """It has not answered about its connections."""
-        self.silent_until = loop.now() + self.pause
-        self.pause = min(2 * self.pause, LONGEST_PAUSE)
-
     def wait_no_more(self):
         """It has answered about its connections, or what held it up may be over."""
-        self.silent_until = 0.0
-        self.pause = FIRST_PAUSE
+        self.patience.end()
 
     def forget(self):
         """It has no observer of ours any more."""
@@ -167,13 +149,8 @@ class Presence:
         self._group.start(work, place)
 
     async def _detach_all(self):
-        """Take the observers back. Components of C++ do it at once, and answer at their next heartbeat."""
         lent = [each for each in self.followed if each.subscription is not None]
-
-        async def detach(each):
-            await each.subscription.detach()
-
-        await loop.race(session.each(lent, detach), loop.sleep(HURRY))
+        await hear.take_back([each.subscription for each in lent], times.HURRY)
         for each in lent:
             each.forget()
 
@@ -213,7 +190,7 @@ class Presence:
                 self.failed(each, e)
             return
         session.current().ask_again(each.endpoint)
-        each.heard = max(each.heard, loop.now() - LATE + BEAT)
+        each.heard = max(each.heard, loop.now() - times.LATE + times.BEAT)
         if each.is_hung:
             each.is_hung = False
             self._try_connections()
@@ -265,12 +242,12 @@ class Presence:
             for endpoint in {each.endpoint for each in self.followed if _is_doubtful(each, now)}:
                 self.suspect(endpoint)
             for each in self.followed:
-                if each.subscription is not None and now - each.heard > LATE:
+                if each.subscription is not None and now - each.heard > times.LATE:
                     self.start(self._lend_again(each), each.endpoint)
             for endpoint in {each.endpoint for each in self.followed if _is_asked(each)}:
                 self._poll(endpoint, now)
             if absent:
-                await loop.sleep(max(SEEK, 0.01 * len(absent)))
+                await loop.sleep(max(times.SEEK, 0.01 * len(absent)))
             else:
                 await loop.sleep(min(1.0, self.look / 2))
 
@@ -294,7 +271,7 @@ class Presence:
         """The Node of an absent component. Raises what says why it is absent."""
         node = await tree.component(each.path)
         now = loop.now()
-        if orb.identity(node.ref) == each.dead and now - each.asked < AGAIN:
+        if orb.identity(node.ref) == each.dead and now - each.asked < times.AGAIN:
             raise each.error
         each.asked = now
         (node,) = await tree.check_alive([node])
@@ -355,7 +332,7 @@ class Presence:
             is_new = True
         except errors.Error as e:
             if part == "ports" and isinstance(e, errors.Silent):
-                each.wait()
+                each.patience.wait()
             await self.ask(each)
             return
         if part == "ports":
@@ -370,7 +347,7 @@ def _is_asked(each):
 
 
 def _is_doubtful(each, now):
-    is_late = each.is_there and each.subscription is not None and now - each.heard > LATE
+    is_late = each.is_there and each.subscription is not None and now - each.heard > times.LATE
     return is_late or each.is_there and (each.is_hung or each.is_ending)
 
 
@@ -390,7 +367,7 @@ def _of_settings(each):
 
 def _of_connections(each):
     """Ports at one end of its connections: the other end has them, too. Of one that is given up, all."""
-    if loop.now() < each.silent_until:
+    if loop.now() < each.patience.until:
         return
     for port in each.shown.ports:
         if each.is_given_up:
@@ -445,11 +422,11 @@ async def _alive(each):
     connections first.
     """
     ref = each.shown.node.ref
-    for _ in range(TRIES):
+    for _ in range(times.LOST_ANSWERS):
         try:
             return await orb.is_alive(each.path, ref)
         except (errors.Unanswered, errors.Gone, errors.ConnectionRefused):
             raise
         except errors.Unreachable:
-            await loop.sleep(PAUSE)
+            await loop.sleep(times.LOST_ANSWER)
     return await orb.is_alive(each.path, ref)

@@ -8,6 +8,7 @@ import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, servants
+from rtshell_lite.live import times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire, printable
@@ -21,7 +22,6 @@ INTERFACES = {
     FSM_OBSERVER: "RTC.ComponentObserver",
     LOGGER: "OpenRTM.Logger",
 }
-BEAT = 1.0  # seconds between the heartbeats that we ask for
 NEVER = "86400"  # seconds between reports of single values that are sent and received
 # properties of an observer that is not to hear of single values
 NO_VALUES = tuple((f"port_profile.{word}_event.min_interval", NEVER) for word in ("send", "receive"))
@@ -147,6 +147,11 @@ class Subscription:
             self._served = None
 
     @property
+    def endpoint(self):
+        """(host, port) of its component's process."""
+        return self.node.endpoint
+
+    @property
     def address(self):
         """Where the component calls us, HOST:PORT; only while it is attached."""
         return orb.at_address(self.reference)
@@ -158,7 +163,7 @@ def preferred(properties):
     return next((kind for kind in (OBSERVER, FSM_OBSERVER) if kind in offered), None)
 
 
-def observer(node, interface, kinds, heard, beat=BEAT, more=()):
+def observer(node, interface, kinds, heard, beat=times.BEAT_SHOWN, more=()):
     """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS),
     and to the component's end; it beats every `beat` seconds. `more` are further (property, value).
     """

@@ -9,15 +9,11 @@ dropped as soon as it is killed. Protocol rule 5.4.
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
+from rtshell_lite.live import times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 
-LOOK = 2.0  # seconds between two looks; more where there are many ports
 MOST = 100  # ports that are asked in a second
-# Seconds until a port that did not answer is asked again: at first, doubled each time, and at most. While a
-# far end hangs, each question may wait there and hold a thread.
-AGAIN = 4.0
-LONGEST = 300.0
 
 
 async def follow(components, put):
@@ -28,7 +24,7 @@ async def follow(components, put):
     followed = {}  # type: dict
     while True:
         count = sum(len(each.ports) for each in followed.values())
-        await loop.sleep(max(LOOK, count / MOST))
+        await loop.sleep(max(times.PORTS, count / MOST))
         for where, (node, listed) in components.items():
             if where not in followed or followed[where].identity != orb.identity(node.ref):
                 followed[where] = _Followed(node, listed)
@@ -60,14 +56,14 @@ class _Followed:
         await self._list_ports(put)
         for port in self.ports:
             is_of_member = port.owner != self.identity and port.owner in owners
-            if is_of_member or loop.now() < port.due:
+            if is_of_member or loop.now() < port.patience.until:
                 continue
             if session.current().silence(self.node.endpoint):
                 return
             try:
                 events = await port.changes(self.node)
             except errors.Unanswered:
-                port.wait()
+                port.patience.wait()
                 continue
             except errors.Error:
                 continue  # it may be gone: the next list shows that
@@ -93,9 +89,8 @@ class _Port:
         self.identity = orb.identity(ref)
         self.name = None  # until it is described
         self.owner = None  # the identity of its component, where that is known
-        self.due = 0.0  # when it may be asked
+        self.patience = times.Patience()
         self._ref = ref
-        self._pause = AGAIN
         self._seen = {}  # type: dict
 
     def describe(self, port):
@@ -114,15 +109,10 @@ class _Port:
         now = _seen([ports.connector(profile, node.path) for profile in profiles[: ports.MOST_PARTS]])
         before = self._seen
         self._seen = now
-        self._pause = AGAIN
+        self.patience.end()
         lost = [connector_id for connector_id in before if now.get(connector_id) != before[connector_id]]
         made = [connector_id for connector_id in now if now[connector_id] != before.get(connector_id)]
         return len(lost) * ["PORT_DISCONNECT"] + len(made) * ["PORT_CONNECT"]
-
-    def wait(self):
-        """It has not answered: ask it later."""
-        self.due = loop.now() + self._pause
-        self._pause = min(2 * self._pause, LONGEST)
 
 
 def _seen(connectors):

@@ -8,12 +8,12 @@ it check all its connections; so connections are not watched.
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.events.observer import Event
+from rtshell_lite.live import times
+from rtshell_lite.live.observer import Event
 from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.text import from_wire
 
-THOROUGH = 1.0  # seconds between looks at what changes less often than states
 SEEN = {"RTC_STATUS", "EC_EVENT", "CONFIG_EVENT"}  # the kinds of events that polling shows
 
 
@@ -54,7 +54,7 @@ class Poll:
         first = self._thorough is None
         now = loop.now()
         news = []
-        if first or now - self._thorough >= THOROUGH:
+        if first or now - self._thorough >= times.THOROUGH:
             self._thorough = now
             await orb.is_alive(self.node.path, self.node.ref)
             if self.kinds & {"RTC_STATUS", "EC_EVENT"}:

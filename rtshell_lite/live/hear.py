@@ -1,5 +1,5 @@
-"""The observers that rttop lends to the components of a large system: these report what changes, and need not
-be asked for it.
+"""Observers that are lent, and taken back. rttop lends them to the components of a large system: these report
+what changes, and need not be asked for it.
 
 One component of each process sends heartbeats: while these come, the others can report, too. A component of
 C++ that sends them answers late when its observer is taken back (docs/protocol.md 5).
@@ -8,14 +8,10 @@ C++ that sends them answers late when its observer is taken back (docs/protocol.
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.events import observer
+from rtshell_lite.live import observer, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component
 
-BEAT = 20.0  # seconds between heartbeats
-LATE = 1.5 * BEAT  # seconds; after that long without one it is not known what else does not come
-HURRY = 0.3  # seconds that components with heartbeats have to answer when observers are taken back
-FAREWELL = 3.0  # seconds for the others
 KINDS = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT")
 NEVER = float("-inf")
 
@@ -41,7 +37,7 @@ class Hearing:
         """Whether a component would have reported what has changed."""
         if entry.subscription is None:
             return False
-        return self._processes[entry.node.endpoint].heard > loop.now() - LATE
+        return self._processes[entry.node.endpoint].heard > loop.now() - times.LATE
 
     async def lend(self, entry):
         """Lend a component an observer, if it takes one, or again if it may have lost it. Its ports have just
@@ -51,7 +47,7 @@ class Hearing:
             return
         process = self._processes.setdefault(entry.node.endpoint, _Process())
         now = loop.now()
-        is_late = max(process.heard, process.asked) < now - LATE
+        is_late = max(process.heard, process.asked) < now - times.LATE
         if process.is_deaf or entry.subscription is not None and not is_late and not entry.is_in_doubt:
             return
         entry.is_in_doubt = False
@@ -65,7 +61,7 @@ class Hearing:
             return
         beat = None
         if is_late:
-            beat = BEAT
+            beat = times.BEAT
             process.asked = now
             process.beating = entry.subscription
         entry.subscription.properties = observer.requested(
@@ -110,17 +106,35 @@ class Hearing:
         """Take the observers of some components back, for a few seconds at most."""
         entries = [entry for entry in entries if entry.subscription is not None]
         beating = {process.beating for process in self._processes.values()}
-        last = [entry for entry in entries if entry.subscription in beating]
-        others = [entry for entry in entries if entry.subscription not in beating]
-        await loop.race(session.each(others, _detach, _place), loop.sleep(FAREWELL))
-        await loop.race(session.each(last, _detach, _place), loop.sleep(HURRY))
+        lent = [entry.subscription for entry in entries]
+        await take_back([each for each in lent if each not in beating], times.FAREWELL)
+        await take_back([each for each in lent if each in beating], times.HURRY)
         for entry in entries:
             self.forget(entry)
 
 
-async def _detach(entry):
-    await entry.subscription.detach()
+async def take_back(subscriptions, seconds=None):
+    """Have components forget Subscriptions, in `seconds` at most: those that did not answer. None of them
+    calls us any more then.
+    """
+    left = [subscription for subscription in subscriptions if subscription.reference is not None]
 
+    async def detach(subscription):
+        try:
+            await subscription.detach()
+        except errors.Unanswered:
+            raise
+        except errors.Error:
+            pass  # it is gone, or never had it
+        left.remove(subscription)
 
-def _place(entry):
-    return entry.node.endpoint, entry.path
+    everywhere = session.each(list(left), detach)
+    try:
+        if seconds is None:
+            await everywhere
+        else:
+            await loop.race(everywhere, loop.sleep(seconds))
+    finally:
+        for subscription in subscriptions:
+            subscription.forget()
+    return left

@@ -1,1 +1,0 @@
-"""Following components: observers that they call, or polling."""

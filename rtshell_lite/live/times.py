@@ -1,0 +1,56 @@
+"""How often components are asked, or asked to report, by all that follow them; in seconds."""
+
+from rtshell_lite.net import loop
+
+# ---- observers ----
+
+BEAT = 20.0  # between heartbeats that nobody sees; each costs the component a call
+BEAT_SHOWN = 1.0  # the same for rtwatch, which shows what is late
+BEATS_LATE = 1.5  # after so many a component is asked whether it lives
+BEATS_LOST = 3.0  # after so many the missing one is reported
+LATE = BEATS_LATE * BEAT
+# Until what has been lent is left behind, when it is taken back: C++ 2.1 forgets an observer at once, but
+# answers at its next heartbeat.
+FAREWELL = 3.0  # where there are no heartbeats
+HURRY = 0.3  # where there are
+HURRY_SHOWN = 0.1  # for rtwatch, after Ctrl-C
+
+# ---- questions ----
+
+SEEK = 0.3  # between looks for the names of absent components; more where there are many
+RETURN = 1.0  # the same for rtwatch
+AGAIN = 2.0  # between questions to a dead object whose name is still bound
+LOOK = 1.0  # between questions whether a component lives that should have reported
+THOROUGH = 1.0  # between looks at what changes less often than states, where these are polled
+PORTS = 2.0  # between looks at the connections of ports; more where there are many
+LOST_ANSWER = 0.15  # until a question is repeated whose connection is lost: to a process that ends, as a rule
+LOST_ANSWERS = 5  # such repetitions
+
+# Until something is asked again that did not answer, as it or a neighbour hangs: at first, doubled each time,
+# and at most. Each such question may hold a thread of it for as long.
+FIRST_PAUSE = 4.0
+LONGEST_PAUSE = 300.0
+
+
+class Patience:
+    """When something may be asked again that does not answer: ever later."""
+
+    __slots__ = ("until", "_pause")
+
+    def __init__(self):
+        self.end()
+
+    @property
+    def is_on(self):
+        """Whether its last question was in vain."""
+        return self._pause > FIRST_PAUSE
+
+    def wait(self):
+        """It has not answered."""
+        self.until = loop.now() + self._pause
+        self._pause = min(2 * self._pause, LONGEST_PAUSE)
+
+    def end(self):
+        """It has answered, or what held it up may be over."""
+        self.until = 0.0
+        self._pause = FIRST_PAUSE
