@@ -948,7 +948,7 @@ class _Watching(_Happenings):
         if self._is_ending:
             return
         async with watch.Watch(watch.Events(watch.KINDS)) as watching:
-            failures = errors.split(await watching.start([await _path(word) for word in words]))[1]
+            failures = errors.split(await watching.add([await _path(word) for word in words]))[1]
             if failures:
                 raise failures[0]
             self._tell()

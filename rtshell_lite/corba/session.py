@@ -55,7 +55,7 @@ class Session:
     turned_away  how many connections to this command were turned away
     endless      paths, as text, below which a walk did not end
     checks       {(what, endpoint): answer} of what rtdoctor has tried of endpoints, for one examination
-    on_end       function(endpoint), called when a connection with a process has ended, or None
+    on_end       functions(endpoint), called when a connection with a process has ended
     memory       the Memory, for several commands where they run in one process
     """
 
@@ -70,7 +70,7 @@ class Session:
         self.stalled = {}
         self.endless = set()  # type: set
         self.checks = {}
-        self.on_end = None
+        self.on_end = []
 
     def is_over(self):
         """True when its `end` has passed."""

@@ -11,6 +11,7 @@ neighbours.
 
 import collections
 import functools
+import math
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -35,7 +36,9 @@ class Followed:
     # as they are at first, here: an object with few attributes of its own takes a third of the memory
     shown = subscription = error = None
     is_hung = is_ending = False
-    heard = asked = 0.0
+    is_sought = True  # where it is absent
+    beat = times.BEAT  # seconds between the heartbeats of its observer
+    heard = lived = asked = 0.0  # when it last called us, was last known to live, was looked for
     dead = None  # the identity of its object that is gone
 
     def __init__(self, path):
@@ -80,6 +83,9 @@ class Followed:
     def reported(self, event):
         """It reports an observer.Event, no heartbeat."""
 
+    def lives(self):
+        """It has answered when asked whether it lives."""
+
     def notice(self, part):
         """A question has shown that its "state", "contexts" (rates), "configuration" (the active set) or
         "ports" are not what `shown` has.
@@ -91,7 +97,7 @@ class Followed:
         if kind is None:
             return
         if self.subscription is None:
-            self.subscription = observer.observer(self.node, kind, KINDS, self._hear, times.BEAT)
+            self.subscription = observer.observer(self.node, kind, KINDS, self.hear, self.beat)
         try:
             await self.subscription.attach()
         except errors.Refused:
@@ -107,7 +113,13 @@ class Followed:
             self.subscription.forget()
             self.subscription = None
 
-    def _hear(self, event):
+    def is_late(self, now):
+        """Whether it should have called us meanwhile, or have answered a question."""
+        last = max(self.heard, self.lived)
+        return self.is_there and self.subscription is not None and now - last > times.BEATS_LATE * self.beat
+
+    def hear(self, event):
+        """Take what it reports."""
         self.heard = loop.now()
         if event.event == "FINALIZE":
             self.is_ending = True
@@ -128,16 +140,17 @@ class Presence:
         # {endpoint: {kind of question: how many of these it was asked; None: of all}}
         self._turns = collections.defaultdict(collections.Counter)  # type: dict
         self._suspected = set()  # endpoints that are being asked whether they live
+        self._seek_at = 0.0  # when absent ones are looked for
         self._group = None
 
     async def __aenter__(self):
-        session.current().on_end = self.suspect
+        session.current().on_end.append(self.suspect)
         self._group = loop.Group()
         self.start(self._look_around())
         return self
 
     async def __aexit__(self, kind, error, traceback):
-        session.current().on_end = None
+        session.current().on_end.remove(self.suspect)
         self._group.cancel()
         try:
             await self._group.__aexit__(kind, error, traceback)
@@ -172,7 +185,8 @@ class Presence:
     async def _examine(self, endpoint):
         try:
             here = self.of_process(endpoint)
-            doubtful = [each for each in here if each.is_hung or each.is_ending]
+            now = loop.now()
+            doubtful = [each for each in here if each.is_hung or each.is_ending or each.is_late(now)]
             for each in doubtful or here[:1]:
                 await self.ask(each)
         finally:
@@ -185,16 +199,21 @@ class Presence:
             return
         try:
             await _alive(each)
+        except errors.Refused:
+            pass  # it lives
         except errors.Error as e:
             if each.shown is shown:  # not another one that has come meanwhile
                 self.failed(each, e)
             return
+        if each.shown is not shown:
+            return
         session.current().ask_again(each.endpoint)
-        each.heard = max(each.heard, loop.now() - times.LATE + times.BEAT)
+        each.lived = loop.now() - (times.BEATS_LATE - 1) * each.beat
         if each.is_hung:
             each.is_hung = False
             self._try_connections()
             each.answered()
+        each.lives()
 
     def _try_connections(self):
         """A far end that may have held up others does so no more."""
@@ -235,21 +254,19 @@ class Presence:
 
     async def _look_around(self):
         while True:
-            absent = [each for each in self.followed if not each.is_there]
-            if absent:
-                await self._seek(absent)
             now = loop.now()
-            for endpoint in {each.endpoint for each in self.followed if _is_doubtful(each, now)}:
+            absent = [each for each in self.followed if not each.is_there and each.is_sought]
+            if absent and now >= self._seek_at:
+                self._seek_at = math.inf
+                self.start(self._seek(absent))
+            late = [each for each in self.followed if each.is_late(now)]
+            doubtful = [each for each in self.followed if each.is_there and (each.is_hung or each.is_ending)]
+            for endpoint in {each.endpoint: None for each in late + doubtful}:
                 self.suspect(endpoint)
-            for each in self.followed:
-                if each.subscription is not None and now - each.heard > times.LATE:
-                    self.start(self._lend_again(each), each.endpoint)
-            for endpoint in {each.endpoint for each in self.followed if _is_asked(each)}:
-                self._poll(endpoint, now)
-            if absent:
-                await loop.sleep(max(times.SEEK, 0.01 * len(absent)))
-            else:
-                await loop.sleep(min(1.0, self.look / 2))
+            for each in late:
+                self.lend_again(each)
+            self.ask_around(now)
+            await loop.sleep(min(times.SEEK if absent else 1.0, self.look / 2))
 
     async def _seek(self, absent):
         """Look whether absent components have come."""
@@ -265,6 +282,7 @@ class Presence:
             each.heard = loop.now()
             each.appeared()
         await self.still_absent([each for each in absent if not each.is_there])
+        self._seek_at = loop.now() + max(times.SEEK, 0.01 * len(absent))
 
     @staticmethod
     async def _found(each):
@@ -280,12 +298,15 @@ class Presence:
             raise node.error
         return node
 
+    def lend_again(self, each):
+        """A component that is late may have lost its observer after a failed call."""
+        each.lived = loop.now()
+        self.start(self._lend_again(each), each.endpoint)
+
     @staticmethod
     async def _lend_again(each):
-        """A component that lives may have lost its observer after a failed call."""
         if each.subscription is None:
             return
-        each.heard = loop.now()
         try:
             await each.subscription.attach()
         except errors.Error:
@@ -294,6 +315,11 @@ class Presence:
         each.notice("ports")
 
     # ---- what nobody reports ----
+
+    def ask_around(self, now):
+        """Ask for what is not reported."""
+        for endpoint in {each.endpoint: None for each in self.followed if _is_asked(each)}:
+            self._poll(endpoint, now)
 
     def _poll(self, endpoint, now):
         """Ask a process a question, or a few of one kind if it has many to be asked, if it is time."""
@@ -344,11 +370,6 @@ class Presence:
 def _is_asked(each):
     """Whether a component has been looked at, and answers."""
     return each.is_there and each.shown.states and not each.is_hung
-
-
-def _is_doubtful(each, now):
-    is_late = each.is_there and each.subscription is not None and now - each.heard > times.LATE
-    return is_late or each.is_there and (each.is_hung or each.is_ending)
 
 
 # ---- the questions, (part, function), that a component is asked in turn ----

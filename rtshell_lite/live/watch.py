@@ -3,11 +3,11 @@
 import collections
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import orb, session
-from rtshell_lite.live import hear, observer, polling, times
+from rtshell_lite.corba import session
+from rtshell_lite.live import follow, hear, observer, polling, times
 from rtshell_lite.live.observer import Event
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, tree
+from rtshell_lite.robot import component, snapshot, tree
 
 RATE = 1 / component.POLL  # Hz
 # items that may wait to be printed, and characters in them
@@ -16,9 +16,6 @@ MOST_CHARACTERS = 16 << 20
 # items that are printed at a time, and about how many characters in them: each may be printed as ten
 BATCH = 1000
 BATCH_CHARACTERS = 1 << 18
-
-LATE = times.BEATS_LATE * times.BEAT_SHOWN
-LOST = times.BEATS_LOST * times.BEAT_SHOWN
 
 LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT NO_ANSWER ANSWERS
 KINDS = list(observer.KINDS) + [LIFE]
@@ -81,170 +78,165 @@ class Records:
         return subscription
 
 
-class Watched:
-    """One component that is being watched; `node` is None while it is gone."""
+class Watched(follow.Followed):
+    """One component that is being watched."""
 
-    def __init__(self, watch, path):
+    beat = times.BEAT_SHOWN
+    poll = None  # its polling.Poll, where it has no observer
+    is_polling = False
+    polled = 0.0
+    since = 0.0  # when it was given an observer, or last found to live without having called us
+    is_begun = False  # whether it is watched: not as long as it does not take our observer
+    is_attached_again = False
+    reported_silence = None  # NO_ANSWER or NO_HEARTBEAT
+
+    def __init__(self, watch, node):
+        super().__init__(node.path)
         self.watch = watch
-        self.path = path
-        self.where = str(path)
-        self.name = str(path)  # in lines; its path if two have the same
-        if path.names:
-            self.name = str(path.names[-1])
-        self.node = self.subscription = self.poll = self.heard = None
-        self.since = self.looked = loop.now()
-        self.ending = False  # it has announced that it will exit
-        self.attached_again = False
-        self.reported_silence = None  # NO_ANSWER or NO_HEARTBEAT
-        self.doubtful = False  # its last answer was lost
-        self.given_up = False
+        self.shown = snapshot.Snapshot(node)
+        self.name = str(self.path)  # in lines; its path if two have the same
+        if self.path.names:
+            self.name = str(self.path.names[-1])
 
-    async def begin(self, node):
-        """Start to watch. Raises Refused, Unreachable; the watch detaches it when it ends."""
-        self.heard = None
-        self.ending = False
-        self.attached_again = False
-        self.reported_silence = None
-        self.poll = None
-        self.subscription = await self.watch.what.subscription(node, self.hear)
-        if self.subscription is not None:
-            self.watch.subscriptions.append(self.subscription)
+    async def begin(self):
+        """Start to watch. Raises Refused, Unreachable."""
+        self.heard = 0.0
+        self.is_attached_again = False
+        self.reported_silence = self.poll = None
+        self.subscription = await self.watch.what.subscription(self.node, self.hear)
+        if self.subscription is None:
+            self.poll = await self.watch.what.poll(self.node)
+            self.note(f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
+        else:
+            self.since = self.lived = loop.now()
             await self.subscription.attach()
             if self.subscription.remark:
-                self.watch.note(self, self.subscription.remark)
-        else:
-            self.poll = await self.watch.what.poll(node)
-            self.watch.note(
-                self, f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections"
-            )
-        self.since = self.looked = loop.now()
-        self.node = node
+                self.note(self.subscription.remark)
+        self.since = self.lived = loop.now()
+        self.is_begun = self.node is not None
 
     def hear(self, item):
-        """Take what it reports."""
         self.heard = loop.now()
         if isinstance(item, Event) and item.event == "FINALIZE":
-            self.ending = True
+            self.is_ending = True
         self.watch.put(self, item)
+        if self.reported_silence == "NO_HEARTBEAT":
+            self.answered()
 
-    async def follow(self):
-        """Look at it five times a second, until it refuses to be watched."""
-        while not self.given_up:
-            await loop.sleep(component.POLL)
-            await self.look_for_changes()
-
-    async def look_for_changes(self):
+    async def ask_for_changes(self):
         """Look for what it does not report itself."""
-        now = loop.now()
+        self.polled = loop.now()
+        self.is_polling = True
         try:
-            if self.node is None:
-                if now - self.looked >= times.RETURN:
-                    self.looked = now
-                    await self._return()
-                return
-            if self.poll is not None:
-                for item in await self.poll.changes():
-                    self.watch.put(self, item)
-            elif self._in_doubt(now):
-                self.looked = now
-                await orb.is_alive(self.node.path, self.node.ref)
-            await self._answers(now)
-        except (errors.Gone, errors.ConnectionRefused) as e:
-            await self._gone(e)
-        except errors.Unreachable as e:
-            # a process that ends drops its connections first
-            if isinstance(e, errors.Unanswered) or self.doubtful:
-                self._silent("NO_ANSWER", e.why)
-            self.doubtful = True
+            for item in await self.poll.changes():
+                self.watch.put(self, item)
         except errors.Refused:
             pass  # it lives; there will be another look
-
-    def _in_doubt(self, now):
-        """Whether it is time to ask if it lives: not while it sends heartbeats, which only observers get."""
-        if self.ending:
-            return True
-        beats = (
-            self.subscription.interface != observer.LOGGER and now - max(self.heard or 0, self.since) < LATE
-        )
-        return not beats and now - self.looked >= times.LOOK
+        except errors.Error:
+            await self.watch.ask(self)
+        finally:
+            self.is_polling = False
 
     def is_heard(self):
         """Whether it has called us recently, or recently got an observer."""
-        if self.reported_silence is not None:
-            return False
-        return loop.now() - max(self.heard or 0, self.since) < LATE
+        is_late = loop.now() - max(self.heard, self.since) > times.BEATS_LATE * self.beat
+        return self.reported_silence is None and not is_late
 
-    async def _answers(self, now):
-        """Note that it lives, and see whether it calls us, too."""
-        self.doubtful = False
-        if self.reported_silence == "NO_ANSWER" or self.reported_silence and now - (self.heard or 0) < LATE:
-            self._report("ANSWERS")
-            self.since = now
-            self.reported_silence = None
-        beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
-        if beats and now - max(self.heard or 0, self.since) >= LOST:
-            self._silent("NO_HEARTBEAT", f"no heartbeat for {LOST:g} s")
-            await self._unheard()
+    # ---- what is noticed ----
 
-    async def _unheard(self):
-        """Attach the observer again, as a live component may have lost it after a failed call;
-        poll where that does not help.
-        """
-        if self.heard is not None and not self.attached_again:
-            self.attached_again = True
-            self.since = loop.now()
-            await self.subscription.attach()
-            return
-        self.poll = await polling.begin(self.node, self.watch.what.kinds)
-        subscription = self.subscription
-        self.subscription = None
-        self.reported_silence = None
-        self.watch.note(self, f"cannot call us at {subscription.address}; it is polled from now on")
-        await subscription.detach()  # its calls to an address that it cannot reach would only hold it up
+    def appeared(self):
+        self.watch.start(self._come_back(), self.endpoint)
 
-    def _silent(self, word, why):
-        if self.reported_silence != word:
-            self.reported_silence = word
-            self._report(word)
-            self.watch.note(self, why)
+    async def _come_back(self):
+        try:
+            await self.begin()
+            self.report("BACK")
+        except errors.Refused as e:
+            self.leave(e)
+            self.is_sought = False
+            self.note(f"is back, but {e.why}")
+        except errors.Error as e:
+            self.leave(e)  # not yet
 
-    async def _gone(self, error):
-        exited = self.ending or isinstance(error, errors.Gone)
-        if not exited:
+    def leave(self, error):
+        """It cannot be watched; it may have our observer all the same."""
+        self.error = error
+        if self.subscription is not None:
+            self.watch.left.append(self.subscription)
+        self.subscription = self.shown = None
+
+    def vanished(self, seen):
+        self.poll = None
+        if self.is_begun:
+            self.is_begun = self.is_sought = False
+            self.watch.start(self._report_end(seen))
+
+    async def _report_end(self, seen):
+        """Those that exit take their names with them; the others are dead, or cannot be reached."""
+        has_exited = seen == "has exited"
+        if not has_exited:
             try:
                 await tree.resolve(self.path)
             except errors.NotFound:
-                exited = True
+                has_exited = True
             except errors.Error:
                 pass
-        if self.subscription is not None:
-            self.subscription.forget()
-            self.watch.subscriptions.remove(self.subscription)
-        self.node = self.subscription = self.poll = None
-        if exited:
-            self._report("EXITED")
-        elif isinstance(error, errors.MaybeGone):
-            self._silent("NO_ANSWER", error.why)
+        if has_exited:
+            self.report("EXITED")
+        elif isinstance(self.error, errors.MaybeGone):
+            self._fall_silent("NO_ANSWER", self.error.why)
         else:
-            self._report("DIED")
+            self.report("DIED")
+        self.is_sought = True
 
-    async def _return(self):
-        """Check whether it is back."""
+    def hung(self, error):
+        if self.is_begun:
+            self._fall_silent("NO_ANSWER", error.why)
+
+    def answered(self):
+        if self.reported_silence is not None:
+            self.reported_silence = None
+            self.since = loop.now()
+            self.report("ANSWERS")
+
+    def lives(self):
+        lost = times.BEATS_LOST * self.beat
+        beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
+        if beats and loop.now() - max(self.heard, self.since) >= lost:
+            self._fall_silent("NO_HEARTBEAT", f"no heartbeat for {lost:g} s")
+            self.since = loop.now()
+            self.watch.start(self._have_heard(), self.endpoint)
+
+    async def _have_heard(self):
+        """Attach the observer again, as a live component may have lost it after a failed call;
+        poll where that does not help.
+        """
         try:
-            (node,) = await tree.check_alive([await tree.component(self.path)])
-            if node.kind == "component":
-                # its silence is that of this component from now on
-                loop.current().running.place = node.endpoint
-                await self.begin(node)
-                self._report("BACK")
-        except errors.Refused as e:
-            self.given_up = True
-            self.watch.note(self, f"is back, but {e.why}")
+            if self.heard and not self.is_attached_again:
+                self.is_attached_again = True
+                await self.subscription.attach()
+                return
+            self.poll = await polling.begin(self.node, self.watch.what.kinds)
+            self.reported_silence = None
+            self.note(f"cannot call us at {self.subscription.address}; it is polled from now on")
+            await self.subscription.detach()  # its calls to where it cannot reach us would only hold it up
         except errors.Error:
-            pass  # not yet
+            return  # whether it lives is asked elsewhere
+        self.forget()
 
-    def _report(self, word):
+    def _fall_silent(self, word, why):
+        if self.reported_silence != word:
+            self.reported_silence = word
+            self.report(word)
+            self.note(why)
+
+    def report(self, word):
+        """Put an Event of its life."""
         self.watch.put(self, Event(loop.wall(), LIFE, "", word))
+
+    def note(self, line):
+        """Say something about it beside events."""
+        self.watch.note(self, line)
 
 
 def _size(item):
@@ -252,58 +244,62 @@ def _size(item):
     return sum(len(part) for part in item if isinstance(part, str))
 
 
-class Watch:
+class Watch(follow.Presence):
     """Several components that are being watched: `async with Watch(Events(kinds)) as watching: …`."""
 
     def __init__(self, what, note=notes.note):
         """`what`: Events or Records. `note` is called with lines about anything but events."""
+        super().__init__([], component.POLL)
         self.what = what
         self._note = note
-        self.watched = []
         self._doors = []
-        self.subscriptions = []
         self.dropped = 0
         # what waits to be printed, and how many characters that has
         self._items = collections.deque()
         self._size = 0
         # rings when items have come
         self._bell = loop.Bell()
-        self._group = None
-
-    async def __aenter__(self):
-        self._group = loop.Group()
-        return self
+        self._is_hurried = False
+        self.left = []  # observers of those that are not watched
 
     async def __aexit__(self, kind, error, traceback):
-        self._group.cancel()
-        is_signal = error is not None and not isinstance(error, (Exception, loop.Cancelled))
-        try:
-            await self._group.__aexit__(kind, error, traceback)
-        finally:
-            await self._detach_all(hurried=is_signal)
+        self._is_hurried = error is not None and not isinstance(error, (Exception, loop.Cancelled))
+        await super().__aexit__(kind, error, traceback)
 
-    async def start(self, paths):
-        """Begin to watch the component at each path, too; an errors.Error or a Watched for each."""
+    async def add(self, paths):
+        """Watch the component at each path, too; an errors.Error or a Watched for each."""
 
         async def begin(node):
-            watched = Watched(self, node.path)
-            await watched.begin(node)
+            watched = Watched(self, node)
+            self.followed.append(watched)
+            try:
+                await watched.begin()
+            except errors.Error as e:
+                watched.leave(e)
+                self.followed.remove(watched)
+                raise
             return watched
 
         results = await tree.on_components(paths, begin)
-        begun = [watched for watched in results if isinstance(watched, Watched)]
-        self.watched += begun
-        names = [watched.name for watched in self.watched]
-        for watched in begun:
-            if names.count(watched.name) > 1:
+        names = [watched.name for watched in self.followed]
+        for watched in results:
+            if isinstance(watched, Watched) and names.count(watched.name) > 1:
                 watched.name = watched.where
-            self._group.start(watched.follow(), watched.node.endpoint)
         return results
+
+    def ask_around(self, now):
+        for each in self.followed:
+            is_due = each.poll is not None and not each.is_polling and now - each.polled >= self.look
+            if is_due and each.is_there and not each.is_hung:
+                self.start(each.ask_for_changes(), each.endpoint)
+
+    def lend_again(self, each):
+        """Nothing: see Watched.lives."""
 
     def listen(self, door):
         """Take what comes at a forward.Door, too, until the end."""
         self._doors.append(door)
-        self._group.start(door.serve(self._put_wanted, self._has_room))
+        self.start(door.serve(self._put_wanted, self._has_room))
 
     def _has_room(self):
         """Whether those who send to a forward.Door are read; what components send has more room."""
@@ -349,7 +345,7 @@ class Watch:
         """
         end = loop.now() + seconds
         left = number
-        while left and (self.watched or self._doors) and loop.now() < end:
+        while left and (self.followed or self._doors) and loop.now() < end:
             batch = self._take(min(left, BATCH)) if left > 0 else self._take(BATCH)
             if batch:
                 left -= len(batch)
@@ -358,9 +354,9 @@ class Watch:
                 await self._bell.wait(end - loop.now())
         if self.dropped:
             self._note(f"{self.dropped} lines dropped: they came faster than they could be printed")
-        if left > 0 and (self.watched or self._doors):
+        if left > 0 and (self.followed or self._doors):
             raise errors.Failed(
-                ", ".join([watched.where for watched in self.watched] + ["--listen"] * len(self._doors)),
+                ", ".join([watched.where for watched in self.followed] + ["--listen"] * len(self._doors)),
                 f"{number - left} of {number} within {seconds:g}s",
             )
 
@@ -377,22 +373,21 @@ class Watch:
         self._size -= size
         return batch
 
-    async def _detach_all(self, hurried):
-        """Detach all that was attached, and report components that do not answer.
-
-        `hurried`: all processes are asked, but their answers are not waited for; those that were heard
-        recently will do it.
+    async def _detach_all(self):
+        """Detach all that was attached, and report components that do not answer; those that were heard
+        recently will do it even where their answers are not waited for.
         """
-        stuck = await hear.take_back(self.subscriptions, times.HURRY_SHOWN if hurried else None)
+        lent = [watched.subscription for watched in self.followed if watched.subscription is not None]
+        stuck = await hear.take_back(lent + self.left, times.HURRY_SHOWN if self._is_hurried else None)
         turned_away = session.current().turned_away
         if turned_away:
             notes.left_out(
                 f"{turned_away} connections to this command were turned away, as too many came: "
                 "events may be missing"
             )
-        unheard = [watched.subscription for watched in self.watched if not watched.is_heard()]
+        unheard = [watched.subscription for watched in self.followed if not watched.is_heard()]
         for subscription in stuck:
-            if subscription in unheard or not hurried:
+            if subscription in unheard or not self._is_hurried:
                 self._note(
                     f"{subscription.where}: does not answer; it still has our observer, and drops it when "
                     "a call to it fails"

@@ -211,7 +211,7 @@ class WatchStream(File):
 
     async def _follow(self, publish):
         async with self._make_watch() as watching:
-            (result,) = await watching.start([self.above.node.path])
+            (result,) = await watching.add([self.above.node.path])
             if isinstance(result, errors.Error):
                 raise result
             async for batch in watching.follow(-1, math.inf):

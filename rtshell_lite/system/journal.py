@@ -74,8 +74,8 @@ class Journal:
     async def _begin(self, paths, events, logs):
         for path in paths:
             self.put(str(path), "LIFE_EVENT", "", "APPEARED")
-        await events.start(paths)
-        await logs.start(paths)  # few components take loggers: the others say so
+        await events.add(paths)
+        await logs.add(paths)  # few components take loggers: the others say so
 
     def is_running(self):
         """Whether events can be put into the log."""

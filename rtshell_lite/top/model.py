@@ -289,7 +289,7 @@ class Top:
     async def __aenter__(self):
         orb.start()
         session.current().slots = Slots(IN_FLIGHT)
-        session.current().on_end = self._suspect
+        session.current().on_end.append(self._suspect)
         self._tasks = loop.Group()
         self._tasks.start(self._follow_keepers())
         for top in self._tops:
@@ -297,7 +297,8 @@ class Top:
         return self
 
     async def __aexit__(self, *exception):
-        session.current().slots = session.current().on_end = None
+        session.current().slots = None
+        session.current().on_end.remove(self._suspect)
         self._tasks.cancel()
         try:
             await self._tasks.__aexit__(*exception)

@@ -64,12 +64,12 @@ class Names(unittest.TestCase):
                 for each in wanted
             ]
 
-        async def begin(watched, node):
-            watched.node = node
+        async def begin(watched):
+            watched.is_begun = True
 
         async def start():
             async with watch.Watch(watch.Events(watch.KINDS)) as watching:
-                return await watching.start([path.parse(each) for each in paths])
+                return await watching.add([path.parse(each) for each in paths])
         with mock.patch.object(watch.tree, "on_components", on_components), mock.patch.object(
             watch.Watched, "begin", begin
         ):
@@ -87,11 +87,11 @@ class Waiting(unittest.TestCase):
 
         async def fill():
             watching = watch.Watch(watch.Records("NORMAL", []), said.append)
-            watching.watched = [mock.Mock()]
+            watching.followed = [mock.Mock()]
             for _ in range(3):
-                watching.put(watching.watched[0], Record(1.0, "arm", "INFO", "x" * 1000))
+                watching.put(watching.followed[0], Record(1.0, "arm", "INFO", "x" * 1000))
             self.assertEqual([len(batch) async for batch in watching.follow(2, 5)], [2])
-            watching.put(watching.watched[0], Record(2.0, "arm", "INFO", "x" * 2000))
+            watching.put(watching.followed[0], Record(2.0, "arm", "INFO", "x" * 2000))
             return [record.time async for batch in watching.follow(1, 5) for _, record in batch]
         with mock.patch.object(watch, "MOST_CHARACTERS", 3000):
             self.assertEqual(loop.run(fill()), [2.0])
@@ -100,9 +100,9 @@ class Waiting(unittest.TestCase):
     def test_no_more_are_taken_than_wanted_and_none_after_the_end(self):
         async def follow():
             watching = watch.Watch(watch.Records("NORMAL", []), self.fail)
-            watching.watched = [mock.Mock(where="/h")]
+            watching.followed = [mock.Mock(where="/h")]
             for number in range(3):
-                watching.put(watching.watched[0], Record(number, "arm", "INFO", ""))
+                watching.put(watching.followed[0], Record(number, "arm", "INFO", ""))
             numbers = [record.time async for batch in watching.follow(1, 5) for _, record in batch]
             with self.assertRaisesRegex(errors.Failed, "2 of 9 within 0.1s"):
                 async for batch in watching.follow(9, 0.1):
@@ -124,8 +124,8 @@ class Ending(unittest.TestCase):
             async with watch.Watch(watch.Events(watch.KINDS), notes.append) as watching:
                 for endpoint in endpoints:
                     node = mock.Mock(endpoint=endpoint)
-                    watching.subscriptions.append(
-                        mock.Mock(node=node, where="/h", detach=lambda node=node: detach(node))
+                    watching.left.append(
+                        mock.Mock(endpoint=endpoint, where="/h", detach=lambda node=node: detach(node))
                     )
                 raise KeyboardInterrupt
         with self.assertRaises(KeyboardInterrupt):
@@ -138,7 +138,7 @@ class Ending(unittest.TestCase):
         async def detach(node):
             asked.append(node.endpoint)
             await loop.sleep(0.01)
-        with mock.patch.object(watch, "HURRY", 0):
+        with mock.patch.object(watch.times, "HURRY_SHOWN", 0):
             self.end(detach, range(100))
         self.assertEqual(sorted(asked), list(range(100)))
 

@@ -434,8 +434,9 @@ class Peers:
                 peer.add(request)
             else:
                 request.failed(connections.Closed() if is_cut else e)
-        if self.session.on_end is not None and connection.has_answered:
-            self.session.on_end(peer.endpoint)
+        if connection.has_answered:
+            for tell in self.session.on_end:
+                tell(peer.endpoint)
         if not peer.waiting and not peer.waiting_for_others:  # a loop that runs for long meets many
             self.known.pop(peer.endpoint, None)
 
