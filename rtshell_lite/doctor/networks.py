@@ -15,8 +15,8 @@ from rtshell_lite.text import printable
 async def misled(check, where, ref, homes, elsewhere=""):
     """The Finding on an object that publishes addresses at which others do not find it, or None.
 
-    One that is a warning must not hide what is worse: only after a failure is nothing else to be known from
-    here.
+    After a failure nothing else can be found out about the object from here; after a warning, its callers go
+    on, as they may find worse.
 
     homes      IP addresses of what knows the object: the name server that it is bound in, its manager, the
                near end of a connection

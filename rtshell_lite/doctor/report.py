@@ -160,7 +160,7 @@ def _managers(answers):
 
 
 def _clocks(snapshots):
-    """Where values were measured whose components stamp them."""
+    """How far the clocks are apart of hosts on which a component puts the time into its values."""
     for each in snapshots:
         if each.stamp is not None:
             host, number = each.node.endpoint

@@ -221,8 +221,8 @@ class Presence:
             other.wait_no_more()
 
     def failed(self, each, error):
-        """A component was asked in vain: it is gone, or may be, with all of its process where that refuses,
-        or it hangs.
+        """A question to a component has failed: it is gone; or its process refuses connections, and all its
+        components are gone, or may be; or it hangs.
         """
         if not each.is_there:
             return

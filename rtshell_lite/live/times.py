@@ -36,7 +36,8 @@ class Patience:
     __slots__ = ("until", "_pause")
 
     def __init__(self):
-        self.end()
+        self.until = 0.0  # by loop.now()
+        self._pause = FIRST_PAUSE
 
     @property
     def is_on(self):

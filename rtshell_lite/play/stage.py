@@ -93,7 +93,7 @@ class Stage:
                 _take_part(context, other)
 
     def _others(self, locate, component, targets):
-        """Those of the components that are located, which are here, but not this one."""
+        """The components here that `targets` mean, without `component` itself."""
         found = []
         for target in targets:
             other = self._located(locate, target)

@@ -66,8 +66,8 @@ async def uncertain_if_refused(asked):
 async def profile(node, brief=False, names=False):
     """The Profile of a component. Ask its ports first (`ports.ports`): docs/protocol.md 1.1.
 
-    `brief`: with one of its properties, which shows that there are any. `names`: without its parent and its
-    properties, which come after those of all its ports.
+    `brief`: with the first of its properties, if it has any. `names`: without its parent and its properties,
+    which come after those of all its ports.
     """
     if names:
         part = 6

@@ -41,8 +41,9 @@ class Snapshot:
                    apart
     written        (Port, values that it writes a second) of the out port that was measured, or None
     stamp          (when a value came, the time in it), in s since 1970, of that port, or None
-    owned          component.Contexts of its own; `participating` those of others that execute it, too. Those
-                   of another process that does not answer have only their reference
+    owned          component.Contexts of its own
+    participating  component.Contexts of other components that execute it, too. A context of another process
+                   that does not answer has only its reference
     states         its states in `contexts`
     configuration  its configuration.Configuration, None where it has none
     organisations  composites.Organisations that it owns

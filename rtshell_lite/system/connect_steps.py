@@ -89,72 +89,72 @@ class Connection(steps.Step):
         self.wanted = wanted_properties(connector)
 
     def questions(self):
-        return [placement.port_question(name) for placement, name in self._living()]
+        return [placement.port_question(name) for placement, name in self._live_ends()]
 
     def known_answers(self):
-        return [placement.port(name) for placement, name in self._living()]
+        return [placement.port(name) for placement, name in self._live_ends()]
 
-    def _living(self):
+    def _live_ends(self):
         """The ends that are looked at."""
         return self.ends
 
     @property
     def endpoint(self):
-        placement, name = self._living()[0]
+        placement, name = self._live_ends()[0]
         return placement.port_question(name).endpoint
 
-    def having(self, at):
-        """[(Port, its ports.Connector)] of the Ports `at`, all that it is to join, for those that have the
-        connection.
+    def connections_between(self, joined):
+        """[(Port, its ports.Connector)] of the Ports `joined`, which the connection is to join: of those that
+        have it.
 
-        That is the one with the id in the profile; else one that is like it in all but the id, see `equal`;
-        where the profile has no id, any that joins the same ports.
+        The connection is the one with the id in the profile; else one that differs in its id alone, see
+        `equal_connections`; where the profile has no id, any that joins the same ports.
         """
         wanted_id = self.connector.connector_id
-        wanted = {orb.identity(port.ref) for port in at}
+        wanted = {orb.identity(port.ref) for port in joined}
         if wanted_id:
-            return _with_id(at, wanted_id) or self.equal(at)
+            return _with_id(joined, wanted_id) or self.equal_connections(joined)
 
         def is_meant(connector):
             if len(wanted) == 1:
                 return wanted == _joined(connector)
             return wanted <= _joined(connector)
 
-        firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in at]
+        firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in joined]
         return [(port, connector) for port, connector in firsts if connector is not None]
 
-    def equal(self, at):
-        """As `having`, for a connection that joins the same ports with the same properties, under an id that
-        the profile has not.
+    def equal_connections(self, joined):
+        """As `connections_between`, for one with the same ports and properties under an id that the profile
+        does not have.
 
         Somebody has made it again by hand, or the component itself at its start.
         """
-        if len(at) < len(self.ends):
+        if len(joined) < len(self.ends):
             return []
-        for connector in self.others(at):
-            found = _with_id(at, connector.id)
-            if len(found) == len(at) and not _differing(self.wanted, connector):
+        for connector in self.others(joined):
+            found = _with_id(joined, connector.id)
+            if len(found) == len(joined) and not _differing(self.wanted, connector):
                 return found
         return []
 
-    def others(self, at):
-        """The connectors of the first of the Ports `at` that join as many, others of them too,
+    def others(self, joined):
+        """The connectors of the first of the Ports `joined` that join as many, others of them too,
         under ids that the profile has not.
         """
-        if len(at) > 1:
-            joining = ports.joining(at)
+        if len(joined) > 1:
+            joining = ports.joining(joined)
         else:
-            joining = [one for port in ports.in_system(at) for one in port.connectors]
+            joining = [one for port in ports.in_system(joined) for one in port.connectors]
         return [
             connector
             for connector in joining
-            if connector.id not in self.ids and len(connector.ports) == len(at)
+            if connector.id not in self.ids and len(connector.ports) == len(joined)
         ]
 
-    async def disconnect(self, having):
-        """Remove the connection from what `having` returned; returns the errors of the ports that fail."""
+    async def disconnect(self, connections):
+        """Remove what `connections_between` returned; returns the errors of the ports that fail."""
         failures = []
-        for port, connector in having:
+        for port, connector in connections:
             try:
                 await connectors.disconnect(port, connector, self.is_forced)
             except errors.Error as e:
@@ -162,9 +162,10 @@ class Connection(steps.Step):
         return failures
 
 
-def _with_id(at, connector_id):
-    """[(Port, its ports.Connector)] of those of the Ports `at` that have a connector with this id."""
-    return [(port, connector) for port in at for connector in port.connectors if connector.id == connector_id]
+def _with_id(joined, connector_id):
+    """[(Port, its ports.Connector)] of those of the Ports `joined` that have a connector with this id."""
+    found = [(port, connector) for port in joined for connector in port.connectors]
+    return [(port, connector) for port, connector in found if connector.id == connector_id]
 
 
 def _differing(wanted, connector):
@@ -198,28 +199,28 @@ class Connect(Connection):
             self.requested.pop("dataport.data_type", None)
         self.command = connectors.command(self.paths, connector.name, connector.connector_id, self.requested)
 
-    def leftovers(self, at):
-        """What `having` returns for a connection that is not complete; [] for one that is, or is nowhere."""
-        having = self.having(at)
-        if len(having) != len(at):
-            return having
-        wanted = {orb.identity(port.ref) for port in at}
-        if all(_joined(connector) == wanted for _, connector in having):
+    def leftovers(self, joined):
+        """What `connections_between` returns if not all ends have the connection; [] if all have, or none."""
+        connections = self.connections_between(joined)
+        if len(connections) != len(joined):
+            return connections
+        wanted = {orb.identity(port.ref) for port in joined}
+        if all(_joined(connector) == wanted for _, connector in connections):
             return []
-        return having
+        return connections
 
     def differences(self, answers):
-        having = self.having(answers)
+        connections = self.connections_between(answers)
         obstacle = self._incomplete(answers)
-        is_absent = len(having) < len(answers)
+        is_absent = len(connections) < len(answers)
         if obstacle and not is_absent:
-            is_absent = len(having[0][1].ports) == len(answers)
+            is_absent = len(connections[0][1].ports) == len(answers)
         if is_absent:
             yield self._absence(answers, obstacle)
             return
         if obstacle:
-            yield Difference("ends", None, len(answers), len(having[0][1].ports), obstacle)
-        for name, expected, actual in _differing(self.wanted, having[0][1]):
+            yield Difference("ends", None, len(answers), len(connections[0][1].ports), obstacle)
+        for name, expected, actual in _differing(self.wanted, connections[0][1]):
             yield Difference(
                 "property",
                 name,
@@ -232,56 +233,57 @@ class Connect(Connection):
                 ),
             )
 
-    def _incomplete(self, at):
-        """The Incomplete of a connection that some of the Ports `at` lack, or that joins others; or None."""
-        if not self.leftovers(at):
+    def _incomplete(self, joined):
+        """The Incomplete of a connection that some of the Ports `joined` lack, or with other ends."""
+        if not self.leftovers(joined):
             return None
         return Incomplete(
             self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete"
         )
 
-    def _absence(self, at, obstacle):
+    def _absence(self, joined, obstacle):
         """The Difference of a connection that is not there, or not as a whole."""
-        obstacle = obstacle or self._obstacle(at)
+        obstacle = obstacle or self._obstacle(joined)
         wanted_id = self.connector.connector_id or None
-        if len(at) == 1:
+        if len(joined) == 1:
             return Difference("one-port connection", self.connector.interface_type, wanted_id, None, obstacle)
-        for other in self.others(at):
+        for other in self.others(joined):
             return Difference("other connection", None, wanted_id, other.id, obstacle)
         actual = None
-        joining = ports.joining(at)
+        joining = ports.joining(joined)
         if joining:
             actual = joining[0].id
         return Difference("connection", None, wanted_id, actual, obstacle)
 
-    def _obstacle(self, at):
-        """The error that says why the Ports `at` cannot be connected, or None.
+    def _obstacle(self, joined):
+        """The error that says why the Ports `joined` cannot be connected, or None.
         A port alone may have several connections.
         """
         try:
-            ports.check(at, self.requested)
+            ports.check(joined, self.requested)
         except errors.Error as e:
             return e
-        if len(at) == 1:
+        if len(joined) == 1:
             return None
-        for other in self.others(at):
+        for other in self.others(joined):
             why = f"already connected with another id ({printable(other.id)}); rtdis removes that"
             return errors.Refused(self.where, why)
         return None
 
-    def other_id(self, at):
+    def other_id(self, joined):
         """The id of a connection in the place of this one that is like it in all but the id; or None."""
-        having = self.having(at)
-        is_other = having and having[0][1].id != self.connector.connector_id and self.connector.connector_id
+        connections = self.connections_between(joined)
+        own_id = self.connector.connector_id
+        is_other = connections and own_id and connections[0][1].id != own_id
         if is_other:
-            return having[0][1].id
+            return connections[0][1].id
         return None
 
     async def act(self, answers):
         await connectors.connect(answers, self.connector.name, self.connector.connector_id, self.requested)
 
     async def tidy(self, answers):
-        await self.disconnect(self.having(errors.split(answers)[0]))
+        await self.disconnect(self.connections_between(errors.split(answers)[0]))
 
     async def undo(self, before, after):
         await self.tidy(after)
@@ -322,7 +324,7 @@ class Disconnect(Connection):
     tolerant = True
     command = ""  # once it has been seen that it is there
 
-    def _living(self):
+    def _live_ends(self):
         return [
             (placement, name)
             for placement, name in self.ends
@@ -343,7 +345,7 @@ class Disconnect(Connection):
 
     async def is_done(self, answers):
         living, failures = errors.split(answers)
-        self.last = self.having(living)
+        self.last = self.connections_between(living)
         for port, connector in self.last[:1]:
             self.command = f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}"
         for e in failures + [placement.error for placement in self.placements if placement.error is not None]:
@@ -356,7 +358,7 @@ class Disconnect(Connection):
 
     async def undo(self, before, after):
         living = errors.split(after)[0]
-        removed = self.having(errors.split(before)[0])[0][1]
+        removed = self.connections_between(errors.split(before)[0])[0][1]
         properties = {
             name: value for name, value in removed.properties if not capture.is_reference(name, value)
         }

@@ -171,8 +171,8 @@ class Keeper(follow.Presence):
                 await self.bell.wait(due - now)
 
     def _mendable(self, waiting):
-        """Those that can be mended now. One that is back comes with the composites that have lost it: two
-        tasks at one component would each take the other's work for a person's.
+        """Those that can be mended now. One task mends a component that is back, and the composites that have
+        lost it: of two tasks each would take what the other does for the work of a person.
         """
         batch = set()
         for kept in waiting:

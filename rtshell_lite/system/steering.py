@@ -264,7 +264,7 @@ def _mark(line):
 
 def notify(**said):
     """Tell systemd, or who speaks its protocol, how it is: READY=1, STATUS=…, WATCHDOG=1 (sd_notify(3)).
-    False where it reads nothing, so that its socket is full: that must not stop us.
+    False if its socket is full, as it does not read: rtkeep goes on without it.
     """
     where = os.environ.get("NOTIFY_SOCKET")
     if not where:

@@ -76,7 +76,7 @@ class Step:
         return not differences
 
     async def act(self, answers):
-        """Do it; `answers` are those by which it was not done."""
+        """Do it; `answers` have shown that it was not done."""
 
     async def tidy(self, answers):
         """After `act` has failed: remove what it has left behind."""
