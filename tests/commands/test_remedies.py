@@ -297,7 +297,8 @@ class Following(unittest.TestCase):
         before = facts(server)
         end = time.monotonic() + worlds.LIMIT
         left, err = self.examined(doctor, settings, [each.remedy])
-        while self.has(left, each) and time.monotonic() < end:  # components change their states in their next cycles
+        # components change their states in their next cycles
+        while self.has(left, each) and time.monotonic() < end:
             left, _ = self.examined(
                 doctor, settings, [each.remedy] if each.remedy.startswith("unset") else []
             )
