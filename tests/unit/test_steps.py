@@ -107,7 +107,7 @@ class Connections(unittest.TestCase):
         async def connect(*args):
             connected.append(args)
         with mock.patch.object(connect_steps.connectors, "connect", connect):
-            step.having = lambda at: [(at[0], removed)] if at == ["a:out", "b:in"] else []
+            step.connections_between = lambda at: [(at[0], removed)] if at == ["a:out", "b:in"] else []
             loop.run(step.undo(["a:out", "b:in", errors.Gone("c:in")], ["a:out", "b:in"]))
         self.assertEqual(connected, [(["a:out", "b:in"], "name", "id", {"dataport.dataflow_type": "push"})])
 
