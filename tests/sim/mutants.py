@@ -2,10 +2,14 @@
 """Break the product in one place after another, and see whether simulated worlds notice.
 
   python3 tests/sim/mutants.py [--worlds N] [WORD ...]     those whose file or text has one of these words
+
+Status 1 if one cannot be played: what is to be broken is not there, and the list is stale, or simulate fails.
 """
 
 import argparse
+import concurrent.futures
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +17,9 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SEED = "700000"
+AT_ONCE = 2
+HANGS = 1800  # seconds until a mutant is killed: a world does not end, or a program in it never waits
+NO_WORLD = "NO WORLD"  # could be played
 
 
 def main():
@@ -25,13 +32,16 @@ def main():
     wanted = [
         mutant for mutant in _read() if not args.words or any(word in " ".join(mutant) for word in args.words)
     ]
-    found = 0
-    for name, old, new in wanted:
-        noticed = _is_noticed(name, old, new, args.worlds)
-        found += bool(noticed)
-        print(f"{noticed or 'NOT NOTICED':12} {name}")
-        print(f"{'':12} {' '.join(old.split())} -> {' '.join(new.split())}", flush=True)
-    print(f"{found} of {len(wanted)} noticed")
+    found = []
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        for mutant, noticed in zip(wanted, pool.map(lambda each: _notice(each, args.worlds), wanted)):
+            name, *texts = mutant
+            found.append(noticed)
+            print(f"{noticed or 'NOT NOTICED':28} {name}")
+            print(f"{'':28} {' -> '.join(' '.join(text.split()) for text in texts)}", flush=True)
+    missing = sum(words.startswith(NO_WORLD) for words in found)
+    print(f"{sum(map(bool, found)) - missing} of {len(wanted)} noticed, {missing} not played")
+    sys.exit(1 if missing else 0)
 
 
 def _read():
@@ -48,8 +58,9 @@ def _after(sign, lines):
     return [line[2:] for line in lines[1:] if line[0] == sign]
 
 
-def _is_noticed(name, old, new, worlds):
-    """In which words the worlds notice a change, '' where they do not."""
+def _notice(mutant, worlds):
+    """By which oracle the worlds notice a mutant, and in how many, '' where they do not; or NO_WORLD."""
+    name, old, new = mutant
     with tempfile.TemporaryDirectory() as top:
         for part in ("rtshell_lite", "bin", "mock_components", "tests"):
             ignored = shutil.ignore_patterns("__pycache__")
@@ -58,18 +69,22 @@ def _is_noticed(name, old, new, worlds):
         with open(path, encoding="utf-8") as file:
             text = file.read()
         if old not in text:
-            return "NOT THERE"
+            return f"{NO_WORLD}: what is to be broken is not there"
         with open(path, "w", encoding="utf-8") as file:
             file.write(text.replace(old, new, 1))
         command = os.path.join(top, "tests", "simulate")
         words = [sys.executable, command, "--seed", SEED, "--worlds", worlds, "-x"]
-        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "universal_newlines": True}
+        try:
+            done = subprocess.run(words, env=dict(os.environ, TMPDIR=top), timeout=HANGS, **pipes)
+        except subprocess.TimeoutExpired:  # it has been killed
+            return "ends"
     if not done.returncode:
         return ""
-    for line in done.stdout.splitlines():
-        if line.startswith("  "):
-            return line.strip().partition(":")[0]
-    return "ends"
+    told = re.search(r"^FAIL seed (\d+).*\n  ([\w ]+):", done.stdout, re.M)
+    if told is None:
+        return f"{NO_WORLD}: {done.stderr}"
+    return f"{told.group(2)}, {int(told.group(1)) - int(SEED) + 1} worlds"
 
 
 if __name__ == "__main__":

@@ -14,6 +14,8 @@ import robot as robots
 import users
 import world as worlds
 
+from rtshell_lite import errors
+
 PATIENCE = 20.0  # virtual seconds for all to be started
 A_KEEPER = 0.1  # of the worlds have an rtkeep that stays
 WRITING = ("rtlog", "rtcryo")
@@ -134,10 +136,15 @@ class Play:
                 self.robot.start(name, world.hosts[host], flavour, members)
             count = sum(len(members) for *_, members in scenario.processes)
             world.run(PATIENCE, lambda: self.robot.count_bound() >= count)
+            if self.robot.count_bound() < count:
+                self.failures.append(("ends", "the robot does not start"))
+                return
             self.robot.set_up(scenario.connections, scenario.active)
             self._save()
             self._act()
             oracles.judge(self)
+        except (worlds.Stuck, errors.Error) as e:
+            self.failures.append(("ends", str(e)))
         finally:
             world.end()
             os.chdir(os.pardir)

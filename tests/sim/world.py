@@ -42,6 +42,10 @@ LOOPBACK = "127.0.0.1"
 ASKING_OTHERS = [operation.encode() + b"\0" for operation in failures._ASKING_OTHERS]
 
 
+class Stuck(Exception):
+    """A program has something to do again and again, and no time passes."""
+
+
 class World:
     """`time`: seconds since it began; `random`: from the seed; `story`: (time, line) of what has happened."""
 
@@ -89,7 +93,7 @@ class World:
             if self.ready:
                 self._turns += 1
                 if self._turns > MOST_AT_ONCE:
-                    raise AssertionError("%s never waits" % self.ready[0].name)
+                    raise Stuck(f"{self.ready[0].name} never waits")
                 self.ready.popleft().take_turn()
                 continue
             if not self._events or self._events[0][0] > until:
