@@ -10,6 +10,7 @@ QUICKEST = 0.02         # seconds: no component runs more often, whatever rate i
 # 470
 FASTEST = 800.0
 TRANSITION_TIMEOUT = 0.5
+ROUNDING = 1e-6         # seconds by which a wait may end too early
 
 
 class Member:
@@ -277,8 +278,11 @@ class Behaviour:
             if self._asked():
                 return
             period = QUICKEST
+        left = period - (carrier.now() - self.born) % period
+        if left < ROUNDING:  # the cycle that begins has just been waited for
+            left += period
         with self.changed:
-            self.changed.wait_for(lambda: self.dead, period - (carrier.now() - self.born) % period)
+            self.changed.wait_for(lambda: self.dead, left)
 
     def _transit(self, member, wanted):
         name = {

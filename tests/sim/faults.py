@@ -8,6 +8,7 @@ LONG = 5.0  # seconds that something lasts which ends by itself
 SLOW = 0.3
 MTU = 300  # octets, of a packet that still comes through
 LATE = 1.7
+RARE = 0.1  # Hz of a context whose period is longer than people wait
 
 
 def kill(robot, process):
@@ -61,6 +62,11 @@ def error(robot, component):
 def halt(robot, component):
     """A context is stopped."""
     robot.ask(component, lambda found: found.owned[0].stop())
+
+
+def slow_down(robot, component):
+    """A context runs a cycle in ten seconds from now on."""
+    robot.ask(component, lambda found: found.owned[0].set_rate(RARE))
 
 
 def forget(robot, component):
@@ -222,6 +228,7 @@ FAULTS = {
     restart: ("process", False),
     error: ("component", True),
     halt: ("component", False),
+    slow_down: ("component", False),
     forget: ("component", False),
     refuse: ("component", False),
     cut: ("host", False),
@@ -240,6 +247,12 @@ FAULTS = {
     lose_power_in_writing: ("seat", False),
     fill_disk: ("seat", False),
     break_disk: ("seat", False),
+}
+# what people type who see it, at a component that it concerns: any command where there is none
+ANSWERS = {
+    error: ("rtreset --wait 3", "rtact --wait 3", "rtls -l", "rtcat -l"),
+    halt: ("rtact --wait 3", "rtdeact --wait 3", "rtreset --wait 3", "rtls -l"),
+    slow_down: ("rtact --wait 3", "rtdeact --wait 3", "rtcat -l"),
 }
 BY_NAME = {fault.__name__: fault for fault in FAULTS}
 OF_NETWORK = {"cut", "unplug", "slow_network", "close_port", "shut_port", "lose_one_way", "shrink_packets"}

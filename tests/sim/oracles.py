@@ -15,7 +15,7 @@ ROUND_TRIPS = 5  # whose answers come late, but come
 A_PROFILE = 1  # more for rtdoctor --profile
 WAITING = re.compile(r"(?:--wait|--within|-t) (\d+)")  # seconds more that somebody has asked for
 SLACK = 1.0
-STATUSES = {0, 1, 2, 3, 4, 5, 6}
+STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
@@ -26,7 +26,7 @@ OF_FILES["rtstop"] = "Inactive"
 NETWORK = faults.OF_NETWORK | {"no_names", "empty_names"}
 SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
 # after these rtkeep cannot reach all that lives, or the file is about something else
-UNKEPT = NETWORK - {"unplug"} | {"halt", "refuse"}
+UNKEPT = NETWORK - {"unplug"} | {"halt", "slow_down", "refuse"}
 FILE_ALONE = {"rtteardown", "rtstop", "rtresurrect", "rtstart"}  # change whole systems
 # seconds in which rtkeep has seen all: 10 turns of three kinds of questions, and pauses until it tries again
 SETTLING = {True: 20.0, False: 60.0}
@@ -39,6 +39,9 @@ STAYING = {"rtkeep", "rtlog", "rtprint", "rtwatch", "rttop"}
 ROUNDS = 4  # how often a process that does not answer is asked again, by commands that give it the time
 VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
 SHORT = 2.9  # seconds, in which rtprint -t has not ended
+# "status line" of commands that end so where all is well: what is asked for is not so, or was done before
+NO_IS_AN_ANSWER = r"1 (rtcheck -s|rtkeep status|rtwatch -n)|3 rtmgr \S+ -d|6 (rtreset|rtcon) "
+NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) "
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
 
@@ -66,7 +69,8 @@ def ends(play, command):
     limit = LIMITS.get(command.name, OTHERS) * TIMEOUT + SLACK
     for seconds in WAITING.findall(command.line):
         limit += int(seconds)
-    if any(name == "slow_network" for _, name, _ in play.scenario.faults):
+    is_slow = any(name == "slow_network" for _, name, _ in play.scenario.faults)
+    if is_slow and command.name not in LIMITS:  # they ask one question after another
         limit += ROUND_TRIPS * 2 * faults.SLOW
     if "--profile" in command.line:
         limit += A_PROFILE * TIMEOUT
@@ -89,7 +93,7 @@ def is_stable(play, command):
     is_documented = command.status in (STATUSES if command.interrupted is None else STRUCK)
     if command.is_over and not command.was_killed and not is_documented:
         return f"status {command.status}"
-    said = re.sub(r"rtlog: (trigger|kept) .*\n", "", command.error)
+    said = re.sub(r"rtlog: (trigger:|kept) .*\n", "", command.error)
     if command.status == 0 and f"{command.name}: " in said and "error" in said:
         return f"status 0, and {command.error.strip()}"
     return None
@@ -205,6 +209,18 @@ def says_what_is_done(play, command):
     return None
 
 
+def does_what_can_be_done(play, command):
+    """Where nothing has gone wrong, and nobody else changes anything, all can be done."""
+    is_calm = command.is_over and command.interrupted is None and not _was_troubled(play, command.ended)
+    if not is_calm or command.status == 0:
+        return None
+    if any(each is not command and each.name not in LOOKING for each in play.commands):
+        return None
+    if re.match(NO_IS_AN_ANSWER if play.scenario.active else NO_WHERE_IDLE, f"{command.status} {command.line}"):
+        return None
+    return f"status {command.status}: {command.out}{command.error}"
+
+
 def ends_what_it_says(play, command):
     """A component is gone, or there, where rtexit or rtmgr ends with status 0."""
     if command.name not in ("rtexit", "rtmgr") or command.status != 0:
@@ -285,8 +301,6 @@ def is_kept(play, command):
     troubles = {fault for _, fault, _ in play.scenario.faults}
     if troubles & UNKEPT or not FILE_ALONE.isdisjoint(each.name for each in play.commands):
         return None
-    if any(name == "forget" and play.begin + when > command.begun for when, name, _ in play.scenario.faults):
-        return None  # of a connection that it has seen whole, it asks one end
     begun = command.ended - SETTLING[("--look" in command.line)]
     well = {name for name in _parts(play) if play.robot.was_well(name, begun, command.ended)}
     for pair in play.scenario.connections:
@@ -434,6 +448,7 @@ ORACLES = {
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
     "done is done": says_what_is_done,
+    "possible is done": does_what_can_be_done,
     "ended is ended": ends_what_it_says,
     "changed is changed": changes_what_it_says,
     "agrees": agrees,

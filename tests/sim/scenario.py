@@ -2,8 +2,10 @@
 that parts can be left out to find the smallest that fails.
 """
 
+import json
 import os
 import random
+import re
 import shutil
 import tempfile
 
@@ -18,6 +20,8 @@ from rtshell_lite import errors
 
 PATIENCE = 20.0  # virtual seconds for all to be started
 A_KEEPER = 0.1  # of the worlds have an rtkeep that stays
+BY_HAND = 0.5  # of those have one person who changes one thing, and no fault
+ANSWERED = 0.4  # of the faults are answered by somebody
 WRITING = ("rtlog", "rtcryo")
 OF_DISKS = ("fill_disk", "break_disk", "lose_power", "lose_power_in_writing")
 LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise
@@ -50,47 +54,78 @@ class Scenario:
         pairs = {(draw.choice(names), draw.choice(targets)) for _ in range(draw.randrange(2 * len(names)))}
         self.connections = sorted(pair for pair in pairs if pair[0] != pair[1])
         self.active = sorted(draw.choice(([], names)))
-        self.faults = []
-        for _ in range(draw.choice((0, 1, 1, 1, 2, 3))):
-            self._draw_fault(draw, names)
-        self.faults.sort()
         managers = {
             name: members
             for name, _, flavour, members in self.processes
             if components.FLAVOURS[flavour].creates_here
         }
+        self.faults = []
         self.commands = []
+        for _ in range(draw.choice((0, 1, 1, 1, 2, 3))):
+            self._draw_fault(draw, names, only)
         for _ in range(draw.choice((1, 2, 3, 5))):
             interrupted = draw.random() * 2 if draw.random() < 0.15 else None
             words = users.draw(draw, names, managers, only)
             number = draw.choice(sorted(users.SIGNALS))
             self.commands.append((round(draw.random() * 6, 3), words, interrupted, number))
         if draw.random() < A_KEEPER and (not only or "rtkeep" in only):
-            words = users.draw_keeper(draw)
-            number = draw.choice(sorted(users.SIGNALS))
-            self.commands.append((round(draw.random() * 3, 3), words, users.KEPT, number))
+            self._draw_keeper(draw, names)
         writing = [when for when, words, *_ in self.commands if words.split()[0] in WRITING]
         if writing and draw.random() < 0.4:
             when = round(draw.choice(writing) + draw.random() * 2.5, 3)
             self.faults.append((when, draw.choice(OF_DISKS), self.seat))
-            self.faults.sort()
+        self.faults.sort()
         self.commands.sort(key=lambda each: each[0])
 
-    def _draw_fault(self, draw, names):
-        fault = draw.choice(sorted(faults.BY_NAME))
-        kind, _ = faults.FAULTS[faults.BY_NAME[fault]]
-        whom = {
-            "process": [process for process, *_ in self.processes],
-            "component": names,
-            "host": self.hosts,
-            "names": [""],
-            "seat": [self.seat],
-        }[kind]
-        self.faults.append((round(draw.random() * 3, 3), fault, draw.choice(whom)))
+    def _draw_fault(self, draw, names, only):
+        """A fault, and perhaps what somebody types who sees it."""
+        name = draw.choice(sorted(faults.BY_NAME))
+        fault = faults.BY_NAME[name]
+        kind, _ = faults.FAULTS[fault]
+        whom = draw.choice(
+            {
+                "process": [process for process, *_ in self.processes],
+                "component": names,
+                "host": self.hosts,
+                "names": [""],
+                "seat": [self.seat],
+            }[kind]
+        )
+        when = round(draw.random() * 3, 3)
+        self.faults.append((when, name, whom))
+        if fault in faults.ANSWERS and draw.random() < ANSWERED:
+            words = draw.choice(faults.ANSWERS[fault])
+            if not only or words.split()[0] in only:
+                later = round(when + 0.1 + draw.random() * 2, 3)
+                self.commands.append((later, f"{words} {whom}", None, None))
+
+    def _draw_keeper(self, draw, names):
+        """An rtkeep that stays, and perhaps a person beside it."""
+        words = users.draw_keeper(draw)
+        number = draw.choice(sorted(users.SIGNALS))
+        if draw.random() < BY_HAND:
+            self.faults = []
+            self.commands = [each for each in self.commands if each[1].split()[0] in oracles.LOOKING]
+            when = round(3 + oracles.QUICK + draw.random() * 5, 3)
+            self.commands.append((when, users.draw_by_hand(draw, names), None, None))
+        self.commands.append((round(draw.random() * 3, 3), words, users.KEPT, number))
 
     def play(self):
         """Let it happen. Returns the Play."""
         return Play(self)
+
+    # ---- to keep it ----
+
+    def text(self):
+        """It as one line, which means the same when seeds mean something else."""
+        return json.dumps(vars(self), sort_keys=True)
+
+    @classmethod
+    def read(cls, text):
+        """The Scenario of such a line."""
+        made = cls.__new__(cls)
+        vars(made).update(json.loads(text))
+        return made
 
     # ---- to make it smaller ----
 
@@ -99,13 +134,12 @@ class Scenario:
         for part in ("commands", "faults", "connections", "active", "processes"):
             whole = getattr(self, part)
             for number in range(len(whole)):
-                if part in ("processes", "commands") and len(whole) == 1:
-                    continue
-                yield self._with(part, whole[:number] + whole[number + 1 :])
+                less = self._with(part, whole[:number] + whole[number + 1 :])
+                if less.processes and less.commands:
+                    yield less
 
     def _with(self, part, value):
-        made = Scenario.__new__(Scenario)
-        made.__dict__.update(self.__dict__)
+        made = self.read(self.text())
         setattr(made, part, value)
         names = {each for *_, members in made.processes for each in members}
         processes = {each for each, *_ in made.processes}
@@ -113,6 +147,8 @@ class Scenario:
         made.active = [name for name in made.active if name in names]
         known = names | processes | set(made.hosts) | {"", made.seat}
         made.faults = [each for each in made.faults if each[2] in known]
+        lost = {each for *_, members in self.processes for each in members} - names
+        made.commands = [each for each in made.commands if lost.isdisjoint(re.findall(r"\bC\d+", each[1]))]
         return made
 
 

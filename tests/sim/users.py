@@ -55,14 +55,14 @@ def draw(draw, names, managers, only=()):
         "rtkeep status",
         f"rtwatch -t 3 {one}",
         f"rtwatch -n 1 -t 4 -f RTC_STATUS {one} {other}",
-        "rttop -n 2 -d 1",
-        "rttop --json -n 2 -d 1",
+        "rttop -n 2 -r 1",
+        "rttop --json -n 2 -r 1",
         f"rttop -n 1 -p {one}:out",
         f"rtcheck -s Inactive {FILE}",
         f"rtcheck --extra {FILE}",
         "rtcat -ll " + one,
         f"rtcon -i made {one}:out {other}:in",
-        "rtstodot",
+        f"rtstodot {FILE}",
         f"rtcryo -y -o {recordings.SAVED} .",
         f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
         f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap .",
@@ -81,6 +81,12 @@ def draw(draw, names, managers, only=()):
 def draw_keeper(draw):
     """The words of an rtkeep that stays."""
     return "rtkeep " + draw.choice(("--look 0.3 ", "--look 0.3 --strict ", "--look 0.5 ")) + FILE
+
+
+def draw_by_hand(draw, names):
+    """The words of a command line of somebody who changes what an rtkeep keeps."""
+    name = draw.choice(names)
+    return draw.choice((f"rtdeact {name}", f"rtconf {name} set gain 5"))
 
 
 class Command:
