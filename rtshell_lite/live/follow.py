@@ -387,13 +387,13 @@ def _of_settings(each):
 
 
 def _of_connections(each):
-    """Ports at one end of its connections: the other end has them, too. Of one that is given up, all."""
+    """Ports with connections, which one end may have lost alone. Of one that is given up, all."""
     if loop.now() < each.patience.until:
         return
     for port in each.shown.ports:
         if each.is_given_up:
             yield "ports", functools.partial(_has_others, port)
-        elif port.connectors and port.type != "DataInPort":
+        elif port.connectors:
             yield "ports", functools.partial(_has_lost, port)
 
 

@@ -7,6 +7,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
+from rtshell_lite.events import presence
 from rtshell_lite.net import loop
 from rtshell_lite.path import parse
 from rtshell_lite.system import keep, kept, policy
@@ -83,6 +84,21 @@ class Waiting(unittest.TestCase):
             return self.component.due - loop.now()
         self.assertLessEqual(self.run_in_loop(main), 0)
         self.assertTrue(self.bell_rang)
+
+
+class Connections(unittest.TestCase):
+    def test_ports_are_asked_at_both_ends_of_their_connections(self):
+        ports = [types.SimpleNamespace(type=kind, connectors=["it"]) for kind in ("DataInPort", "DataOutPort")]
+        ports.append(types.SimpleNamespace(type="DataInPort", connectors=[]))
+        component = types.SimpleNamespace(
+            silent_until=0.0, is_given_up=False, shown=types.SimpleNamespace(ports=ports)
+        )
+
+        async def main():
+            return [(part, question.args) for part, question in presence._of_connections(component)]
+
+        asked = loop.run(main(), session=session.Session(1.0))
+        self.assertEqual(asked, [("ports", (port,)) for port in ports[:2]])
 
 
 if __name__ == "__main__":
