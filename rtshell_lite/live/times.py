@@ -33,23 +33,24 @@ LONGEST_PAUSE = 300.0
 class Patience:
     """When something may be asked again that does not answer: ever later."""
 
-    __slots__ = ("until", "_pause")
+    __slots__ = ("until", "_count")
 
     def __init__(self):
         self.until = 0.0  # by loop.now()
-        self._pause = FIRST_PAUSE
+        self._count = 0  # of questions in vain
 
     @property
     def is_on(self):
         """Whether its last question was in vain."""
-        return self._pause > FIRST_PAUSE
+        return self._count > 0
 
-    def wait(self):
-        """It has not answered."""
-        self.until = loop.now() + self._pause
-        self._pause = min(2 * self._pause, LONGEST_PAUSE)
+    def wait(self, first=FIRST_PAUSE):
+        """It has not answered; `first`: the seconds until it may be asked again at first."""
+        doublings = min(self._count, 20)  # it may hang for days
+        self.until = loop.now() + min(first * 2**doublings, LONGEST_PAUSE)
+        self._count += 1
 
     def end(self):
         """It has answered, or what held it up may be over."""
         self.until = 0.0
-        self._pause = FIRST_PAUSE
+        self._count = 0

@@ -12,7 +12,7 @@ import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.live import follow
+from rtshell_lite.live import follow, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
@@ -21,7 +21,7 @@ from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptCompo
 from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, GONE
 
 TICK = 0.1  # seconds between looks whether all is done
-WAIT = 1.0  # seconds until a look that failed is taken again
+WAIT = 1.0  # seconds until a look that failed is taken again; where nothing was answered, ever more
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 
@@ -243,7 +243,9 @@ class Keeper(follow.Presence):
         if hung:
             error = errors.Unreachable(kept.where, "waits for " + ", ".join(hung))
         if hung or kept.is_hung:
-            kept.hold_up()
+            kept.hold_up(times.FIRST_PAUSE)
+        elif isinstance(error, errors.Silent):  # it may wait for one that answers us, but not it
+            kept.hold_up(WAIT)
         if kept.is_there and not kept.is_hung:
             self.complain(kept, WHOLE, error)
 

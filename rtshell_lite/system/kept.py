@@ -95,9 +95,11 @@ class KeptComponent(follow.Followed):
             return []
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
 
-    def hold_up(self):
-        """It hangs, or waits for one that does. Each look holds a thread of it: they come ever later."""
-        self.held_up.wait()
+    def hold_up(self, pause):
+        """It hangs, or waits for one that does. Each look holds a thread of it: they come ever later, the
+        first after a pause (seconds).
+        """
+        self.held_up.wait(pause)
         self.due = self.held_up.until
 
     def release(self):

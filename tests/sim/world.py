@@ -155,7 +155,7 @@ class Host:
         self.disk = disks.Disk(self)
         self.is_on = True
         self.ahead = 0.0  # seconds by which its clock is ahead
-        self._port = 40000
+        self._port = 40000 + 2000 * len(world.hosts)  # a firewall knows a port by its number
 
     def free_port(self):
         self._port += 1

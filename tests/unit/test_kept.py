@@ -16,6 +16,7 @@ from rtshell_lite.system import keep, kept, policy
 class Waiting(unittest.TestCase):
     def setUp(self):
         self.bell_rang = []
+        self.error = errors.Silent("x", "no answer")
         component = types.SimpleNamespace(property=lambda name: "")
         path = parse("/a:1/x.rtc")
         placement = types.SimpleNamespace(path=path, where=str(path), component=component, error=None)
@@ -41,7 +42,7 @@ class Waiting(unittest.TestCase):
         """For how long it is not looked at after each of some looks in vain."""
         found = []
         for _ in range(4):
-            await keep.Keeper._not_shown(self.keeper, self.component, errors.Silent("x", "no answer"))
+            await keep.Keeper._not_shown(self.keeper, self.component, self.error)
             found.append(self.component.due - loop.now())
         return found
 
@@ -53,14 +54,20 @@ class Waiting(unittest.TestCase):
     def test_it_may_hang_for_days(self):
         async def main():
             for _ in range(5000):
-                self.component.hold_up()
+                self.component.hold_up(4.0)
             return self.component.due - loop.now()
         self.assertAlmostEqual(self.run_in_loop(main), 300, delta=1)
 
     def test_it_is_looked_at_soon_where_nothing_hangs(self):
         self.neighbour.is_hung = False
+        self.error = errors.NotAsked("x", "not asked")
         for pause in self.run_in_loop(self.pauses):
             self.assertAlmostEqual(pause, keep.WAIT, delta=0.5)
+
+    def test_it_is_looked_at_soon_at_first_where_nothing_is_seen_to_hang(self):
+        self.neighbour.is_hung = False  # but a firewall may be between it and the component
+        for pause, least in zip(self.run_in_loop(self.pauses), (1, 2, 4, 8)):
+            self.assertAlmostEqual(pause, least * keep.WAIT, delta=0.5)
 
     def test_a_question_about_its_ports_that_fails_meanwhile_changes_nothing(self):
         async def main():
