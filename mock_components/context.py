@@ -22,6 +22,7 @@ class Member:
         self.handle = handle
         self.state = RTC.INACTIVE_STATE
         self.history = [(carrier.now(), self.state)]
+        self.left = None                # when
         self.wanted = None
         self.falls = None               # when it goes to Error, by the clock
 
@@ -42,6 +43,7 @@ class Behaviour:
         self.sync = sync
         self.owner = None
         self.members = []
+        self.everyone = []              # Members that there are and have been
         self.participants = []
         self.changed = carrier.Condition()
         self.thread = None
@@ -132,7 +134,7 @@ class Behaviour:
     def own(self, reference, servant, handle):
         """Set the component that this context belongs to."""
         self.owner = reference
-        self.members.append(Member(reference, servant, handle))
+        self._join(Member(reference, servant, handle))
 
     def cycles(self):
         """How many of its periods an execution represents."""
@@ -225,7 +227,11 @@ class Behaviour:
 
     def _add(self, comp, handle):
         if not self._find(comp):
-            self.members.append(Member(comp, self.process.local_servant(comp), handle))
+            self._join(Member(comp, self.process.local_servant(comp), handle))
+
+    def _join(self, member):
+        self.members.append(member)
+        self.everyone.append(member)
 
     def _to_cycle(self):
         return min(1.0 / self.rate, 0.3)
@@ -236,6 +242,7 @@ class Behaviour:
     def _remove(self, member):
         carrier.sleep(self._to_cycle())
         self.members.remove(member)
+        member.left = carrier.now()
         self._unlist(member)
         try:
             member.reference.detach_context(member.handle)

@@ -458,7 +458,10 @@ def skeleton(name):
 
 
 def servant(type_id, operations):
-    described = {name: (given, returned, ()) for name, (given, returned) in operations.items()}
+    """A class of servants. Its interface is known to all in the world: whoever reads the IDL finds the same."""
+    described = {}
+    for name, (given, returned) in operations.items():
+        described[name] = given, returned, (), " ".join(f"arg{number}" for number in range(len(given)))
     idl.INTERFACES.setdefault(type_id, ((), described))
     return type("Servant", (), {"_NP_RepositoryId": type_id})
 

@@ -3,7 +3,7 @@
 import carrier
 import world as worlds
 
-from mock_components import components, flavour, manager, naming, stage
+from mock_components import components, composite, flavour, fsm, manager, naming, rtc as component, stage
 from mock_components.__main__ import Options
 
 from rtshell_lite.corba import orb, session
@@ -33,18 +33,74 @@ OPTIONS = Options(
 )
 
 
-class Part(components.Sender):
-    """A component with an in port and an out port, which sends numbers from its `first` on while it is Active
-    and a tool is connected with it; `numbers` are those that it has sent, each with its time. When it was
-    asked to end, it `left`, and then was `gone`.
-    """
+class Part(component.Component):
+    """A component of which the truth is known. When it was asked to end, it `left`, and then was `gone`."""
 
     left = gone = None  # type: float
 
     def __init__(self, *given):
         super().__init__(*given)
-        self.numbers = {}
-        self.first = self.options.found(self)
+        self.numbers = {}  # that it has sent, each with its time
+        self.shared = []  # contexts of other components that have executed it
+        self.first = self.options.robot.found(self)
+
+    def own_context(self):
+        super().own_context()
+        self.options.robot.contexts[self.owned[-1].reference.address[1:]] = self.owned[-1]
+
+    def attach_context(self, cxt):
+        self.shared.append(self.options.robot.contexts[cxt.address[1:]])
+        return super().attach_context(cxt)
+
+    def exit(self):
+        self.left = carrier.now() - worlds.FIRST
+        code = super().exit()
+        self.gone = carrier.now() - worlds.FIRST
+        return code
+
+    def fail(self):
+        """Go to Error, where it is executed."""
+        for each in self.shared:
+            is_here = each.process is self.process and any(self.is_me(member) for member in each.members)
+            if is_here:
+                return each.fail(self.reference)
+        self.owned[0].fail(self.reference)
+
+    def is_me(self, member):
+        return member.reference.address[1:] == self.reference.address[1:]
+
+    @property
+    def states(self):
+        """[(time, state over all contexts)], what was true and when."""
+        own = self.owned[0].everyone[0]
+        if not self.shared:
+            return [(when - worlds.FIRST, WORDS[state._n]) for when, state in own.history]
+        spans = [(own.history, FOR_EVER)]
+        for each in self.shared:
+            ended = each.process.program.ended
+            end = FOR_EVER if ended is None else ended + worlds.FIRST
+            for member in filter(self.is_me, each.everyone):
+                spans.append((member.history, min(end, FOR_EVER if member.left is None else member.left)))
+        times = sorted({when for history, end in spans for when in [end] + [when for when, _ in history]})
+        return [(when - worlds.FIRST, _merged(spans, when)) for when in times if when < FOR_EVER]
+
+
+WORDS = {f"{word.upper()}_STATE": word for word in ("Error", "Active", "Inactive", "Created")}
+
+
+def _merged(spans, when):
+    """The state at a time, of [(history in a context, when that ends)]."""
+    found = set()
+    for history, end in spans:
+        if history[0][0] <= when < end:
+            found.add([WORDS[state._n] for since, state in history if since <= when][-1])
+    return next(word for word in WORDS.values() if word in found)
+
+
+class Sender(Part, components.Sender):
+    """A component with an in port and an out port, which sends numbers from its `first` on while it is Active
+    and a tool is connected with it.
+    """
 
     @property
     def busy(self):
@@ -68,12 +124,6 @@ class Part(components.Sender):
         self.read_ports(handle)
         return self._fine(handle)
 
-    def exit(self):
-        self.left = carrier.now() - worlds.FIRST
-        code = super().exit()
-        self.gone = carrier.now() - worlds.FIRST
-        return code
-
     def report(self, kind, hint):
         super().report(kind, hint)
         self.awake()
@@ -84,26 +134,42 @@ class Part(components.Sender):
 
     def awake(self):
         """Have its contexts look whether there is something to do."""
-        for each in self.owned:
+        for each in self.owned + self.shared:
             each.changed.notify_all()
 
-    @property
-    def states(self):
-        """[(time, state in its own context)], what was true and when."""
-        history = self.owned[0].members[0].history
-        return [(when - worlds.FIRST, state._n[: -len("_STATE")].capitalize()) for when, state in history]
+
+class Composite(Part, composite.Composite):
+    """Executes others."""
 
 
-SPEC = components.Spec(
-    "C",
-    "Part of a simulated robot",
-    [("in", "in", "TimedLong"), ("out", "out", "TimedLong")],
-    sets={"default": {"gain": "1"}, "other": {"gain": "2"}},
-    play=Part,
-    vendor="sim",
-    category="test",
-    max_instance=1000,
-)
+class Provider(Part):
+    """Provides a service."""
+
+
+class Machine(Part, fsm.StateMachine):
+    """Has a state machine."""
+
+
+def _spec(implementation_id, ports, play, **more):
+    sets = {"default": dict({"gain": "1"}, **more), "other": {"gain": "2"}}
+    return components.Spec(
+        implementation_id,
+        "Part of a simulated robot",
+        ports,
+        sets=sets,
+        play=play,
+        vendor="sim",
+        category="test",
+        max_instance=1000,
+    )
+
+
+SPECS = {
+    "part": _spec("C", [("in", "in", "TimedLong"), ("out", "out", "TimedLong")], Sender),
+    "composite": _spec("Composite", [], Composite, members="", exported_ports=""),
+    "provider": _spec("Provider", [("service", "svc", "provided")], Provider),
+    "machine": _spec("Machine", [("event", "event", "TimedLong")], Machine),
+}
 
 
 class Naming(naming.Naming):
@@ -128,20 +194,20 @@ def serve_names(address, port, made):
     return lambda: loop.run(serve(), session=session.Session(PATIENT))
 
 
-def serve(name, parts, kind, host, server, found):
-    """main() of a process of this name at a host, of a flavour, which binds components with the names `parts`
-    in the name server at `server`, HOST:PORT, and a manager where it can make components itself.
-    found(Part) is called for each, and returns the first number that it is to send.
+def serve(name, parts, kind, host, robot):
+    """main() of a process of this name at a host, of a flavour, which binds the components `parts`, (name,
+    which of SPECS, members of a composite), in the name server of a Robot, and a manager where it can make
+    components itself.
     """
 
     def set_up(process):
-        options = OPTIONS.but(found=found)
-        here = stage.Stage(process, Naming(process, server), FLAVOURS[kind], options)
+        options = OPTIONS.but(robot=robot)
+        here = stage.Stage(process, Naming(process, robot.server), FLAVOURS[kind], options)
         if here.flavour.creates_here:
             made = manager.Manager(here, name)
-            made.modules.factories[SPEC.implementation_id] = SPEC
-        for part in parts:
-            here.add(SPEC, part)
+            made.modules.factories["C"] = SPECS["part"]
+        for part, spec, members in parts:
+            here.add(SPECS[spec], part, arguments={"members": ",".join(members)} if members else {})
 
     async def live(process):
         process.start(host)

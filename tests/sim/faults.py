@@ -8,6 +8,7 @@ LONG = 5.0  # seconds that something lasts which ends by itself
 SLOW = 0.3
 MTU = 300  # octets, of a packet that still comes through
 LATE = 1.7
+WAVES = 50
 RARE = 0.1  # Hz of a context whose period is longer than people wait
 
 
@@ -56,7 +57,7 @@ def restart(robot, process):
 
 def error(robot, component):
     """A component goes to Error."""
-    robot.ask(component, lambda found: found.owned[0].fail(found.reference))
+    robot.ask(component, lambda found: found.fail())
 
 
 def halt(robot, component):
@@ -73,12 +74,40 @@ def forget(robot, component):
     """The in port of a component forgets its connectors: those that are joined with it do not hear of it."""
 
     def lose(found):
-        port = found.ports[0]
-        for connector_id in list(port.profiles):
-            del port.profiles[connector_id]
-            port.release(connector_id)
+        for port in found.ports[:1]:
+            for connector_id in list(port.profiles):
+                del port.profiles[connector_id]
+                port.release(connector_id)
 
     robot.ask(component, lose)
+
+
+def leave(robot, component):
+    """A component leaves the composites that it is a member of."""
+    robot.ask(component, lambda found: found._leave_organizations())
+
+
+def take(robot, component):
+    """Somebody has a component executed by the context of another one of its process, too."""
+
+    def add(found):
+        others = [each for each in found.process.components.values() if each is not found]
+        if others:
+            others[0].owned[0].add_component(found.reference)
+
+    robot.ask(component, add)
+
+
+def waver(robot, component):
+    """A component changes to and fro while it is asked."""
+    for number in range(WAVES):
+        set_id = ("other", "default")[number % 2]
+        robot.world.at(
+            number * LONG / WAVES,
+            robot.ask,
+            component,
+            lambda found, set_id=set_id: found.configuration.activate_configuration_set(set_id),
+        )
 
 
 def refuse(robot, component):
@@ -230,6 +259,9 @@ FAULTS = {
     halt: ("component", False),
     slow_down: ("component", False),
     forget: ("component", False),
+    leave: ("component", False),
+    take: ("component", False),
+    waver: ("component", False),
     refuse: ("component", False),
     cut: ("host", False),
     unplug: ("host", False),

@@ -13,13 +13,13 @@ LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
 OTHERS = 3
 ROUND_TRIPS = 5  # whose answers come late, but come
 A_PROFILE = 1  # more for rtdoctor --profile
-WAITING = re.compile(r"(?:--wait|--within|-t) (\d+)")  # seconds more that somebody has asked for
+WAITING = re.compile(r"(?:--wait|--within|-t|--limit) (\d+)")  # seconds more that somebody has asked for
 SLACK = 1.0
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
-LOOKING |= {"rtprint", "rtlog", "rtwatch", "rttop", "rtstodot"}
+LOOKING |= {"rtprint", "rtlog", "rtwatch", "rttop", "rtstodot", "rtcall", "rtfsm"}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
@@ -388,6 +388,24 @@ def prints_what_was_sent(play, command):
     return None
 
 
+def answers_what_was_answered(play, command):
+    """What a service or a state machine is shown to answer, it has answered; it was asked once."""
+    if command.name == "rtfsm" and "getstate" in command.line and command.status == 0:
+        return None if command.out == "closed\n" else f"it is closed, not {command.out.strip()}"
+    if command.name != "rtcall" or "echo" not in command.line:
+        return None
+    if command.status == 0 and command.out != "hello\n":
+        return f"it said hello, not {command.out.strip()}"
+    name = re.search(r"C\d+", command.line).group()
+    calls = [each for each in play.commands if each.line == command.line]
+    said = 0
+    for life in play.robot.lives[name]:
+        if life.component is not None:
+            said += sum(len(each.echoes) for each in life.component.ports[0].servants)
+    done = sum(each.status == 0 for each in calls)
+    return None if done <= said <= len(calls) else f"it was called {said} times by {len(calls)}"
+
+
 def _firsts(play, name):
     return [life.first for life in play.robot.lives[name]]
 
@@ -456,6 +474,7 @@ ORACLES = {
     "recorded": recordings.is_recorded,
     "true pages": watching.pages_are_true,
     "true events": watching.events_are_true,
+    "answers": answers_what_was_answered,
     "values": prints_what_was_sent,
 }
 OF_WORLDS = {

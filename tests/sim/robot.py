@@ -44,18 +44,21 @@ class Life:
 class Robot:
     """The processes of a robot in a World.
 
+    special    {name of a component that is no ordinary part: (which of components.SPECS, its members)}
     lives      {name of a component: [Life]}
     removed    [(time, name, reference)] of the names that somebody has unbound
     troubles   [(time, line)] of what has gone wrong
     """
 
-    def __init__(self, world, name_server):
+    def __init__(self, world, name_server, special):
         self.world = world
+        self.special = special
         self.server = f"{name_server.address}:{PORT}"
         self.home = name_server
         self.lives = {}
         self.processes = {}  # {name: (host, flavour, [names of components])}
         self.programs = {}  # {name: Program}
+        self.contexts = {}  # {address of an execution context: what is behind it}
         self.removed = []
         self.troubles = []  # (time, line) of what a fault has done
         self.bound = set()  # names of components that have been bound
@@ -94,7 +97,8 @@ class Robot:
 
     def start(self, name, host, flavour, members):
         """Start a process with these components."""
-        main = components.serve(name, members, flavour, host.address, self.server, self._found)
+        parts = [(each, *self.special.get(each, ("part", ()))) for each in members]
+        main = components.serve(name, parts, flavour, host.address, self)
         program = worlds.Program(host, name, main)
         for each in members:
             self._begin(each, program)
@@ -108,7 +112,7 @@ class Robot:
         lives.append(Life(self.world.time, program, 1 + len(lives) * A_LIFE))
         return lives[-1]
 
-    def _found(self, component):
+    def found(self, component):
         """A Part has been made, at the start of its process or by a manager."""
         name = component.instance_name
         life = self.lives.get(name, [None])[-1]
@@ -209,7 +213,8 @@ class Robot:
                     f"{source}_{target}", "", ends, orb.nvlist(properties.items())
                 )
                 await orb.call("set up", ends[0], "connect", profile)
-            for name in active:
+            driven = {member for _, members in self.special.values() for member in members}
+            for name in [each for each in active if each not in driven]:
                 component = self.living(name)
                 context = component.owned[0].reference
                 await orb.call("set up", context, "activate_component", component.reference)
@@ -220,4 +225,6 @@ class Robot:
         self.world.run(self.world.time + 30, lambda: program.is_over)
         if program.failure:
             raise program.failure
-        self.world.run(self.world.time + 0.1)
+        end = self.world.time
+        self.world.run(end + 0.1)
+        self.world.run(end + 10, lambda: all(self.states(name, end + 10, end + 10) == {"Active"} for name in active))

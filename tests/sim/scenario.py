@@ -24,6 +24,8 @@ BY_HAND = 0.5  # of those have one person who changes one thing, and no fault
 ANSWERED = 0.4  # of the faults are answered by somebody
 WRITING = ("rtlog", "rtcryo")
 OF_DISKS = ("fill_disk", "break_disk", "lose_power", "lose_power_in_writing")
+SPECIAL = ("composite", "provider", "machine")
+A_SPECIAL = 0.15  # of the worlds have one of each
 LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise
 
 
@@ -31,10 +33,13 @@ class Scenario:
     """hosts      names of hosts; the first has the name server
     seat       the host on which commands are typed
     processes  [(name, host, flavour, [components])]
+    special    {name of a component: (which of components.SPECS, its members)}
     connections, active
     faults     [(when, name of the fault, what it concerns)], seconds from the set-up's end
     commands   [(when, words, seconds until a signal, or None, the number of that)]
     """
+
+    special = {}  # type: dict
 
     def __init__(self, seed, only=()):
         draw = random.Random(seed)
@@ -53,7 +58,8 @@ class Scenario:
         targets = draw.choice([names, names, draw.choice(self.processes)[-1]])  # all of one process, perhaps
         pairs = {(draw.choice(names), draw.choice(targets)) for _ in range(draw.randrange(2 * len(names)))}
         self.connections = sorted(pair for pair in pairs if pair[0] != pair[1])
-        self.active = sorted(draw.choice(([], names)))
+        self._draw_special(random.Random(f"{seed} special"), len(names))
+        self.active = sorted(draw.choice(([], names + list(self.special))))
         managers = {
             name: members
             for name, _, flavour, members in self.processes
@@ -65,7 +71,7 @@ class Scenario:
             self._draw_fault(draw, names, only)
         for _ in range(draw.choice((1, 2, 3, 5))):
             interrupted = draw.random() * 2 if draw.random() < 0.15 else None
-            words = users.draw(draw, names, managers, only)
+            words = users.draw(draw, names, managers, self.special, only)
             number = draw.choice(sorted(users.SIGNALS))
             self.commands.append((round(draw.random() * 6, 3), words, interrupted, number))
         if draw.random() < A_KEEPER and (not only or "rtkeep" in only):
@@ -76,6 +82,18 @@ class Scenario:
             self.faults.append((when, draw.choice(OF_DISKS), self.seat))
         self.faults.sort()
         self.commands.sort(key=lambda each: each[0])
+
+    def _draw_special(self, draw, count):
+        """Components of other kinds, each in a process that there is."""
+        self.special = {}
+        for kind in SPECIAL:
+            if draw.random() < A_SPECIAL:
+                *_, members = draw.choice(self.processes)
+                name = f"C{count + len(self.special)}"
+                taken = {each for _, those in self.special.values() for each in those}
+                free = [each for each in members if each not in taken and each not in self.special]
+                self.special[name] = kind, free[:2] if kind == "composite" else []
+                members.append(name)
 
     def _draw_fault(self, draw, names, only):
         """A fault, and perhaps what somebody types who sees it."""
@@ -143,6 +161,9 @@ class Scenario:
         setattr(made, part, value)
         names = {each for *_, members in made.processes for each in members}
         processes = {each for each, *_ in made.processes}
+        made.special = {name: made.special[name] for name in made.special if name in names}
+        for _, members in made.special.values():
+            members[:] = [each for each in members if each in names]
         made.connections = [pair for pair in made.connections if names.issuperset(pair)]
         made.active = [name for name in made.active if name in names]
         known = names | processes | set(made.hosts) | {"", made.seat}
@@ -167,7 +188,7 @@ class Play:
         place = tempfile.mkdtemp(dir=os.curdir)
         os.chdir(place)
         try:
-            self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]])
+            self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]], scenario.special)
             for name, host, flavour, members in scenario.processes:
                 self.robot.start(name, world.hosts[host], flavour, members)
             count = sum(len(members) for *_, members in scenario.processes)
@@ -177,6 +198,8 @@ class Play:
                 return
             self.robot.set_up(scenario.connections, scenario.active)
             self._save()
+            with open("service.idl", "w") as file:
+                file.write(users.IDL)
             self._act()
             oracles.judge(self)
         except (worlds.Stuck, errors.Error) as e:

@@ -13,12 +13,44 @@ TIMEOUT = 1.0  # seconds, of all commands
 MADE = 100  # components that people may make in a process, which are C100, C101 … in the first one
 KEPT = 30.0  # seconds that rtkeep keeps a system
 FILE = "robot.rtsys"  # in which the robot was saved when all was well
+# what can be done with components that are no ordinary parts: the name of one, of a member, of any component
+OF_SPECIAL = {
+    "composite": (
+        "rtcat -l {}",
+        "rtact --wait 3 {}",
+        "rtdeact --wait 3 {}",
+        "rtdeact --wait 3 {1}",
+        "rtcomp -r {1} {0}",
+        "rtcomp -a {2} {0}",
+    ),
+    "provider": (
+        "rtcall {}",
+        "rtcall --idl service.idl --limit 2 {}:svc echo hello",
+        "rtcall --idl service.idl --limit 2 {}:svc get_value -r 10 -n 5",
+        "rtcall --limit 2 {} get_sdo_id",
+    ),
+    "machine": ("rtfsm {} getstate", "rtfsm {} getstructure", "rtfsm {} geteventprofiles"),
+}
+IDL = """module SimpleService {
+  typedef sequence<string> EchoList;
+  typedef sequence<float> ValueList;
+  interface MyService {
+    string echo(in string msg);
+    EchoList get_echo_history();
+    void set_value(in float value);
+    float get_value();
+    ValueList get_value_history();
+  };
+};
+"""
 SIGNALS = {real.SIGINT: "Ctrl-C", real.SIGTERM: "SIGTERM"}
 _modules = {}  # type: dict
 
 
-def draw(draw, names, managers, only=()):
-    """The words of a command line, drawn at random; `managers`: {name: components in its process}."""
+def draw(draw, names, managers, special, only=()):
+    """The words of a command line, drawn at random; `managers`: {name: components in its process}; `special`
+    as a Scenario has it.
+    """
     one, other = draw.choice(names), draw.choice(names)
     lines = [
         "rtls",
@@ -67,6 +99,8 @@ def draw(draw, names, managers, only=()):
         f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
         f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap .",
         f"rtlog --pull -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
+        f"rtlog -l text -t 1 -f run{draw.randrange(10**6)}.txt {one}:out",
+        f"rtkeep --create --once --within 5 {FILE}",
         f"rtlog --ring 1 --after 0.5 --trigger error -t 2 -f run{draw.randrange(10**6)}.mcap .",
     ]
     for manager, members in managers.items():
@@ -74,13 +108,16 @@ def draw(draw, names, managers, only=()):
         lines.append(f"rtmgr {manager}.mgr -c C?instance_name={made}")
         lines.append(f"rtmgr {manager}.mgr -d {draw.choice([made, *members])}")
         lines.append(f"rtcat {manager}.mgr")
+    for name, (kind, members) in special.items():
+        for line in OF_SPECIAL[kind]:
+            lines.append(line.format(name, (members or [one])[0], one))
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted)
 
 
 def draw_keeper(draw):
     """The words of an rtkeep that stays."""
-    return "rtkeep " + draw.choice(("--look 0.3 ", "--look 0.3 --strict ", "--look 0.5 ")) + FILE
+    return "rtkeep " + draw.choice(("--look 0.3 ", "--look 0.3 --strict ", "--look 0.5 ", "--look 0.3 --create ")) + FILE
 
 
 def draw_by_hand(draw, names):
