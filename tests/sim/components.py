@@ -207,7 +207,8 @@ def serve(name, parts, kind, host, robot):
             made = manager.Manager(here, name)
             made.modules.factories["C"] = SPECS["part"]
         for part, spec, members in parts:
-            here.add(SPECS[spec], part, arguments={"members": ",".join(members)} if members else {})
+            arguments = {"conf.default.members": ",".join(members)} if members else {}
+            here.add(SPECS[spec], part, arguments=arguments)
 
     async def live(process):
         process.start(host)

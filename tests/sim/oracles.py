@@ -12,6 +12,7 @@ from users import FILE, KEPT, TIMEOUT
 LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
 OTHERS = 3
 ROUND_TRIPS = 5  # whose answers come late, but come
+A_PAGE = 1  # s between two of rttop
 A_PROFILE = 1  # more for rtdoctor --profile
 WAITING = re.compile(r"(?:--wait|--within|-t|--limit) (\d+)")  # seconds more that somebody has asked for
 SLACK = 1.0
@@ -41,7 +42,7 @@ VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
 SHORT = 2.9  # seconds, in which rtprint -t has not ended
 # "status line" of commands that end so where all is well: what is asked for is not so, or was done before
 NO_IS_AN_ANSWER = r"1 (rtcheck -s|rtkeep status|rtwatch -n)|3 rtmgr \S+ -d|6 (rtreset|rtcon) "
-NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) "
+NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) |6 rtcall "
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
 
@@ -74,6 +75,8 @@ def ends(play, command):
         limit += ROUND_TRIPS * 2 * faults.SLOW
     if "--profile" in command.line:
         limit += A_PROFILE * TIMEOUT
+    if command.name == "rttop":
+        limit += A_PAGE
     if not command.is_over:
         return "does not end"
     if command.interrupted is not None:
