@@ -458,7 +458,7 @@ def skeleton(name):
 
 
 def servant(type_id, operations):
-    """A class of servants. Its interface is known to all in the world: whoever reads the IDL finds the same."""
+    """A class of servants. Its interface is known to all in the world, as if they had its IDL."""
     described = {}
     for name, (given, returned) in operations.items():
         described[name] = given, returned, (), " ".join(f"arg{number}" for number in range(len(given)))

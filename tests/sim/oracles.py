@@ -219,7 +219,8 @@ def does_what_can_be_done(play, command):
         return None
     if any(each is not command and each.name not in LOOKING for each in play.commands):
         return None
-    if re.match(NO_IS_AN_ANSWER if play.scenario.active else NO_WHERE_IDLE, f"{command.status} {command.line}"):
+    answers = NO_IS_AN_ANSWER if play.scenario.active else NO_WHERE_IDLE
+    if re.match(answers, f"{command.status} {command.line} "):
         return None
     return f"status {command.status}: {command.out}{command.error}"
 

@@ -10,6 +10,7 @@ from rtshell_lite.play import nameserver
 
 PORT = 2809
 A_LIFE = 100000  # numbers that a component may send in a life
+MEMBERS_TAKE = 10.0  # seconds at most, until those of a composite are Active
 STARTING = 3.0  # seconds that it takes until a component is bound, or has answered what has waited
 
 
@@ -225,6 +226,6 @@ class Robot:
         self.world.run(self.world.time + 30, lambda: program.is_over)
         if program.failure:
             raise program.failure
-        end = self.world.time
-        self.world.run(end + 0.1)
-        self.world.run(end + 10, lambda: all(self.states(name, end + 10, end + 10) == {"Active"} for name in active))
+        self.world.run(self.world.time + 0.1)
+        end = self.world.time + MEMBERS_TAKE
+        self.world.run(end, lambda: all(self.states(name, end, end) == {"Active"} for name in active))

@@ -117,7 +117,8 @@ def draw(draw, names, managers, special, only=()):
 
 def draw_keeper(draw):
     """The words of an rtkeep that stays."""
-    return "rtkeep " + draw.choice(("--look 0.3 ", "--look 0.3 --strict ", "--look 0.5 ", "--look 0.3 --create ")) + FILE
+    options = draw.choice(("--look 0.3", "--look 0.3 --strict", "--look 0.5", "--look 0.3 --create"))
+    return f"rtkeep {options} {FILE}"
 
 
 def draw_by_hand(draw, names):

@@ -95,8 +95,10 @@ class Waiting(unittest.TestCase):
 
 class Connections(unittest.TestCase):
     def test_ports_are_asked_at_both_ends_of_their_connections(self):
-        ports = [types.SimpleNamespace(type=kind, connectors=["it"]) for kind in ("DataInPort", "DataOutPort")]
-        ports.append(types.SimpleNamespace(type="DataInPort", connectors=[]))
+        ports = [
+            types.SimpleNamespace(type=kind, connectors=connectors)
+            for kind, connectors in (("DataInPort", ["it"]), ("DataOutPort", ["it"]), ("DataInPort", []))
+        ]
         component = types.SimpleNamespace(
             silent_until=0.0, is_given_up=False, shown=types.SimpleNamespace(ports=ports)
         )
