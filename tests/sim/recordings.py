@@ -11,6 +11,7 @@ from rtshell_lite.datalog import logfile
 from rtshell_lite.xmlprofile import rtsprofile
 
 SYNC = 1.3  # seconds that a power failure costs: between two fsyncs, and while values are gathered
+OF_POWER = {"lose_power", "lose_power_in_writing"}
 MARGIN = 0.3  # seconds: a value was on its way
 NAMED = re.compile(r"-f (\S+)\.mcap")
 SAVED = "saved.rtsys"
@@ -72,7 +73,9 @@ def _doubt_numbers(play, command, name, numbers, has_gaps):
     end -= MARGIN
     if command.was_killed:
         end -= SYNC
-    if has_gaps or not numbers or command.status == 1 or play.scenario.faults and not command.was_killed:
+    others = {fault for _, fault, _ in play.scenario.faults} - OF_POWER
+    is_troubled = others or play.scenario.faults and not command.was_killed
+    if has_gaps or not numbers or command.status == 1 or is_troubled:
         return None
     missing = [each for each in sent if each > numbers[-1] and sent[each] < end]
     if missing:
