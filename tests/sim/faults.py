@@ -280,11 +280,14 @@ FAULTS = {
     fill_disk: ("seat", False),
     break_disk: ("seat", False),
 }
-# what people type who see it, at a component that it concerns: any command where there is none
+# what people type who see it; {} is a component that it concerns
 ANSWERS = {
-    error: ("rtreset --wait 3", "rtact --wait 3", "rtls -l", "rtcat -l"),
-    halt: ("rtact --wait 3", "rtdeact --wait 3", "rtreset --wait 3", "rtls -l"),
-    slow_down: ("rtact --wait 3", "rtdeact --wait 3", "rtcat -l"),
+    error: ("rtreset --wait 3 {}", "rtact --wait 3 {}", "rtls -l", "rtcat -l {}"),
+    halt: ("rtact --wait 3 {}", "rtdeact --wait 3 {}", "rtreset --wait 3 {}", "rtls -l"),
+    slow_down: ("rtact --wait 3 {}", "rtdeact --wait 3 {}", "rtcat -l {}"),
+    close_port: ("rtdel -z .", "rtdel -z {}", "rtls -l", "rtdoctor -q"),
+    kill: ("rtdel -z .", "rtls -l", "rtdoctor -q", "rtcat {}"),
+    hang: ("rtls -l", "rtdoctor -q", "rtact --wait 3 {}", "rtdel -z {}"),
 }
 BY_NAME = {fault.__name__: fault for fault in FAULTS}
 OF_NETWORK = {"cut", "unplug", "slow_network", "close_port", "shut_port", "lose_one_way", "shrink_packets"}

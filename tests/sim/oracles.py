@@ -41,7 +41,7 @@ ROUNDS = 4  # how often a process that does not answer is asked again, by comman
 VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
 SHORT = 2.9  # seconds, in which rtprint -t has not ended
 # "status line" of commands that end so where all is well: what is asked for is not so, or was done before
-NO_IS_AN_ANSWER = r"1 (rtcheck -s|rtkeep status|rtwatch -n)|3 rtmgr \S+ -d|6 (rtreset|rtcon) "
+NO_IS_AN_ANSWER = r"1 (rtcheck -s|rtkeep status|rtwatch -n)|3 (rtmgr \S+ -d|rtdel -z C)|6 (rtreset|rtcon) "
 NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) |6 rtcall "
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
@@ -209,6 +209,19 @@ def says_what_is_done(play, command):
     name = command.line.split()[-1]
     if wanted not in play.robot.states(name, command.begun, command.ended):
         return f"status 0, but it was {sorted(play.robot.states(name, command.begun, command.ended))}"
+    return None
+
+
+def says_why_not(play, command):
+    """Where a context is stopped, nobody waits for it, and that is said."""
+    if " within " not in command.error or "--wait" not in command.line or len(play.scenario.faults) != 1:
+        return None
+    when, fault, whom = play.scenario.faults[0]
+    component = play.robot.living(whom) if fault == "halt" else None
+    if component is None or component.shared or whom not in command.line.split():
+        return None
+    if play.begin + when < command.begun and not component.owned[0].running:
+        return f"its context is stopped: {command.error}"
     return None
 
 
@@ -470,6 +483,7 @@ ORACLES = {
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
     "done is done": says_what_is_done,
+    "said why": says_why_not,
     "possible is done": does_what_can_be_done,
     "ended is ended": ends_what_it_says,
     "changed is changed": changes_what_it_says,

@@ -115,7 +115,8 @@ class Scenario:
             words = draw.choice(faults.ANSWERS[fault])
             if not only or words.split()[0] in only:
                 later = round(when + 0.1 + draw.random() * 2, 3)
-                self.commands.append((later, f"{words} {whom}", None, None))
+                concerned = {name: members for name, *_, members in self.processes}.get(whom, [whom])
+                self.commands.append((later, words.format(draw.choice(concerned)), None, None))
 
     def _draw_keeper(self, draw, names):
         """An rtkeep that stays, and perhaps a person beside it."""

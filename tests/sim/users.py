@@ -100,6 +100,7 @@ def draw(draw, names, managers, special, only=()):
         f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap .",
         f"rtlog --pull -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
         f"rtlog -l text -t 1 -f run{draw.randrange(10**6)}.txt {one}:out",
+        f"rtdel -z {one}",
         f"rtkeep --create --once --within 5 {FILE}",
         f"rtlog --ring 1 --after 0.5 --trigger error -t 2 -f run{draw.randrange(10**6)}.mcap .",
     ]
