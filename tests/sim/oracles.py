@@ -155,6 +155,8 @@ def _doubt_state(play, command, state, mark, name):
         return "it lives"
     if (mark in ("?", "~") or state not in STATES) and _is_plain(play, command, name):
         return "it could be asked"
+    if mark != "*" and _is_surely_dead(play, command, name):
+        return "it is gone"
     if mark == "?" and command.status == 0:
         return "status 0"
     if state in STATES and state not in play.robot.states(name, begun, command.ended):
@@ -167,6 +169,15 @@ def _is_plain(play, command, name):
     if NETWORK & {fault for when, fault, _ in play.scenario.faults if play.begin + when < command.ended}:
         return False
     return command.interrupted is None and play.robot.was_well(name, command.begun, command.ended)
+
+
+def _is_surely_dead(play, command, name):
+    """Whether its process has ended on the host where a command was typed later."""
+    program = play.robot.lives[name][-1].program
+    is_over = program.ended is not None and program.ended < command.begun
+    if not is_over or program.host.name != play.scenario.seat or command.interrupted is not None:
+        return False
+    return not NETWORK & {fault for _, fault, _ in play.scenario.faults}
 
 
 def _is_refused(play):
