@@ -35,6 +35,7 @@ QUICK = 2.5  # seconds in which it has mended a robot that is well
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
 WAITING_FOR_OTHERS = 2  # of them
+PROBES = 2  # a second: four of a process that has hung since before it was seen, each time they are given up
 # give questions up as they end, and ask others
 STAYING = {"rtkeep", "rtlog", "rtprint", "rtwatch", "rttop"}
 ROUNDS = 4  # how often a process that does not answer is asked again, by commands that give it the time
@@ -119,7 +120,7 @@ def is_polite(play, command):
         do_answer = do_answer and "no answer" not in command.error + command.out
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
         if command.name == "rtkeep" and play.robot.programs.get(name) and not _was_well(play, name, command):
-            limit += (command.ended - command.begun) / TIMEOUT  # it asks whether it answers again
+            limit += PROBES * (command.ended - command.begun)  # it asks whether it answers again
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
         waiting = command.program.most_waiting.get(name, 0)
