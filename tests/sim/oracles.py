@@ -18,6 +18,7 @@ WAITING = re.compile(r"(?:--wait|--within|-t|--limit) (\d+)")  # seconds more th
 SLACK = 1.0
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
+NOT_REACHED = re.compile("not (Active|Inactive) within")
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
 LOOKING |= {"rtprint", "rtlog", "rtwatch", "rttop", "rtstodot", "rtcall", "rtfsm"}
@@ -213,6 +214,17 @@ def doctor_is_right(play, command):
     return None
 
 
+def deletes_the_dead(play, command):
+    """rtdel -z deletes each name of a process that has ended on its host."""
+    if command.line != "rtdel -z ." or command.status != 0:
+        return None
+    gone = {name for _, name, _ in play.robot.removed}
+    for name in play.robot.lives:
+        if name not in gone and _is_surely_dead(play, command, name):
+            return f"status 0, and the name of {name} is left"
+    return None
+
+
 def says_what_is_done(play, command):
     """Active is said of what is Active in its context."""
     wanted = {"rtact": "Active", "rtdeact": "Inactive", "rtreset": "Inactive"}.get(command.name)
@@ -226,14 +238,14 @@ def says_what_is_done(play, command):
 
 def says_why_not(play, command):
     """Where a context is stopped, nobody waits for it, and that is said."""
-    if " within " not in command.error or "--wait" not in command.line or len(play.scenario.faults) != 1:
+    if "--wait" not in command.line or not NOT_REACHED.search(command.error):
         return None
-    when, fault, whom = play.scenario.faults[0]
-    component = play.robot.living(whom) if fault == "halt" else None
-    if component is None or component.shared or whom not in command.line.split():
-        return None
-    if play.begin + when < command.begun and not component.owned[0].running:
-        return f"its context is stopped: {command.error}"
+    for when, fault, whom in play.scenario.faults:
+        if fault != "halt" or whom not in command.line.split() or play.begin + when > command.begun:
+            continue
+        component = play.robot.living(whom)
+        if component is not None and not component.shared and not component.owned[0].running:
+            return f"its context is stopped: {command.error}"
     return None
 
 
@@ -494,6 +506,7 @@ ORACLES = {
     "polite": is_polite,
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
+    "gone is gone": deletes_the_dead,
     "done is done": says_what_is_done,
     "said why": says_why_not,
     "possible is done": does_what_can_be_done,
