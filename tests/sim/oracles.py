@@ -18,6 +18,7 @@ WAITING = re.compile(r"(?:--wait|--within|-t|--limit) (\d+)")  # seconds more th
 SLACK = 1.0
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
+SOON = 0.2  # seconds after a change, with a period in which it has to last
 NOT_REACHED = re.compile("not (Active|Inactive) within")
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
@@ -223,6 +224,27 @@ def deletes_the_dead(play, command):
         if name not in gone and _is_surely_dead(play, command, name):
             return f"status 0, and the name of {name} is left"
     return None
+
+
+def calls_the_dead_dead(play, command):
+    """Nobody says that it may be a firewall where a process has ended on the same host."""
+    for name in re.findall(r"(C\d+)\.rtc[^\n]*dead, or a firewall", command.error + command.out):
+        if _is_surely_dead(play, command, name):
+            return f"{name} is dead: {command.error}{command.out}"
+    return None
+
+
+def waits_no_longer(play, command):
+    """What has been waited for is soon seen."""
+    wanted = {"rtact": "Active", "rtreset": "Inactive"}.get(command.name)
+    if wanted is None or "--wait" not in command.line or command.status != 0 or not _is_alone(play, command):
+        return None
+    component = play.robot.lives[command.line.split()[-1]][-1].component
+    if _was_troubled(play, command.ended) or component is None:
+        return None
+    reached = max(when for when, state in component.states if state == wanted and when <= command.ended)
+    took = command.ended - max(reached, command.begun)
+    return f"ends {took:.3f} s after it was {wanted}" if took > SOON else None
 
 
 def says_what_is_done(play, command):
@@ -507,6 +529,8 @@ ORACLES = {
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
     "gone is gone": deletes_the_dead,
+    "dead is dead": calls_the_dead_dead,
+    "soon": waits_no_longer,
     "done is done": says_what_is_done,
     "said why": says_why_not,
     "possible is done": does_what_can_be_done,
