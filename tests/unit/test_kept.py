@@ -7,7 +7,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.events import presence
+from rtshell_lite.live import follow, times
 from rtshell_lite.net import loop
 from rtshell_lite.path import parse
 from rtshell_lite.system import keep, kept, policy
@@ -100,11 +100,11 @@ class Connections(unittest.TestCase):
             for kind, connectors in (("DataInPort", ["it"]), ("DataOutPort", ["it"]), ("DataInPort", []))
         ]
         component = types.SimpleNamespace(
-            silent_until=0.0, is_given_up=False, shown=types.SimpleNamespace(ports=ports)
+            patience=times.Patience(), is_given_up=False, shown=types.SimpleNamespace(ports=ports)
         )
 
         async def main():
-            return [(part, question.args) for part, question in presence._of_connections(component)]
+            return [(part, question.args) for part, question in follow._of_connections(component)]
 
         asked = loop.run(main(), session=session.Session(1.0))
         self.assertEqual(asked, [("ports", (port,)) for port in ports[:2]])
