@@ -16,6 +16,8 @@ A_PAGE = 1  # s between two of rttop
 A_PROFILE = 1  # more for rtdoctor --profile
 WAITING = re.compile(r"(?:--wait|--within|-t|--limit) (\d+)")  # seconds more that somebody has asked for
 SLACK = 1.0
+CLEANING = 6.0  # seconds after a signal
+AT_ONCE = 0.5
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
 SOON = 0.2  # seconds after a change, with a period in which it has to last
@@ -83,7 +85,7 @@ def ends(play, command):
     if not command.is_over:
         return "does not end"
     if command.interrupted is not None:
-        if command.ended - command.interrupted > 6:
+        if command.ended - command.interrupted > (CLEANING if play.scenario.faults else AT_ONCE):
             return f"ends {command.ended - command.interrupted:.2f} s after a signal"
     elif command.ended - command.begun > limit:
         return f"takes {command.ended - command.begun:.2f} s of {limit}"
@@ -383,7 +385,8 @@ def is_kept(play, command):
         if states != {touched.get(name, {}).get("state", "Active")}:
             return f"{name} is {sorted(states)}"
         gain = touched.get(name, {}).get("gain", "1")
-        if command.gains[name] != gain:
+        is_sought = not any(each.line.startswith(f"rtconf {name} set") for each in changing)  # in 7 turns in 10
+        if command.gains[name] != gain and (touched or is_sought):
             return f"gain of {name} is {command.gains[name]}"
     for source, target in play.scenario.connections:
         if source in well and target in well:

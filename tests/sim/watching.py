@@ -11,6 +11,7 @@ ROW = re.compile(r"(Inactive|Active|Error|Created) .*?([*?~]?)(C\d+)\.rtc$")
 RATE = re.compile(r"([\d.]+) Hz .*/(C\d+)\.rtc:out$")
 HERTZ = 17, 23  # of an out port that sends every 50 ms
 MARGIN = 0.05
+OF_ONE = re.compile(r"^\[[\d.]+\] \d+ (\w+)$", re.M)  # where one component alone is watched
 EVENT = re.compile(r"(C\d+)\.rtc +RTC_STATUS +\S+ +(\w+)$", re.M)
 
 
@@ -48,12 +49,15 @@ def events_are_true(play, command):
     if command.name != "rtwatch":
         return None
     told = {(name, STATES.get(word)) for name, word in EVENT.findall(command.out)}
+    watched = re.findall(r"C\d+", command.line)
+    if len(watched) == 1:
+        told.update((watched[0], STATES.get(word)) for word in OF_ONE.findall(command.out))
     for name, state in told:
         if state and state not in play.robot.states(name, command.begun - MARGIN, command.ended):
             return f"{name} has not been {state}"
     if command.interrupted is not None or command.status != 0 or "-n" in command.line:
         return None
-    for name in re.findall(r"C\d+", command.line):
+    for name in watched:
         if not play.robot.was_well(name, command.begun, command.ended) or _is_far(play):
             continue
         last = play.robot.lives[name][-1]
