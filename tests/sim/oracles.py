@@ -385,7 +385,8 @@ def is_kept(play, command):
         if states != {touched.get(name, {}).get("state", "Active")}:
             return f"{name} is {sorted(states)}"
         gain = touched.get(name, {}).get("gain", "1")
-        is_sought = not any(each.line.startswith(f"rtconf {name} set") for each in changing)  # in 7 turns in 10
+        # what is set is looked for in one turn of seven
+        is_sought = not any(each.line.startswith(f"rtconf {name} set") for each in changing)
         if command.gains[name] != gain and (touched or is_sought):
             return f"gain of {name} is {command.gains[name]}"
     for source, target in play.scenario.connections:
