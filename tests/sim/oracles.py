@@ -244,8 +244,8 @@ def waits_no_longer(play, command):
     component = play.robot.lives[command.line.split()[-1]][-1].component
     if _was_troubled(play, command.ended) or component is None:
         return None
-    reached = max(when for when, state in component.states if state == wanted and when <= command.ended)
-    took = command.ended - max(reached, command.begun)
+    reached = [when for when, state in component.states if state == wanted and when <= command.ended]
+    took = command.ended - max([command.begun] + reached)
     return f"ends {took:.3f} s after it was {wanted}" if took > SOON else None
 
 
