@@ -372,6 +372,8 @@ def is_kept(play, command):
         if not well.issuperset(pair):  # ports that ask far ends wait for those that hang
             well -= set(pair)
     changing = [each for each in play.commands if each.name not in LOOKING | {"rtkeep"}]
+    # of what has no observer, rtkeep asks for the state in one context: it does not see what a composite does
+    well -= {name for name in well if play.robot.lives[name][-1].component.shared}
     touched = {}
     if "--strict" not in command.line:
         is_early = any(each.begun < command.begun + QUICK for each in changing)
