@@ -25,9 +25,9 @@ def is_recorded(play, command):
     paths = sorted(glob.glob(f"{named.group(1)}*.mcap"))
     if not paths and command.status in (0, 5):
         return f"status {command.status}, and there is no recording"
-    shown = collections.defaultdict(list)
     has_gaps = command.status == 5
-    for path in paths:
+    for path in paths:  # a trigger's file and the ring have the same values
+        shown = collections.defaultdict(list)
         try:
             with logfile.load(path) as log:
                 words = _doubt_file(command, log)
@@ -41,10 +41,10 @@ def is_recorded(play, command):
                         shown[name].append(struct.unpack(order + "LLl", entry.data[:12])[2])
         except errors.Failed as e:
             return f"{path} cannot be read: {e}"
-    for name, numbers in shown.items():
-        words = _doubt_numbers(play, command, name, numbers, has_gaps)
-        if words:
-            return f"{name}: {words}"
+        for name, numbers in shown.items():
+            words = _doubt_numbers(play, command, name, numbers, has_gaps)
+            if words:
+                return f"{path}: {name}: {words}"
     return None
 
 
