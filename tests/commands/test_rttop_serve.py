@@ -327,8 +327,9 @@ class Browsers(Served):
         self.start("--serve", "127.0.0.1:0")
         page = self.open()
         page.run("select(data.boxes.findIndex(each => each.name === 'Motor0'))")
-        page.run("document.querySelector('#details .connection button').focus()")
         far = "document.querySelector('#details .connection button')"
+        page.wait(far + " !== null")  # connections are asked for after states
+        page.run(far + ".focus()")
         self.assertEqual(page.run(far + ".textContent"), "Controller0:out")
         World.robot.ctl("error", "Controller0")
         page.wait(far + ".className === 'link broken'")

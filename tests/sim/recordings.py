@@ -13,6 +13,7 @@ from rtshell_lite.xmlprofile import rtsprofile
 SYNC = 1.3  # seconds that a power failure costs: between two fsyncs, and while values are gathered
 OF_POWER = {"lose_power", "lose_power_in_writing"}
 MARGIN = 0.3  # seconds: a value was on its way
+PART = re.compile(r"-\d{6}\.mcap$")
 NAMED = re.compile(r"-f (\S+)\.mcap")
 SAVED = "saved.rtsys"
 
@@ -25,9 +26,20 @@ def is_recorded(play, command):
     paths = sorted(glob.glob(f"{named.group(1)}*.mcap"))
     if not paths and command.status in (0, 5):
         return f"status {command.status}, and there is no recording"
+    parts = [path for path in paths if path == named.group(1) + ".mcap" or PART.search(path)]
+    incidents = [path for path in paths if path not in parts]
+    for recording in [parts, *([path] for path in incidents)]:
+        words = _doubt_recording(play, command, recording, recording is parts)
+        if words:
+            return f"{recording}: {words}"
+    return None
+
+
+def _doubt_recording(play, command, paths, is_to_the_end):
+    """What is not so of some files, one after another; only a trigger's ends before its command."""
+    shown = collections.defaultdict(list)
     has_gaps = command.status == 5
-    for path in paths:  # a trigger's file and the ring have the same values
-        shown = collections.defaultdict(list)
+    for path in paths:
         try:
             with logfile.load(path) as log:
                 words = _doubt_file(command, log)
@@ -41,10 +53,10 @@ def is_recorded(play, command):
                         shown[name].append(struct.unpack(order + "LLl", entry.data[:12])[2])
         except errors.Failed as e:
             return f"{path} cannot be read: {e}"
-        for name, numbers in shown.items():
-            words = _doubt_numbers(play, command, name, numbers, has_gaps)
-            if words:
-                return f"{path}: {name}: {words}"
+    for name, numbers in shown.items():
+        words = _doubt_numbers(play, command, name, numbers, has_gaps, is_to_the_end)
+        if words:
+            return f"{name}: {words}"
     return None
 
 
@@ -56,7 +68,7 @@ def _doubt_file(command, log):
     return None
 
 
-def _doubt_numbers(play, command, name, numbers, has_gaps):
+def _doubt_numbers(play, command, name, numbers, has_gaps, is_to_the_end):
     """What is not so of the numbers of one component."""
     sent = {}
     firsts = []
@@ -75,7 +87,7 @@ def _doubt_numbers(play, command, name, numbers, has_gaps):
         end -= SYNC
     others = {fault for _, fault, _ in play.scenario.faults} - OF_POWER
     is_troubled = others or play.scenario.faults and not command.was_killed
-    if has_gaps or not numbers or command.status == 1 or is_troubled:
+    if has_gaps or not numbers or command.status == 1 or is_troubled or not is_to_the_end:
         return None
     missing = [each for each in sent if each > numbers[-1] and sent[each] < end]
     if missing:
