@@ -59,6 +59,7 @@ A name server that is not there, and one that goes and comes back:
   ls: cannot access 'm/con*': No such file or directory
   [2]
   $ cd m/localhost:$PORT; kill-mock names
+  $ soon 'ls . 2>&1 | grep refused'  # what was asked before is lost
   $ ls . || why
   ls: reading directory '.': Connection refused
   /localhost:$PORT: connection refused; is the name server running?
