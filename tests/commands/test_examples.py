@@ -31,6 +31,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.data import datatypes, values
 
 ONCE = "each example is run by the tests of its command on all Pythons, in other words"
+LONG = "it plays every example"
 
 ROBOT = [
     "ConsoleIn:ConsoleIn0",

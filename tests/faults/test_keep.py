@@ -27,6 +27,7 @@ from rtshell_lite.robot import connectors, ports
 from rtshell_lite.system import compare, relocate
 
 ONCE = "what rtkeep does does not depend on the Python"
+LONG = "a storm takes its time"
 
 PROCESSES = 10
 POLLED = 3  # of them are of components that take no observers

@@ -10,6 +10,7 @@ TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 WORLDS = 500
 
 ONCE = "a seed has one story on every Python"
+LONG = "500 worlds take minutes"
 
 
 def simulate(*words):

@@ -27,6 +27,7 @@ import argparse
 import collections
 import concurrent.futures
 import glob
+import math
 import os
 import re
 import signal
@@ -101,7 +102,7 @@ def source(module):
 
 def says(module, word):
     """What a module says of ALONE (it measures times), ONCE (one Python of the matrix is enough), BOTH (each
-    ORB has its turn); "" if it does not.
+    ORB has its turn), LONG (it begins first); "" if it does not.
     """
     with open(source(module), encoding="utf-8") as file:
         return next((line[len(word):].split()[1] for line in file if line.startswith(word + " =")), "")
@@ -116,7 +117,8 @@ def module_jobs(label, interpreter, modules, args, **more):
             return run_module(module, interpreter, environment, patterns)
 
         some = at_once(says(module, "ALONE"), 1)
-        return Job("%s %s" % (label, module), run, some, os.path.getsize(source(module)))
+        size = math.inf if says(module, "LONG") else os.path.getsize(source(module))
+        return Job("%s %s" % (label, module), run, some, size)
 
     chosen = [(module, words_for(os.path.dirname(module), args)) for module in modules]
     return [job(module, patterns) for module, patterns in chosen if patterns is not None]
