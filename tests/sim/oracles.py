@@ -7,6 +7,8 @@ import recordings
 import watching
 from users import FILE, KEPT, TIMEOUT
 
+from rtshell_lite.robot import manager
+
 # seconds that a command may take, in timeouts: what rtdoctor's manual promises, and what others take; all of
 # them end, whatever hangs
 LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
@@ -82,6 +84,8 @@ def ends(play, command):
         limit += A_PROFILE * TIMEOUT
     if command.name == "rttop":
         limit += A_PAGE
+    if command.name == "rtmgr":  # a component is made, and deleted, in its manager's time
+        limit += manager.CREATE_TIME
     if not command.is_over:
         return "does not end"
     if command.interrupted is not None:
