@@ -88,6 +88,7 @@ class Watched(follow.Followed):
     since = 0.0  # when it was given an observer, or last found to live without having called us
     is_begun = False  # whether it is watched: not as long as it does not take our observer
     is_attached_again = False
+    is_sought = False  # not by two tasks at a time
     reported_silence = None  # NO_ANSWER or NO_HEARTBEAT
 
     def __init__(self, watch, node):
@@ -103,17 +104,18 @@ class Watched(follow.Followed):
         self.heard = 0.0
         self.is_attached_again = False
         self.reported_silence = self.poll = None
-        self.subscription = await self.watch.what.subscription(self.node, self.hear)
-        if self.subscription is None:
+        subscription = self.subscription = await self.watch.what.subscription(self.node, self.hear)
+        if subscription is None:
             self.poll = await self.watch.what.poll(self.node)
             self.note(f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
         else:
             self.since = self.lived = loop.now()
-            await self.subscription.attach()
-            if self.subscription.remark:
-                self.note(self.subscription.remark)
+            await subscription.attach()
+            if subscription.remark:
+                self.note(subscription.remark)
         self.since = self.lived = loop.now()
-        self.is_begun = self.node is not None
+        self.is_hung = False
+        self.is_begun = self.is_sought = self.node is not None
 
     def hear(self, item):
         self.heard = loop.now()
@@ -125,10 +127,13 @@ class Watched(follow.Followed):
 
     async def ask_for_changes(self):
         """Look for what it does not report itself."""
+        poll = self.poll
+        if poll is None:  # it has ended since this task was begun
+            return
         self.polled = loop.now()
         self.is_polling = True
         try:
-            for item in await self.poll.changes():
+            for item in await poll.changes():
                 self.watch.put(self, item)
         except errors.Refused:
             pass  # it lives; there will be another look
@@ -145,6 +150,7 @@ class Watched(follow.Followed):
     # ---- what is noticed ----
 
     def appeared(self):
+        self.is_sought = False
         self.watch.start(self._come_back(), self.endpoint)
 
     async def _come_back(self):
@@ -153,10 +159,10 @@ class Watched(follow.Followed):
             self.report("BACK")
         except errors.Refused as e:
             self.leave(e)
-            self.is_sought = False
             self.note(f"is back, but {e.why}")
         except errors.Error as e:
             self.leave(e)  # not yet
+            self.is_sought = True
 
     def leave(self, error):
         """It cannot be watched; it may have our observer all the same."""
@@ -200,6 +206,8 @@ class Watched(follow.Followed):
             self.report("ANSWERS")
 
     def lives(self):
+        if not self.is_begun:  # it may be slow to take our observer
+            return
         lost = times.BEATS_LOST * self.beat
         beats = self.subscription is not None and self.subscription.interface != observer.LOGGER
         if beats and loop.now() - max(self.heard, self.since) >= lost:
@@ -211,18 +219,24 @@ class Watched(follow.Followed):
         """Attach the observer again, as a live component may have lost it after a failed call;
         poll where that does not help.
         """
+        subscription = self.subscription
+        if subscription is None:  # it has ended since this task was begun
+            return
         try:
             if self.heard and not self.is_attached_again:
                 self.is_attached_again = True
-                await self.subscription.attach()
+                await subscription.attach()
                 return
-            self.poll = await polling.begin(self.node, self.watch.what.kinds)
-            self.reported_silence = None
-            self.note(f"cannot call us at {self.subscription.address}; it is polled from now on")
-            await self.subscription.detach()  # its calls to where it cannot reach us would only hold it up
+            poll = await polling.begin(self.node, self.watch.what.kinds)
+            if self.subscription is not subscription:  # it has ended meanwhile
+                return
+            self.poll = poll
+            self.reported_silence = self.subscription = None
+            self.note(f"cannot call us at {subscription.address}; it is polled from now on")
+            self.watch.left.append(subscription)
+            await subscription.detach()  # its calls to where it cannot reach us would only hold it up
         except errors.Error:
-            return  # whether it lives is asked elsewhere
-        self.forget()
+            pass  # whether it lives is asked elsewhere
 
     def _fall_silent(self, word, why):
         if self.reported_silence != word:

@@ -66,6 +66,14 @@ One that answers, but has lost its observer: it is lent once more, then the comp
   rtwatch: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no heartbeat for 3 s
   $ ctl observers ConsoleIn0; ctl observers ConsoleOut0
 
+One that takes the observer only after some seconds is watched from then on:
+
+  $ ctl delay add_service_profile 4; rtwatch -f RTC_STATUS -f LIFE_EVENT --timeout 60 ConsoleIn0.rtc > out 2>&1 & watch=$!
+  $ soon 'ctl observers ConsoleIn0 | grep Obs'; ctl reset; rtact ConsoleIn0.rtc; soon 'grep ACTIVE out'; kill $watch; wait $watch
+  [143]
+  $ plain out; rtdeact ConsoleIn0.rtc
+  [T] 0 ACTIVE
+
 An observer of C++ is removed at once, but the component answers only when its heart would have beaten again. Nobody waits for
 that after Ctrl-C, SIGTERM or SIGHUP; the observer is gone all the same.
 

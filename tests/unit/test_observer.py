@@ -7,7 +7,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba.session import Session
-from rtshell_lite.live import watch
+from rtshell_lite.live import follow, observer, watch
 from rtshell_lite.live.observer import Record, event
 from rtshell_lite.net import loop
 
@@ -153,6 +153,65 @@ class Ending(unittest.TestCase):
         self.end(detach, ["slow", "silent"] + 20 * ["slow"], ["silent"])
         self.assertLess(time.monotonic() - begun, 30)
         self.assertEqual(set(asked), {"slow"})
+
+
+class Meanwhile(unittest.TestCase):
+    """What happens to a component while something is being done about it."""
+
+    def run_with(self, number, play):
+        """Run play(watching, some Watched in one process) in a Watch that does not look around."""
+        async def look_around(watching):
+            """Nothing."""
+
+        async def main():
+            async with watch.Watch(watch.Events(watch.KINDS), self.notes.append) as watching:
+                for each in range(number):
+                    node = mock.Mock(path=path.parse("/h/Arm%d.rtc" % each), endpoint=("h", 1))
+                    watching.followed.append(watch.Watched(watching, node))
+                await play(watching, *watching.followed)
+        self.notes = []
+        with mock.patch.object(watch.Watch, "_look_around", look_around), mock.patch.object(
+            follow.orb, "identity", id
+        ):
+            loop.run(main(), session=Session(60))
+
+    def test_a_task_that_begins_when_it_has_ended_does_nothing(self):
+        async def play(watching, arm):
+            watching.start(arm.ask_for_changes())
+            watching.start(arm._have_heard())
+            await loop.sleep(0)
+            self.assertIsNone(arm.poll)
+        self.run_with(1, play)
+
+    def test_one_that_is_slow_to_take_an_observer_is_not_late_with_heartbeats(self):
+        async def play(watching, arm):
+            arm.subscription = mock.Mock(interface=observer.OBSERVER, reference=None)
+            arm.lives()
+            self.assertEqual(watching.taken(), [])
+            arm.is_begun = True
+            arm.lives()
+            self.assertEqual([event.event for _, event in watching.taken()], ["NO_HEARTBEAT"])
+            arm.subscription = None
+        self.run_with(1, play)
+
+    def test_one_task_at_a_time_lends_it_an_observer(self):
+        async def play(watching, arm):
+            attached = loop.Wait()
+
+            async def attach():
+                await attached
+
+            async def lend(node, hear):
+                return mock.Mock(attach=attach, reference=None)
+            watching.what.subscription = lend
+            arm.appeared()
+            await loop.sleep(0)
+            watching.failed(arm, errors.ProcessGone(arm.where))
+            self.assertFalse(arm.is_there or arm.is_sought)
+            attached.failed(errors.ConnectionLost(arm.where))
+            await loop.sleep(0)
+            self.assertTrue(arm.is_sought)
+        self.run_with(1, play)
 
 
 if __name__ == "__main__":
