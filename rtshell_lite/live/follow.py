@@ -187,7 +187,10 @@ class Presence:
             here = self.of_process(endpoint)
             now = loop.now()
             doubtful = [each for each in here if each.is_hung or each.is_ending or each.is_late(now)]
-            for each in doubtful or here[:1]:
+            hung = [each for each in doubtful if each.is_hung]
+            others = [each for each in doubtful or here[:1] if not each.is_hung]
+            await loop.each(others, self.ask)  # of one after the other each would wait for those before it
+            for each in hung:
                 await self.ask(each)
         finally:
             self._suspected.discard(endpoint)

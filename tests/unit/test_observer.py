@@ -213,6 +213,22 @@ class Meanwhile(unittest.TestCase):
             self.assertTrue(arm.is_sought)
         self.run_with(1, play)
 
+    def test_all_that_are_late_are_asked_at_once_whether_they_live(self):
+        asked = []
+
+        async def alive(each):
+            asked.append(each)
+            await loop.sleep(3600)
+
+        async def play(watching, *arms):
+            for arm in arms:
+                arm.subscription = mock.Mock(reference=None)
+            watching.suspect(("h", 1))
+            await loop.sleep(0)
+            self.assertEqual(len(asked), len(arms))
+        with mock.patch.object(follow, "_alive", alive):
+            self.run_with(3, play)
+
 
 if __name__ == "__main__":
     unittest.main()
