@@ -11,8 +11,7 @@ ROW = re.compile(r"(Inactive|Active|Error|Created) .*?([*?~]?)(C\d+)\.rtc$")
 RATE = re.compile(r"([\d.]+) Hz .*/(C\d+)\.rtc:out$")
 HERTZ = 17, 23  # of an out port that sends every 50 ms
 MARGIN = 0.05
-OF_ONE = re.compile(r"^\[[\d.]+\] \d+ (\w+)$", re.M)  # where one component alone is watched
-EVENT = re.compile(r"(C\d+)\.rtc +RTC_STATUS +\S+ +(\w+)$", re.M)
+EVENT = re.compile(r"^\[(?:(C\d+)\.rtc )?[\d.]+\] \S+ (\w+)$", re.M)  # one of a single component names none
 
 
 def pages_are_true(play, command):
@@ -51,12 +50,11 @@ def events_are_true(play, command):
     """What rtwatch reports has happened, and what has lasted is reported."""
     if command.name != "rtwatch":
         return None
-    told = {(name, STATES.get(word)) for name, word in EVENT.findall(command.out)}
     watched = re.findall(r"C\d+", command.line)
-    if len(watched) == 1:
-        told.update((watched[0], STATES.get(word)) for word in OF_ONE.findall(command.out))
+    told = {(name or watched[0], STATES.get(word)) for name, word in EVENT.findall(command.out)}
     for name, state in told:
-        if state and state not in play.robot.states(name, command.begun - MARGIN, command.ended):
+        # it reports a state just before it is in it
+        if state and state not in play.robot.states(name, command.begun - MARGIN, command.ended + MARGIN):
             return f"{name} has not been {state}"
     if command.interrupted is not None or command.status != 0 or "-n" in command.line:
         return None
