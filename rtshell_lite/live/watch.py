@@ -3,7 +3,7 @@
 import collections
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import session
+from rtshell_lite.corba import orb, session
 from rtshell_lite.live import follow, hear, observer, polling, times
 from rtshell_lite.live.observer import Event
 from rtshell_lite.net import loop
@@ -104,7 +104,7 @@ class Watched(follow.Followed):
         self.heard = 0.0
         self.is_attached_again = False
         self.reported_silence = self.poll = None
-        subscription = self.subscription = await self.watch.what.subscription(self.node, self.hear)
+        subscription = self.subscription = await self._lendable()
         if subscription is None:
             self.poll = await self.watch.what.poll(self.node)
             self.note(f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
@@ -116,6 +116,19 @@ class Watched(follow.Followed):
         self.since = self.lived = loop.now()
         self.is_hung = False
         self.is_begun = self.is_sought = self.node is not None
+
+    async def _lendable(self):
+        """The Subscription to attach, None if it takes none: the last one again, if this object may have it.
+        Two would report each event twice.
+        """
+        made = await self.watch.what.subscription(self.node, self.hear)
+        here = orb.identity(self.node.ref)
+        for each in self.watch.left:
+            is_lent = each.reference is not None and orb.identity(each.node.ref) == here
+            if made is not None and is_lent:
+                self.watch.left.remove(each)
+                return each
+        return made
 
     def hear(self, item):
         self.heard = loop.now()
@@ -167,7 +180,7 @@ class Watched(follow.Followed):
     def leave(self, error):
         """It cannot be watched; it may have our observer all the same."""
         self.error = error
-        if self.subscription is not None:
+        if self.subscription is not None and self.subscription.reference is not None:
             self.watch.left.append(self.subscription)
         self.subscription = self.shown = None
 

@@ -213,6 +213,32 @@ class Meanwhile(unittest.TestCase):
             self.assertTrue(arm.is_sought)
         self.run_with(1, play)
 
+    def test_one_that_has_not_answered_gets_the_same_observer_again(self):
+        """It may have it: of two it would report each event twice."""
+        made = []
+
+        async def attach():
+            if len(made) < 2:
+                raise errors.Silent("/h/Arm0.rtc", "no answer within 3s")
+
+        async def lend(node, hear):
+            made.append(mock.Mock(node=node, attach=attach, reference="IOR:", remark="", detach=detach))
+            return made[-1]
+
+        async def detach():
+            """It takes it back."""
+
+        async def play(watching, arm):
+            watching.what.subscription = lend
+            shown = arm.shown
+            for _ in range(2):
+                arm.shown = shown
+                arm.appeared()
+                await loop.sleep(0)
+            self.assertIs(arm.subscription, made[0])
+            self.assertEqual(watching.left, [])
+        self.run_with(1, play)
+
     def test_all_that_are_late_are_asked_at_once_whether_they_live(self):
         asked = []
 
