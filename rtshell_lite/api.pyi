@@ -11,8 +11,6 @@ __all__ = ["Component", "Connection", "Context", "Error", "Event", "Finding", "M
 POLL: float
 _Profile = Union[RtsProfile, str]
 
-PROFILE: Tuple[str, ...]
-
 class Context(NamedTuple):
     number: int
     kind: Optional[str]
