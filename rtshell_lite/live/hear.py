@@ -106,16 +106,17 @@ class Hearing:
         """Take the observers of some components back, for a few seconds at most."""
         entries = [entry for entry in entries if entry.subscription is not None]
         beating = {process.beating for process in self._processes.values()}
-        lent = [entry.subscription for entry in entries]
-        await take_back([each for each in lent if each not in beating], times.FAREWELL)
-        await take_back([each for each in lent if each in beating], times.HURRY)
+        quiet = [entry.subscription for entry in entries if entry.subscription not in beating]
+        others = [entry.subscription for entry in entries if entry.subscription in beating]
+        await take_back(quiet, times.FAREWELL)
+        await take_back(others, times.HURRY)
         for entry in entries:
             self.forget(entry)
 
 
 async def take_back(subscriptions, seconds=None):
-    """Have components forget Subscriptions, in `seconds` at most: those that did not answer. None of them
-    calls us any more then.
+    """Have components forget Subscriptions, in `seconds` at most; returns those whose component did not
+    answer. Whatever calls them later gets OBJECT_NOT_EXIST.
     """
     left = [subscription for subscription in subscriptions if subscription.reference is not None]
 

@@ -6,13 +6,13 @@ from rtshell_lite.net import loop
 
 BEAT = 20.0  # between heartbeats that nobody sees; each costs the component a call
 BEAT_SHOWN = 1.0  # the same for rtwatch, which shows what is late
-BEATS_LATE = 1.5  # after so many a component is asked whether it lives
-BEATS_LOST = 3.0  # after so many the missing one is reported
+BEATS_LATE = 1.5  # beats without a heartbeat, after which a component is asked whether it lives
+BEATS_LOST = 3.0  # beats after which the missing heartbeat is reported
 LATE = BEATS_LATE * BEAT
-# Until what has been lent is left behind, when it is taken back: C++ 2.1 forgets an observer at once, but
+# How long components have to answer when observers are taken back. C++ 2.1 forgets an observer at once, but
 # answers at its next heartbeat.
-FAREWELL = 3.0  # where there are no heartbeats
-HURRY = 0.3  # where there are
+FAREWELL = 3.0  # those without heartbeats
+HURRY = 0.3  # those with heartbeats
 HURRY_SHOWN = 0.1  # for rtwatch, after Ctrl-C
 
 # ---- questions ----
@@ -22,16 +22,16 @@ AGAIN = 2.0  # between questions to a dead object whose name is still bound
 THOROUGH = 1.0  # between looks at what changes less often than states, where these are polled
 PORTS = 2.0  # between looks at the connections of ports; more where there are many
 LOST_ANSWER = 0.15  # until a question is repeated whose connection is lost: to a process that ends, as a rule
-LOST_ANSWERS = 5  # such repetitions
+LOST_ANSWERS = 5  # how often it is repeated
 
-# Until something is asked again that did not answer, as it or a neighbour hangs: at first, doubled each time,
-# and at most. Each such question may hold a thread of it for as long.
+# Until a component is asked again that did not answer, as it or a neighbour hangs; doubled each time. Each
+# such question may hold a thread of the component.
 FIRST_PAUSE = 4.0
 LONGEST_PAUSE = 300.0
 
 
 class Patience:
-    """When something may be asked again that does not answer: ever later."""
+    """When a component may be asked again that does not answer: ever later."""
 
     __slots__ = ("until", "_count")
 
@@ -45,7 +45,7 @@ class Patience:
         return self._count > 0
 
     def wait(self, first=FIRST_PAUSE):
-        """It has not answered; `first`: the seconds until it may be asked again at first."""
+        """It has not answered; `first`: the seconds until it may be asked again, the first time."""
         doublings = min(self._count, 20)  # it may hang for days
         self.until = loop.now() + min(first * 2**doublings, LONGEST_PAUSE)
         self._count += 1

@@ -121,14 +121,15 @@ class Watched(follow.Followed):
         """The Subscription to attach, None if it takes none: the last one again, if this object may have it.
         Two would report each event twice.
         """
-        made = await self.watch.what.subscription(self.node, self.hear)
-        here = orb.identity(self.node.ref)
-        for each in self.watch.left:
-            is_lent = each.reference is not None and orb.identity(each.node.ref) == here
-            if made is not None and is_lent:
-                self.watch.left.remove(each)
-                return each
-        return made
+        subscription = await self.watch.what.subscription(self.node, self.hear)
+        if subscription is None:
+            return None
+        identity = orb.identity(self.node.ref)
+        for earlier in self.watch.left:
+            if earlier.reference is not None and orb.identity(earlier.node.ref) == identity:
+                self.watch.left.remove(earlier)
+                return earlier
+        return subscription
 
     def hear(self, item):
         self.heard = loop.now()
