@@ -235,7 +235,7 @@ def at_once(measures, few):
 
     With more jobs everything takes longer, as many of them wait in busy loops.
     """
-    return few if measures else 2 * PROCESSORS
+    return few if measures else 3 * PROCESSORS
 
 
 class Score:
