@@ -188,21 +188,27 @@ A component that breaks down while it is asked:
   [4]
   $ ctl state ConsoleIn0
   INACTIVE
-  $ ctl fail activate_component 1 DIE; ctl fail activate_component 2 DIE; rtact ConsoleIn0.rtc ConsoleOut0.rtc
+  $ ctl fail activate_component 1 DIE
+  $ ctl fail activate_component 2 DIE
+  $ rtact ConsoleIn0.rtc ConsoleOut0.rtc
   rtact: /localhost:\$PORT/test.host_cxt/ConsoleIn0.rtc: connection (lost|refused|refused; its process is gone \(zombie\)) (re)
   rtact: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc: connection (lost|refused|refused; its process is gone \(zombie\)) (re)
   [4]
 
 The component that dies of being asked for its profile at the wrong time is never asked:
 
-  $ rtact -v Fragile0.rtc; rtact -v --wait Fragile0.rtc; rtact --dry-run Fragile0.rtc
+  $ rtact -v Fragile0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Fragile0.rtc: accepted
+  $ rtact -v --wait Fragile0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Fragile0.rtc: Active
+  $ rtact --dry-run Fragile0.rtc
   $ ctl @fragile state Fragile0
   ACTIVE
-  $ rtdeact -v --wait Fragile0.rtc; rtreset -v Fragile0.rtc; rtdeact --dry-run Fragile0.rtc
+  $ rtdeact -v --wait Fragile0.rtc
   rtdeact: /localhost:$PORT/test.host_cxt/Fragile0.rtc: Inactive
+  $ rtreset -v Fragile0.rtc
   rtreset: /localhost:$PORT/test.host_cxt/Fragile0.rtc: Inactive
+  $ rtdeact --dry-run Fragile0.rtc
   $ ctl @fragile state Fragile0
   INACTIVE
 

@@ -11,7 +11,8 @@ world: these ConsoleIn ErrStart --flavour rtorb --context rtorb.host_cxt/%n.rtc 
 What the other versions print as C++ 1.1 does is not repeated:
 
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do
-  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } | sed "s/$v.host/V.host/g" >$v
+  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } |
+  >       sed "s/$v.host/V.host/g" >$v
   >   [ $v != cpp11 ] && cmp -s cpp11 $v || { echo "$v:"; cat $v; }
   > done; }
 

@@ -25,7 +25,8 @@ Activating an active component is no failure:
 Several paths, absolute or relative; options may follow them:
 
   $ rtdeact ConsoleIn0.rtc
-  $ RTCSH_CWD=/ rtact localhost:$PORT/test.host_cxt/ConsoleIn0.rtc /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc --wait=2 -v
+  $ RTCSH_CWD=/ rtact localhost:$PORT/test.host_cxt/ConsoleIn0.rtc \
+  >     /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc --wait=2 -v
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
   rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Active
   $ ctl state ConsoleIn0; ctl state ConsoleOut0

@@ -101,8 +101,9 @@ Its IDL is not that of the provider: what that means, as far as it can be known:
   $ rtcall Robot0.rtc:svc move_to --idl wrong.idl
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm move_to: it takes other arguments: wrong.idl is probably not its IDL (IDL:Mock/Robot:1.0)
   [6]
-  $ rtcall Robot0.rtc:svc.arm say 'a text that is long enough'; rtcall Robot0.rtc:svc.arm ending --idl wrong.idl
+  $ rtcall Robot0.rtc:svc.arm say 'a text that is long enough'
   a text that is long enough
+  $ rtcall Robot0.rtc:svc.arm ending --idl wrong.idl
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm ending: done, but its answer is of another type: wrong.idl is probably not its IDL (IDL:Mock/Robot:1.0)
   [4]
   $ rtcall Robot0.rtc:svc.arm say 'still there'

@@ -21,7 +21,8 @@ both: each ORB reads and writes values in its own way
   日本abc
   $ rtcall Robot0.rtc:svc keep '{"_type": "long", "_value": 3}'
   {"_type": "long", "_value": 3}
-  $ rtcall Robot0.rtc:svc keep '{"_type": "Mock::Step", "_value": {"name": "a", "goal": {"x": 1, "y": 2}, "mode": "MOVING"}}'
+  $ rtcall Robot0.rtc:svc keep \
+  >     '{"_type": "Mock::Step", "_value": {"name": "a", "goal": {"x": 1, "y": 2}, "mode": "MOVING"}}'
   {"_type": "IDL:Mock/Step:1.0", "_value": {"goal": {"x": 1.0, "y": 2.0}, "mode": "MOVING", "name": "a"}}
   $ rtcall Robot0.rtc:svc keep '{"_type": "sequence<sequence<string>>", "_value": [["a"], []]}'
   {"_type": "sequence<sequence<string>>", "_value": [["a"], []]}

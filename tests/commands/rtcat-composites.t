@@ -134,7 +134,8 @@ An exported port is one of the composite's, with its member's name before it; an
   > print(found["composite"], found["composite_member"])
   > for each in found["compositions"]: print(sorted(each), each["members"])
   > for each in found["parent_compositions"]: print(sorted(each), each["name"], each["path"])
-  > for each in found["execution_contexts"]: print(each["handle"], each["owner"], each["participants"], each["running"])
+  > for each in found["execution_contexts"]: print(each["handle"], each["owner"], each["participants"], \
+  >     each["running"])
   > print([port["name"] for port in found["ports"]])'; }
   $ rtcat --json composite0.rtc | show
   True False
@@ -221,7 +222,9 @@ Organization::get_owner is never called: C++ answers it once in its life. How of
 
   $ for world in composite deadmember composite2 composite3; do calls @$world | grep owner; done
   [1]
-  $ ctl reset; rtcat composite0.rtc >/dev/null; calls
+  $ ctl reset
+  $ rtcat composite0.rtc >/dev/null
+  $ calls
   1 get_component_profile
   1 get_component_state
   1 get_context_handle
@@ -231,7 +234,9 @@ Organization::get_owner is never called: C++ answers it once in its life. How of
   1 get_participating_contexts
   1 get_port_profile
   1 get_ports
-  $ ctl reset; rtcat Sensor0.rtc >/dev/null; calls
+  $ ctl reset
+  $ rtcat Sensor0.rtc >/dev/null
+  $ calls
   1 get_component_profile
   2 get_component_state
   2 get_context_handle

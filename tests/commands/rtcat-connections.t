@@ -63,7 +63,12 @@ Without -l nobody but the component is asked; with it, only the ports at the far
 asked of the other 29. (A component that is asked for a port looks whether the ports connected to it still live:
 those calls are not ours.)
 
-  $ asked() { for world in many these these2; do calls @$world | grep -v _non_existent; ctl @$world reset; done; }
+  $ asked() {
+  >     for world in many these these2; do
+  >         calls @$world | grep -v _non_existent
+  >         ctl @$world reset
+  >     done
+  > }
 
   $ ctl @services reset; asked >/dev/null
   $ rtcat ../many.host_cxt/Mock0.rtc >/dev/null; asked
@@ -106,7 +111,8 @@ those calls are not ours.)
 
 Three ports in one connection, and a component connected to itself, of which its own port is no far end:
 
-  $ rtcon Motor0.rtc:out Sensor0.rtc:in SequenceInComponent0.rtc:Long; rtcat -l Motor0.rtc:out | grep -A 9 Connected
+  $ rtcon Motor0.rtc:out Sensor0.rtc:in SequenceInComponent0.rtc:Long
+  $ rtcat -l Motor0.rtc:out | grep -A 9 Connected
    +Connected to  /localhost:$PORT/test.host_cxt/Sensor0.rtc:in
                   /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
   $ rtcon Sensor0.rtc:out Motor0.rtc:in
@@ -137,7 +143,8 @@ What is connected is shown even if it does not say what it is, is bound nowhere,
   $ hang these; within 0.5-1 rtcat -l --timeout 0.5 ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
   rtcat: /localhost:$PORT/many.host_cxt/Mock0.rtc: no answer within 0.5s
   [1]
-  $ wake these; kill-mock these; rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
+  $ wake these
+  $ kill-mock these; rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
    +Connected to  /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
   $ rtcat -ll ../many.host_cxt/Mock0.rtc:out | grep -c '^ *ID '
   1

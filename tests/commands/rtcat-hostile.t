@@ -24,7 +24,9 @@ Nothing that it says reaches the terminal as it is, or is executed:
   +DataInPort:\x20 (esc)
   +DataOutPort: plain
   +CorbaPort: ]]><script>&amp;</rts:Components>%s{}
-  $ for level in '' -l -ll; do rtcat $level Hostile0.rtc; done | LC_ALL=C grep -c -e '[[:cntrl:]]' -e "$(printf '\302[\200-\237]')"
+  $ for level in '' -l -ll; do
+  >     rtcat $level Hostile0.rtc
+  > done | LC_ALL=C grep -c -e '[[:cntrl:]]' -e "$(printf '\302[\200-\237]')"
   0
   [1]
   $ rtcat -l Hostile0.rtc:plain | grep -A 2 Connected
@@ -33,7 +35,8 @@ Nothing that it says reaches the terminal as it is, or is executed:
   1
   $ rtcat --json Hostile0.rtc | python3 -c 'import json, sys
   > found = json.load(sys.stdin)
-  > print(len(found["properties"]["long"]), found["properties"]["integer"], found["properties"]["real"], found["properties"]["wide"])
+  > print(len(found["properties"]["long"]), found["properties"]["integer"], found["properties"]["real"], \
+  >     found["properties"]["wide"])
   > print(repr(found["type_name"]))'
   65536 5 1.5 wide 日本
   '\x1b[2J\x1b]0;owned\x07\udc9b31m\r\n'
@@ -41,7 +44,8 @@ Nothing that it says reaches the terminal as it is, or is executed:
 
 Its ports can be named as they are printed, whatever they are called:
 
-  $ rtcat Hostile0.rtc | sed -n 's/^+[A-Za-z]*: //p' | sed 's,[:/],\\&,g; s,^,Hostile0.rtc:,' | grep -v ':$' | tr '\n' '\0' | xargs -0 rtcat
+  $ rtcat Hostile0.rtc | sed -n 's/^+[A-Za-z]*: //p' | sed 's,[:/],\\&,g; s,^,Hostile0.rtc:,' | grep -v ':$' |
+  >     tr '\n' '\0' | xargs -0 rtcat
   +DataOutPort: $(touch owned);`id`'"|&<>*?~ -rf
 
   +DataInPort: \x1b[2J\x1b]0;owned\x07\x9b31m\x0d\x0a
@@ -63,7 +67,9 @@ It also survives being named as a far end, and losing its new peer:
 
   $ rtcon ConsoleOut0.rtc:in Fragile0.rtc:out; rtcat -ll ConsoleOut0.rtc | grep -c Fragile0.rtc:out
   1
-  $ kill-mock linked; rtls -l Fragile0.rtc; rtcat -l Fragile0.rtc | tail -n 1; ctl @fragile components
+  $ kill-mock linked; rtls -l Fragile0.rtc
   Inactive  1/0  0/0  1/0  0/0  Fragile0.rtc
+  $ rtcat -l Fragile0.rtc | tail -n 1
     port.port_type                           DataOutPort
+  $ ctl @fragile components
   Fragile0

@@ -198,7 +198,8 @@ Paths are relative to RTCSH_CWD, or absolute; a server need not be in RTCTREE_NA
   +DataOutPort: out
   $ rtcat ../test.host_cxt/./ConsoleIn0.rtc:out
   +DataOutPort: out
-  $ (unset RTCTREE_NAMESERVERS RTCSH_CWD; rtcat -l /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc:out | tail -n 1)
+  $ (unset RTCTREE_NAMESERVERS RTCSH_CWD; rtcat -l /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc:out |
+  >     tail -n 1)
    +Connected to  /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc:in
   $ RTCTREE_NAMESERVERS=localhost:1 rtcat -l ConsoleOut0.rtc:in | tail -n 1
    +Connected to  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
@@ -210,7 +211,8 @@ Paths are relative to RTCSH_CWD, or absolute; a server need not be in RTCTREE_NA
   $ rtcat --json ConsoleIn0.rtc ConsoleOut0.rtc:in | python3 -c 'import json, sys
   > component, port = map(json.loads, sys.stdin)
   > print(sorted(component))
-  > print(component["path"], component["state"], component["instance_name"], component["properties"]["language"])
+  > print(component["path"], component["state"], component["instance_name"], \
+  >     component["properties"]["language"])
   > print(sorted(component["execution_contexts"][0]), component["execution_contexts"][0]["rate"])
   > print(sorted(port), port["path"], port["type"], port["properties"]["dataport.data_type"])
   > print(sorted(port["connectors"][0]), port["connectors"][0]["connected_to"])'

@@ -7,19 +7,26 @@ world: these Sensor
 
 A connection of this id that joins other ports is not the one in the file:
 
-  $ rtdis ConsoleIn0.rtc; rtcon -i one ConsoleIn0.rtc:out ConsoleOut1.rtc:in; rtcon -i one ConsoleIn1.rtc:out ConsoleOut0.rtc:in
+  $ rtdis ConsoleIn0.rtc
+  $ rtcon -i one ConsoleIn0.rtc:out ConsoleOut1.rtc:in
+  $ rtcon -i one ConsoleIn1.rtc:out ConsoleOut0.rtc:in
   $ rtcheck -s inactive a.xml
   No connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
   [1]
   $ rtresurrect -q a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection one joins other ports; rtdis removes it
   [5]
-  $ rtdis ConsoleIn0.rtc; rtdis ConsoleIn1.rtc; rtresurrect a.xml; rtcheck -s inactive a.xml
+  $ rtdis ConsoleIn0.rtc
+  $ rtdis ConsoleIn1.rtc
+  $ rtresurrect a.xml
+  $ rtcheck -s inactive a.xml
 
 Where the file gives a property twice, and not alike, the connector's own attribute counts:
 
   $ sed 's/dataflowType="push"/dataflowType="pull"/' a.xml > pull.xml; rtdis ConsoleIn0.rtc
-  $ rtresurrect pull.xml; rtcheck -s inactive pull.xml; rtcheck -s inactive a.xml
+  $ rtresurrect pull.xml
+  $ rtcheck -s inactive pull.xml
+  $ rtcheck -s inactive a.xml
   Property dataport.dataflow_type of connection from /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in is incorrect.
   [1]
 

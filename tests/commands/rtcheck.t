@@ -37,7 +37,8 @@ States are to be Active unless you say otherwise:
   Component /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc is in incorrect state Inactive, not Active
   rtcheck: all of them are Inactive: -s Inactive compares with that
   [1]
-  $ rtact ConsoleIn0.rtc ConsoleOut0.rtc ConsoleOut1.rtc MyServiceConsumer0.rtc MyServiceProvider0.rtc Motor0.rtc Hokuyo_AIST0.rtc
+  $ rtact ConsoleIn0.rtc ConsoleOut0.rtc ConsoleOut1.rtc MyServiceConsumer0.rtc MyServiceProvider0.rtc \
+  >     Motor0.rtc Hokuyo_AIST0.rtc
   $ rtcheck a.xml
   $ rtcheck -s Error a.xml 2>&1 | head -1
   Component /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc is in incorrect state Active, not Error

@@ -16,9 +16,13 @@ Wrong usage:
   $ rtcomp a b
   rtcomp: unrecognized arguments: b (see --help)
   [2]
-  $ rtcomp -c Sensor0.rtc manager.mgr; rtcomp --port=Sensor0.rtc:in manager.mgr; rtcomp manager.mgr -n Arm
+  $ rtcomp -c Sensor0.rtc manager.mgr
   rtcomp: -c is an option of old versions; now: -a PATH (see --help)
+  [2]
+  $ rtcomp --port=Sensor0.rtc:in manager.mgr
   rtcomp: --port is an option of old versions; now: -a PATH:PORT,… (see --help)
+  [2]
+  $ rtcomp manager.mgr -n Arm
   rtcomp: -n is an option of old versions; now: MANAGER:NAME (see --help)
   [2]
   $ rtcomp -a
@@ -226,7 +230,8 @@ A composite that refuses or fails:
   $ ctl fail add_members 1 NO_PERMISSION; rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: CORBA.NO_PERMISSION
   [6]
-  $ rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc > nul; ctl @services fail start 1 UNKNOWN
+  $ rtcomp -a ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc > nul
+  $ ctl @services fail start 1 UNKNOWN
   $ rtcomp -r ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: has let MyServiceProvider0 go, and then failed (CORBA.UNKNOWN); whether that runs is not known
   [1]
@@ -241,8 +246,11 @@ A composite that refuses or fails:
   $ ctl fail remove_member 1 HANG; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
   [4]
-  $ ctl hang composite0 60; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc; ctl hang composite0 0
+  $ ctl hang composite0 60
+  $ within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
+  [4]
+  $ ctl hang composite0 0
 
 Organization::get_owner is never called: C++ answers with the owner only once
 

@@ -148,7 +148,8 @@ Without a name it is CompositeRTC; -o gives more options to its creation, -t ano
   rtcomp: added component /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   $ rtcat -l ../lab.host_cxt/CompositeRTC.rtc | grep Member
     Member  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
-  $ rtcomp --type=PeriodicECSharedComposite --add ../other.host_cxt/ConsoleIn0.rtc:out --options=conf.default.my=1 manager.mgr:More
+  $ rtcomp --type=PeriodicECSharedComposite --add ../other.host_cxt/ConsoleIn0.rtc:out \
+  >     --options=conf.default.my=1 manager.mgr:More
   $ rtcat More.rtc | tail -1
   +DataOutPort: ConsoleIn0.out
 
@@ -169,13 +170,16 @@ Without a name it is CompositeRTC; -o gives more options to its creation, -t ano
 
 Paths with a server, a port of its own, and ports of a component:
 
-  $ RTCSH_CWD=/ rtcomp -v -a localhost:$PORT/other.host_cxt/ConsoleOut0.rtc:in /localhost:$PORT/test.host_cxt/manager.mgr:Full
+  $ RTCSH_CWD=/ rtcomp -v -a localhost:$PORT/other.host_cxt/ConsoleOut0.rtc:in \
+  >     /localhost:$PORT/test.host_cxt/manager.mgr:Full
   rtcomp: created composite Full
   rtcomp: exported port ConsoleOut0.in
   rtcomp: added component /localhost:$PORT/other.host_cxt/ConsoleOut0.rtc
-  $ RTCSH_CWD=/ rtcomp -v -r localhost:$PORT/other.host_cxt/ConsoleOut0.rtc:in /localhost:$PORT/test.host_cxt/Full.rtc
+  $ RTCSH_CWD=/ rtcomp -v -r localhost:$PORT/other.host_cxt/ConsoleOut0.rtc:in \
+  >     /localhost:$PORT/test.host_cxt/Full.rtc
   rtcomp: hid port ConsoleOut0.in
-  $ RTCSH_CWD=/ rtcomp -v -r localhost:$PORT/other.host_cxt/ConsoleOut0.rtc /localhost:$PORT/test.host_cxt/Full.rtc
+  $ RTCSH_CWD=/ rtcomp -v -r localhost:$PORT/other.host_cxt/ConsoleOut0.rtc \
+  >     /localhost:$PORT/test.host_cxt/Full.rtc
   rtcomp: removed component ConsoleOut0
 
 Below the manager, members and composites are the same:
@@ -189,7 +193,8 @@ Below the manager, members and composites are the same:
 
 One component given several times is one member, with all the ports:
 
-  $ rtcomp -v -a manager.mgr/ConsoleOut0.rtc -a manager.mgr/ConsoleOut0.rtc:in,in -a manager.mgr/ConsoleOut0.rtc:in manager.mgr/Arm.rtc
+  $ rtcomp -v -a manager.mgr/ConsoleOut0.rtc -a manager.mgr/ConsoleOut0.rtc:in,in \
+  >     -a manager.mgr/ConsoleOut0.rtc:in manager.mgr/Arm.rtc
   rtcomp: exported port ConsoleOut0.in
   rtcomp: added component /localhost:$PORT/test.host_cxt/manager.mgr/ConsoleOut0.rtc
   $ rtcomp -v -r manager.mgr/ConsoleOut0.rtc -r manager.mgr/ConsoleOut0.rtc manager.mgr/Arm.rtc

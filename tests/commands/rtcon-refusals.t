@@ -61,16 +61,19 @@ Properties that a port does not offer, with what it does:
   $ rtcon -p dataport.subscription_type=periodic ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   [2]
-  $ rtcon -p dataport.subscription_type=periodic -p dataport.publisher.push_rate=often ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon -p dataport.subscription_type=periodic -p dataport.publisher.push_rate=often ConsoleIn0.rtc:out \
+  >     ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate in Hz above 0, not often
   [2]
-  $ rtcon -p dataport.subscription_type=periodic -p dataport.push_rate=0 ConsoleIn0.rtc:out ConsoleOut0.rtc:in --dry-run
+  $ rtcon -p dataport.subscription_type=periodic -p dataport.push_rate=0 ConsoleIn0.rtc:out \
+  >     ConsoleOut0.rtc:in --dry-run
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: a periodic connection needs a rate in Hz above 0, not 0
   [2]
   $ rtprint --property dataport.subscription_type=periodic ConsoleIn0.rtc:out
   rtprint: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a periodic connection needs a rate: dataport.publisher.push_rate=HZ
   [2]
-  $ rtlog -f log --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=-1 ConsoleIn0.rtc:out
+  $ rtlog -f log --property dataport.subscription_type=periodic \
+  >     --property dataport.publisher.push_rate=-1 ConsoleIn0.rtc:out
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: a periodic connection needs a rate in Hz above 0, not -1
   [2]
   $ calls | grep -E ' (connect|notify_connect)$'
@@ -96,7 +99,9 @@ What only the component knows, it refuses itself:
 
 Nothing is left of all that:
 
-  $ ctl connectors ConsoleIn0:out; ctl connectors ConsoleOut0:in; ctl @these connectors Mock0:in
+  $ ctl connectors ConsoleIn0:out
+  $ ctl connectors ConsoleOut0:in
+  $ ctl @these connectors Mock0:in
 
 Nor does an attempt that fails touch another connection:
 
@@ -104,9 +109,11 @@ Nor does an attempt that fails touch another connection:
   $ rtcon -p dataport.marshaling_type=json ConsoleIn0.rtc:out ConsoleOut1.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: refused by the component (RTC_ERROR)
   [6]
-  $ ctl connectors ConsoleIn0:out; ctl connectors ConsoleOut0:in; ctl connectors ConsoleOut1:in
+  $ ctl connectors ConsoleIn0:out
   good outin
+  $ ctl connectors ConsoleOut0:in
   good outin
+  $ ctl connectors ConsoleOut1:in
 
 Dead and silent peers:
 

@@ -28,7 +28,8 @@ The consumer first; one port alone (a provider gives its reference to the connec
 
 Properties are passed on:
 
-  $ rtcon -p port.connection.strictness=strict -p x=y MyServiceProvider0.rtc:MyService MyServiceConsumer0.rtc:MyService
+  $ rtcon -p port.connection.strictness=strict -p x=y MyServiceProvider0.rtc:MyService \
+  >     MyServiceConsumer0.rtc:MyService
   $ rtcat -ll MyServiceConsumer0.rtc:MyService | grep -E 'strict|  x '
       port.connection.strictness                                       strict
       x                                                                y

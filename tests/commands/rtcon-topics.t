@@ -3,7 +3,8 @@ Data ports that are connected alone: ROS, DDS, shared memory or the like carries
 world: topics --flavour cpp2
 world: these ConsoleIn:A0 ConsoleOut:B0 ConsoleOut:B1 ConsoleOut:B2 ConsoleOut:B3 --context plain.host_cxt/%n.rtc
 
-  $ rtcon -n chatter -i topic1 -p dataport.interface_type=fast-rtps -p dataport.fast-rtps.topic=chatter ConsoleIn0.rtc:out
+  $ rtcon -n chatter -i topic1 -p dataport.interface_type=fast-rtps \
+  >     -p dataport.fast-rtps.topic=chatter ConsoleIn0.rtc:out
   $ rtcon -v -p dataport.interface_type=ssm ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected, id $UUID
   $ ctl connectors ConsoleIn0:out
@@ -37,8 +38,11 @@ They are shown, saved, drawn, compared, removed and restored like all others:
       dataport.interface_type         fast-rtps
       dataport.subscription_type      new
       dataport.serializer.cdr.endian  little,big
-  $ rtcryo -o robot.rtsys .; rtcryo -y -o robot.yaml . ; rtcheck -s Inactive robot.rtsys
-  $ sed -n '/OnePort/,/<\/rtsExt:OnePort/p' robot.rtsys | grep -o 'connectorId="topic1"\|rts:sourceDataPort\|rts:targetDataPort' | sort | uniq -c
+  $ rtcryo -o robot.rtsys .
+  $ rtcryo -y -o robot.yaml .
+  $ rtcheck -s Inactive robot.rtsys
+  $ sed -n '/OnePort/,/<\/rtsExt:OnePort/p' robot.rtsys |
+  >     grep -o 'connectorId="topic1"\|rts:sourceDataPort\|rts:targetDataPort' | sort | uniq -c
         1 connectorId="topic1"
         2 rts:sourceDataPort
         2 rts:targetDataPort
@@ -56,7 +60,12 @@ They are shown, saved, drawn, compared, removed and restored like all others:
   │ ConsoleOut0 │ │
   │ in          │<┘
   └─────────────┘
-  $ for form in rtsys yaml; do rtteardown -q robot.$form; rtcheck -s Inactive robot.$form; rtresurrect -q robot.$form; rtcheck -s Inactive robot.$form; done
+  $ for form in rtsys yaml; do
+  >     rtteardown -q robot.$form
+  >     rtcheck -s Inactive robot.$form
+  >     rtresurrect -q robot.$form
+  >     rtcheck -s Inactive robot.$form
+  > done
   No connection of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out by fast-rtps
   No connection of /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in by ssm
   No connection of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out by fast-rtps
@@ -71,7 +80,9 @@ They are shown, saved, drawn, compared, removed and restored like all others:
 
 The connectors of tools, which are no part of a system, are known by their names: ours, and rtshell's.
 
-  $ for tool in rtprint rtinject rtlog rtmount rtshell_lite; do rtcon -n $tool -p dataport.interface_type=ssm ConsoleIn0.rtc:out; done
+  $ for tool in rtprint rtinject rtlog rtmount rtshell_lite; do
+  >     rtcon -n $tool -p dataport.interface_type=ssm ConsoleIn0.rtc:out
+  > done
   $ cd_plain() { export RTCSH_CWD=/localhost:$PORT/plain.host_cxt; }; cd_plain
   $ rtcon -n rtprint_reader0_out A0.rtc:out B0.rtc:in; rtcon -n rtinject_writer1_out A0.rtc:out B1.rtc:in
   $ rtcon -n rtlog_recorder0_out A0.rtc:out B2.rtc:in; rtcon -n rtlog_player2_out A0.rtc:out B3.rtc:in
@@ -80,5 +91,6 @@ The connectors of tools, which are no part of a system, are known by their names
   4
   $ rtcheck --extra -s Inactive robot.rtsys 2>&1 | grep "Connection not"
   [1]
-  $ rtcryo -q -o now.rtsys /localhost:$PORT; grep -c '<rts:DataPortConnectors\|<rtsExt:OnePortConnectors' now.rtsys
+  $ rtcryo -q -o now.rtsys /localhost:$PORT
+  $ grep -c '<rts:DataPortConnectors\|<rtsExt:OnePortConnectors' now.rtsys
   2

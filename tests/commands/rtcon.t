@@ -63,10 +63,13 @@ The out port is the one that is asked, and the first of the connection: ports di
 
 --dry-run checks, prints a command that does it, and changes nothing:
 
-  $ rtcon --dry-run -p 'a.key=x y=z' -n n -i i -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon --dry-run -p 'a.key=x y=z' -n n -i i -p dataport.subscription_type=flush ConsoleIn0.rtc:out \
+  >     ConsoleOut0.rtc:in
   rtcon -n n -i i -p 'a.key=x y=z' -p dataport.subscription_type=flush /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
   $ ctl connectors ConsoleIn0:out
-  $ rtcon --dry-run -p 'a.key=x y=z' -n n -i i -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in | sh
+  $ rtcon --dry-run -p 'a.key=x y=z' -n n -i i -p dataport.subscription_type=flush ConsoleIn0.rtc:out \
+  >     ConsoleOut0.rtc:in |
+  >     sh
   $ rtcat -ll ConsoleIn0.rtc:out | grep -E 'a.key|subscr|ID'
     data_type                                IDL:RTC/TimedLong:1.0
     dataport.data_type                       IDL:RTC/TimedLong:1.0
@@ -84,7 +87,8 @@ The out port is the one that is asked, and the first of the connection: ports di
 
 Properties: a value may hold an equals sign, or be empty; of two the last one counts:
 
-  $ rtcon -p dataport.dataflow_type=pull -p dataport.buffer.length=3 -p 'x=a=b' -p y= ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon -p dataport.dataflow_type=pull -p dataport.buffer.length=3 -p 'x=a=b' \
+  >     -p y= ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcat -ll ConsoleOut0.rtc:in | grep -E 'flow_type +pull|length|^    [xy]' | sed 's/ *$//'
       dataport.buffer.length          3
       dataport.dataflow_type          pull
@@ -95,12 +99,17 @@ Properties: a value may hold an equals sign, or be empty; of two the last one co
 The properties that OpenRTM knows need no `dataport.`; one that is misspelt is refused, here and where commands make connections of
 their own; what resembles none is the user's:
 
-  $ rtcon --dry-run -p subscription_type=flush -p inport.buffer.length=3 -p mine=1 -p dataport.mine=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon --dry-run -p subscription_type=flush -p inport.buffer.length=3 -p mine=1 \
+  >     -p dataport.mine=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon -p dataport.inport.buffer.length=3 -p dataport.mine=2 -p dataport.subscription_type=flush -p mine=1 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
   $ rtcon -p dataport.subscripton_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: dataport.subscripton_type: no such property; did you mean dataport.subscription_type?
   [2]
-  $ for key in Subscription_Type buffer.lenght publisher.rate; do for command in 'rtcon -p' 'rtprint --property' 'rtlog -f a --property'; do $command $key=1 ConsoleIn0.rtc:out ConsoleOut0.rtc:in; done; done 2>&1 | uniq -f 1
+  $ for key in Subscription_Type buffer.lenght publisher.rate; do
+  >     for command in 'rtcon -p' 'rtprint --property' 'rtlog -f a --property'; do
+  >         $command $key=1 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  >     done
+  > done 2>&1 | uniq -f 1
   rtcon: Subscription_Type: no such property; did you mean dataport.subscription_type?
   rtcon: buffer.lenght: no such property; did you mean dataport.buffer.length?
   rtcon: publisher.rate: no such property; did you mean dataport.publisher.push_rate?

@@ -9,7 +9,8 @@ A value that is no number, where the present one is, and one that does not fit t
   rtconf: /localhost:$PORT/test.host_cxt/Cpp0.rtc: int_param0 is set, but abc is not a number, unlike the old value (12345)
   $ rtconf Cpp0.rtc -s mode0 get int_param0
   abc
-  $ rtconf ConfigSample0.rtc -s mode0 set int_param0=151 int_param1=-1 str_param0=blue vector_param0=1,x double_param1=1e400
+  $ rtconf ConfigSample0.rtc -s mode0 set int_param0=151 int_param1=-1 str_param0=blue vector_param0=1,x \
+  >     double_param1=1e400
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but 151 does not fit the component's constraint 0<=x<=150
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param1 is set, but -1 does not fit the component's constraint 0<=x<=1000
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but blue does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
@@ -30,5 +31,6 @@ A value that is no number, where the present one is, and one that does not fit t
 
 Nothing is said of values that fit, or of parameters whose values are words:
 
-  $ rtconf ConfigSample0.rtc -s mode0 set int_param0=150 int_param1=0 str_param0=radio vector_param0=1,2.5 str_param1=
+  $ rtconf ConfigSample0.rtc -s mode0 set int_param0=150 int_param1=0 str_param0=radio vector_param0=1,2.5 \
+  >     str_param1=
   $ rtconf ConfigSample0.rtc -s mode0 set str_param1=foo double_param1=-3

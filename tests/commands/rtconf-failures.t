@@ -28,8 +28,10 @@ No such set or parameter; of several, nothing is set then:
   $ rtconf ConfigSample0.rtc -s mode9 set int_param0 7
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
   [3]
-  $ rtconf ../cpp.host_cxt/ConfigSample0.rtc -s mode9 set int_param0 7; rtconf ../cpp.host_cxt/ConfigSample0.rtc
+  $ rtconf ../cpp.host_cxt/ConfigSample0.rtc -s mode9 set int_param0 7
   rtconf: /localhost:$PORT/cpp.host_cxt/ConfigSample0.rtc: no such configuration set: mode9; did you mean mode1?
+  [3]
+  $ rtconf ../cpp.host_cxt/ConfigSample0.rtc
   +default
   +mode0
   +mode1*
@@ -128,7 +130,8 @@ Dead and silent peers:
   $ ctl fail set_configuration_set_values 1 UNKNOWN; rtconf ConfigSample0.rtc set int_param0 5
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: CORBA.UNKNOWN
   [6]
-  $ ctl fail set_configuration_set_values 1 HANG; within 0.4-1.4 rtconf --timeout 0.5 ConfigSample0.rtc set int_param0 5
+  $ ctl fail set_configuration_set_values 1 HANG
+  $ within 0.4-1.4 rtconf --timeout 0.5 ConfigSample0.rtc set int_param0 5
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: no answer within 0.5s
   [4]
   $ rtconf ConfigSample0.rtc get int_param0
@@ -136,10 +139,13 @@ Dead and silent peers:
 
 A component without parameters; the one that dies of being asked for its profile at the wrong time stays alive:
 
-  $ rtconf Fragile0.rtc -l; rtconf Fragile0.rtc dump; rtconf Fragile0.rtc act default; rtconf Fragile0.rtc diff ConfigSample0.rtc | wc -l
+  $ rtconf Fragile0.rtc -l
   -default*
+  $ rtconf Fragile0.rtc dump
   # configuration of /localhost:$PORT/test.host_cxt/Fragile0.rtc
   [default] active
+  $ rtconf Fragile0.rtc act default
+  $ rtconf Fragile0.rtc diff ConfigSample0.rtc | wc -l
   22
   $ rtconf Fragile0.rtc set any 1
   rtconf: /localhost:$PORT/test.host_cxt/Fragile0.rtc: no such configuration parameter: any (there are: none)

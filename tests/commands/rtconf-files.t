@@ -58,7 +58,10 @@ load brings the sets to what such a text says. Nothing is done for values that a
 
 What it costs:
 
-  $ rtconf ConfigSample0.rtc set int_param0 5; ctl reset; rtconf ConfigSample0.rtc load one.conf; calls
+  $ rtconf ConfigSample0.rtc set int_param0 5
+  $ ctl reset
+  $ rtconf ConfigSample0.rtc load one.conf
+  $ calls
   1 activate_configuration_set
   1 get_active_configuration_set
   1 get_configuration
@@ -94,7 +97,9 @@ Values come back as they were, whatever they hold:
   $ rtconf ConfigSample0.rtc dump odd.conf; grep str_ odd.conf | tail -2
   str_param0= =#[]\\ 日本\x0a\x09\x1b\xff\x20
   str_param1=# no comment\x20
-  $ rtconf ConfigSample0.rtc load one.conf; rtconf ConfigSample0.rtc load odd.conf; rtconf ConfigSample0.rtc dump | cmp - odd.conf
+  $ rtconf ConfigSample0.rtc load one.conf
+  $ rtconf ConfigSample0.rtc load odd.conf
+  $ rtconf ConfigSample0.rtc dump | cmp - odd.conf
 
 Sets and parameters of odd names, 64 kB:
 
@@ -123,12 +128,15 @@ Sets and parameters of odd names, 64 kB:
   0
   [1]
   $ rtconf Hostile0.rtc load -v hostile.conf
-  $ sed -E 's/^(x|plain|number|long|bad.xff)=/&y/' hostile.conf > changed.conf; rtconf Hostile0.rtc load changed.conf
+  $ sed -E 's/^(x|plain|number|long|bad.xff)=/&y/' hostile.conf > changed.conf
+  $ rtconf Hostile0.rtc load changed.conf
   $ rtconf Hostile0.rtc dump -a | cmp - changed.conf
   $ rtconf Hostile0.rtc load --dry-run hostile.conf | sh; rtconf Hostile0.rtc dump -a | cmp - hostile.conf
   $ rtconf Hostile0.rtc set a=b\&c e=f; rtconf Hostile0.rtc get a=b\&c
   e=f
-  $ rtconf Hostile0.rtc set a=b\&c=e=f =empty; rtconf Hostile0.rtc get a=b\&c; rtconf Hostile0.rtc get ''
+  $ rtconf Hostile0.rtc set a=b\&c=e=f =empty
+  > rtconf Hostile0.rtc get a=b\&c
+  > rtconf Hostile0.rtc get ''
   e=f
   empty
 
@@ -146,7 +154,8 @@ All is checked before the first change:
   $ printf '[mode1]\nint_param0=9\n[__widget__] active\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: configuration set __widget__ holds metadata and cannot be active
   [6]
-  $ printf '[mode1]\nint_param0=9\n[mode1] active\n[mode0] active\n' > bad.conf; rtconf ConfigSample0.rtc load bad.conf
+  $ printf '[mode1]\nint_param0=9\n[mode1] active\n[mode0] active\n' > bad.conf
+  $ rtconf ConfigSample0.rtc load bad.conf
   rtconf: bad.conf:4: a second active set
   [1]
   $ rtconf ConfigSample0.rtc get int_param0
@@ -205,10 +214,16 @@ A file is written whole or not at all:
   $ (ulimit -f 0; rtconf ConfigSample0.rtc dump one.conf 2>&1) 2>&1 | grep -v '^File size'; wc -l < one.conf
   rtconf: one.conf: File too large
   25
-  $ ln -s one.conf link.conf; rtconf ConfigSample0.rtc load one.conf; rtconf ConfigSample0.rtc dump link.conf; ls -l link.conf | sed 's/.*link/link/'
+  $ ln -s one.conf link.conf
+  $ rtconf ConfigSample0.rtc load one.conf
+  $ rtconf ConfigSample0.rtc dump link.conf
+  $ ls -l link.conf | sed 's/.*link/link/'
   link.conf -> one.conf
-  $ chmod 600 one.conf; rtconf ConfigSample0.rtc dump one.conf; ls -l one.conf | cut -c 1-10; ls -A | grep tmp
+  $ chmod 600 one.conf
+  $ rtconf ConfigSample0.rtc dump one.conf
+  $ ls -l one.conf | cut -c 1-10
   -rw-------
+  $ ls -A | grep tmp
   [1]
 
 diff, status 1 when there are differences; the active sets are compared, too:

@@ -121,8 +121,9 @@ A value may hold anything: equals signs, newlines, blanks, any script, escapes, 
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but   two\x0alines\x09\\n   does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
     two
   lines\t\\n\x20\x20 (esc)
-  $ rtconf ConfigSample0.rtc set str_param0 "$(printf 'a\033[31m\377')"; rtconf ConfigSample0.rtc get str_param0
+  $ rtconf ConfigSample0.rtc set str_param0 "$(printf 'a\033[31m\377')"
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but a\x1b[31m\xff does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  $ rtconf ConfigSample0.rtc get str_param0
   a\x1b[31m\xff (esc)
   $ rtconf ConfigSample0.rtc get str_param0 --json
   {"str_param0": "a\u001b[31m\udcff"}
@@ -134,7 +135,8 @@ A value may hold anything: equals signs, newlines, blanks, any script, escapes, 
 What get prints is what set takes; only on a terminal it is escaped, as far as it would harm it:
 
   $ sample() { rtconf -q ConfigSample0.rtc "$@"; }
-  $ for value in 'C:\new\x41' "$(printf 'a\tb\n \033[31m\377\\')" '-n' '' ' x ' ' ' '  日本 é' "$(printf 'a\n\nb')" '\' '\\x' '$(id) "`'\' ',|=;'; do
+  $ for value in 'C:\new\x41' "$(printf 'a\tb\n \033[31m\377\\')" '-n' '' ' x ' ' ' '  日本 é' \
+  >     "$(printf 'a\n\nb')" '\' '\\x' '$(id) "`'\' ',|=;'; do
   >   sample set -- str_param0 "$value"; x=$(sample get str_param0); [ "$x" = "$value" ] || echo changed
   >   sample set -- str_param0 "$x"; [ "$(sample get str_param0)" = "$value" ] || echo "changed again"
   > done
@@ -218,11 +220,15 @@ JSON, one set a line:
 
 What a list costs; set adds one request to change and one to keep the active set active:
 
-  $ ctl reset; rtconf ConfigSample0.rtc -l > /dev/null; calls
+  $ ctl reset
+  $ rtconf ConfigSample0.rtc -l > /dev/null
+  $ calls
   1 get_active_configuration_set
   1 get_configuration
   1 get_configuration_sets
-  $ ctl reset; rtconf ConfigSample0.rtc set int_param0 1; calls
+  $ ctl reset
+  $ rtconf ConfigSample0.rtc set int_param0 1
+  $ calls
   1 activate_configuration_set
   1 get_active_configuration_set
   1 get_configuration

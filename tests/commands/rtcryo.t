@@ -145,10 +145,16 @@ What a file says, in the other form; nobody is asked:
     abstract: RT System created by rtcryo.
   $ rtcryo --from - <a.yaml | cmp - a.xml && rtcryo --from a.yaml --yaml | cmp - a.yaml && echo same
   same
-  $ rtcryo --from a.xml -n Arm; rtcryo --from a.xml --all; rtcryo --from a.xml localhost; rtcryo --from nosuch.xml
+  $ rtcryo --from a.xml -n Arm
   rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)
+  [2]
+  $ rtcryo --from a.xml --all
   rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)
+  [2]
+  $ rtcryo --from a.xml localhost
   rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)
+  [2]
+  $ rtcryo --from nosuch.xml
   rtcryo: nosuch.xml: No such file or directory
   [1]
 
@@ -211,7 +217,8 @@ The same system gives the same file, apart from its dates, in both forms:
   pathUri="localhost:$PORT/test.host_cxt/ConsoleOut1.rtc"
   pathUri="localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc"
   pathUri="localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc"
-  $ rtcryo --all | sed -n '/ConfigSample0/,/ExecutionContexts/p' | grep -v 'rtsExt:\|int_param[1-9]\|<rts:ConfigurationData rts:name="[dsv]'
+  $ rtcryo --all | sed -n '/ConfigSample0/,/ExecutionContexts/p' |
+  >     grep -v 'rtsExt:\|int_param[1-9]\|<rts:ConfigurationData rts:name="[dsv]'
           <rts:ConfigurationSets rts:id="__constraints__">
               <rts:ConfigurationData rts:name="int_param0" rts:data="0&lt;=x&lt;=150"/>
           </rts:ConfigurationSets>
@@ -265,8 +272,10 @@ Only some name servers, or a part of one; what is connected to the outside is re
 
 What it costs: nothing is asked twice, and the profile comes last.
 
-  $ ctl @these reset; rtcryo > b.xml; calls @these ConsoleOut1
+  $ ctl @these reset
+  $ rtcryo > b.xml
   rtcryo: 1 component without connections left out; --all saves them, too
+  $ calls @these ConsoleOut1
   1 get_active_configuration_set
   1 get_component_profile
   1 get_configuration
@@ -293,7 +302,9 @@ A name server that is not there, a path that is malformed, a file that cannot be
   $ rtcryo robot.rtsys
   rtcryo: to write a file: -o robot.rtsys (see --help)
   [2]
-  $ rtcryo -q -o robot.rtsys; rtcheck -s Inactive robot.rtsys; rm robot.rtsys
+  $ rtcryo -q -o robot.rtsys
+  $ rtcheck -s Inactive robot.rtsys
+  $ rm robot.rtsys
   $ rtcryo localhost:x
   rtcryo: /localhost:x: x is not a TCP port (1 to 65535)
   [2]

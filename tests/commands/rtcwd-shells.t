@@ -11,11 +11,15 @@ world: two --context test.host_cxt/*?~[a].cxt/%n.rtc,test.host_cxt/b\ack\n.cxt/%
       _rtcwd=$(RTCWD_FUNCTION=1 command rtcwd "$@") && export RTCSH_CWD="$_rtcwd"
   }
   $ eval "$(rtcwd --shell)"
-  $ rtcwd a.cxt; echo $?; echo "$RTCSH_CWD"
+  $ rtcwd a.cxt
+  $ echo $?
   0
+  $ echo "$RTCSH_CWD"
   /localhost:$PORT/test.host_cxt/a.cxt
-  $ rtcwd b.cxt; rtpwd; rtls
+  $ rtcwd b.cxt
+  $ rtpwd
   /localhost:$PORT/test.host_cxt/a.cxt/b.cxt
+  $ rtls
   c.cxt/
   $ rtcwd ..; rtpwd
   /localhost:$PORT/test.host_cxt/a.cxt
@@ -34,10 +38,13 @@ A failure changes nothing, says why, and passes its status on:
   $ rtcwd /localhost:1 || echo "$? and still in $RTCSH_CWD"
   rtcwd: /localhost:1: connection refused; is the name server running?
   4 and still in /localhost:$PORT/test.host_cxt/a.cxt
-  $ set -eu; (unset RTCSH_CWD; rtcwd /localhost:$PORT; rtpwd); rtcwd nothing.cxt || rtpwd; set +eu
+  $ set -eu
+  $ (unset RTCSH_CWD; rtcwd /localhost:$PORT; rtpwd)
   /localhost:$PORT
+  $ rtcwd nothing.cxt || rtpwd
   rtcwd: /localhost:$PORT/test.host_cxt/a.cxt/nothing.cxt: no such path
   /localhost:$PORT/test.host_cxt/a.cxt
+  $ set +eu
 
 Options and questions go to the program:
 
@@ -49,7 +56,9 @@ Options and questions go to the program:
   rtcwd() {
   $ rtcwd --timeout 2 ..; rtpwd
   /localhost:$PORT/test.host_cxt
-  $ rtcwd -q a.cxt; rtcwd; rtpwd
+  $ rtcwd -q a.cxt
+  $ rtcwd
+  $ rtpwd
   /
   $ rtcwd /localhost:$PORT/test.host_cxt; terminal 80 sh -c 'eval "$(rtcwd --shell)"; rtcwd a.cxt; rtpwd'
   /localhost:$PORT/test.host_cxt/a.cxt
@@ -114,10 +123,13 @@ Fish is another language. (Its function is tried where fish is installed.)
   > end
   $ try fish try.fish 2>error
   8 tried, 0 canaries
-  $ rtcwd --shell fish | head -n 1; rtcwd --shell csh; rtcwd --shell zsh | head -n 1; rtcwd --shell bash | head -n 1
+  $ rtcwd --shell fish | head -n 1
   function rtcwd
+  $ rtcwd --shell csh
   alias rtcwd 'set _rtcwd = "`\rtcwd \!*`" && setenv RTCSH_CWD "$_rtcwd"'
+  $ rtcwd --shell zsh | head -n 1
   rtcwd() {
+  $ rtcwd --shell bash | head -n 1
   rtcwd() {
 
 So is csh. (Its alias is tried where tcsh or csh is installed.)

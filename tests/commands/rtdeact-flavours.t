@@ -10,7 +10,8 @@ world: these ConsoleIn Slow --flavour rtorb --context rtorb.host_cxt/%n.rtc --ra
 What the other versions print as C++ 1.1 does is not repeated:
 
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do
-  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } | sed "s/$v.host/V.host/g" >$v
+  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } |
+  >       sed "s/$v.host/V.host/g" >$v
   >   [ $v != cpp11 ] && cmp -s cpp11 $v || { echo "$v:"; cat $v; }
   > done; }
 
@@ -36,7 +37,8 @@ A component that takes longer than the half second that its context waits:
 
 C++ 1.1 answers only after ten periods, which may be longer than the timeout; --wait waits for the answer, too:
 
-  $ cd=/localhost:$PORT/cpp11.host_cxt; rtec $cd/ConsoleIn0.rtc rate 8; rtact --wait $cd/ConsoleIn0.rtc
+  $ cd=/localhost:$PORT/cpp11.host_cxt; rtec $cd/ConsoleIn0.rtc rate 8
+  $ rtact --wait $cd/ConsoleIn0.rtc
   $ within 1.2-9 rtdeact -v --timeout 0.5 --wait=8 $cd/ConsoleIn0.rtc
   rtdeact: /localhost:$PORT/cpp11.host_cxt/ConsoleIn0.rtc: Inactive
   $ rtec $cd/ConsoleIn0.rtc rate 100

@@ -88,7 +88,9 @@ does not answer stays:
 Nothing is left to do; of the living it has asked one question each:
 
   $ export RTCTREE_NAMESERVERS="localhost:$PORT"
-  $ ctl reset; within 0.4-2 rtdel -z --timeout 0.5; calls
+  $ ctl reset
+  $ within 0.4-2 rtdel -z --timeout 0.5
+  $ calls
   2 _non_existent
 
 Who dies or comes back in the meantime: the first answer is not enough.

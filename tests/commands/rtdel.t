@@ -36,8 +36,11 @@ Zombies: with -z, only those; each is looked at twice before it goes.
   $ rtdel -z Fragile0.rtc
   rtdel: /localhost:$PORT/test.host_cxt/Fragile0.rtc: not a zombie (it is a component)
   [3]
-  $ ctl @these2 reset; rtdel -z Hung0.rtc; calls @these2
+  $ ctl @these2 reset
+  $ rtdel -z Hung0.rtc
   rtdel: /localhost:$PORT/test.host_cxt/Hung0.rtc: not a zombie (it is a component)
+  [3]
+  $ calls @these2
   1 _non_existent
   $ rtdel -z -v Dead0.rtc
   rtdel: /localhost:$PORT/test.host_cxt/Dead0.rtc: deleted
@@ -119,7 +122,8 @@ A context that is bound inside itself loses that name only, also with --recursiv
 
 Names that are hard to type, and a nil reference:
 
-  $ rtdel -f -v $odd/Nil0.rtc $odd/'sl\/ash.rtc' $odd/'co\:lon.rtc' $odd/'do.t.rtc' $odd/'back\\slash.rtc' $odd/'sp ace.rtc' $odd/-l.rtc
+  $ rtdel -f -v $odd/Nil0.rtc $odd/'sl\/ash.rtc' $odd/'co\:lon.rtc' $odd/'do.t.rtc' $odd/'back\\slash.rtc' \
+  >     $odd/'sp ace.rtc' $odd/-l.rtc
   rtdel: /localhost:$PORT/odd.host_cxt/Nil0.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/sl\/ash.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/co\:lon.rtc: deleted
@@ -127,7 +131,8 @@ Names that are hard to type, and a nil reference:
   rtdel: /localhost:$PORT/odd.host_cxt/back\\slash.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/sp ace.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/-l.rtc: deleted
-  $ rtdel -f -v $odd/'tab\x09new\x0aline.rtc' $odd/'esc\x1b[31mred.rtc' $odd/'csi\x9b31m.rtc' $odd/'bell\x07del\x7f.rtc'
+  $ rtdel -f -v $odd/'tab\x09new\x0aline.rtc' $odd/'esc\x1b[31mred.rtc' $odd/'csi\x9b31m.rtc' \
+  >     $odd/'bell\x07del\x7f.rtc'
   rtdel: /localhost:$PORT/odd.host_cxt/tab\x09new\x0aline.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/esc\x1b[31mred.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/csi\x9b31m.rtc: deleted
@@ -137,7 +142,8 @@ Names that are hard to type, and a nil reference:
   rtdel: /localhost:$PORT/odd.host_cxt/日本語.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/bad\xff\xfe.rtc: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/rtl\u202ecba.rtc: deleted
-  $ rtdel -f -v $odd/nokind $odd/'\e' $odd/'kind\/slash.r\/tc' $odd/'kinddot.r\.tc' $odd/'.rtc' $odd/'..rtc' $odd/'...rtc'
+  $ rtdel -f -v $odd/nokind $odd/'\e' $odd/'kind\/slash.r\/tc' $odd/'kinddot.r\.tc' $odd/'.rtc' \
+  >     $odd/'..rtc' $odd/'...rtc'
   rtdel: /localhost:$PORT/odd.host_cxt/nokind: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/\e: deleted
   rtdel: /localhost:$PORT/odd.host_cxt/kind\/slash.r\/tc: deleted

@@ -65,7 +65,8 @@ rtkeep waits, too:
 
 With --force it is removed at once, and a component of C++ ends of it.
 
-  $ rtcon -q -i one -p dataport.buffer.write.full_policy=block -p dataport.buffer.write.timeout=60 Source0.rtc:number ConsoleOut0.rtc:in
+  $ rtcon -q -i one -p dataport.buffer.write.full_policy=block \
+  >     -p dataport.buffer.write.timeout=60 Source0.rtc:number ConsoleOut0.rtc:in
   $ rtact --wait Source0.rtc; soon '[ $(ctl @these blocked ConsoleOut0:in) = 1 ]'
   $ rtdis --force Source0.rtc:number > nul 2>&1; rtls -l
   -       -    -    -    -    *ConsoleOut0.rtc

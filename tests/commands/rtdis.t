@@ -37,8 +37,10 @@ One port: all its connections:
   $ rtdis ConsoleOut0.rtc:in; rtdis ConsoleIn0.rtc:out
   $ three
   $ rtdis ConsoleIn0.rtc:out
-  $ ctl connectors ConsoleIn0:out; ctl connectors Motor0:out; ctl connectors ConsoleOut0:in
+  $ ctl connectors ConsoleIn0:out
+  $ ctl connectors Motor0:out
   motor outin
+  $ ctl connectors ConsoleOut0:in
   motor outin
 
 A component: all connections of all its ports; one of two of its own ports is reported once:

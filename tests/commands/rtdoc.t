@@ -104,10 +104,12 @@ Parameters with constraints, widgets or types have columns for them:
 
 HTML is the default: one page that needs nothing else.
 
-  $ rtdoc ConsoleIn0.rtc >page.html; head -3 page.html; sed -n '/<body>/,$p' page.html
+  $ rtdoc ConsoleIn0.rtc >page.html
+  $ head -3 page.html
   <!DOCTYPE html>
   <html lang="en">
   <head>
+  $ sed -n '/<body>/,$p' page.html
   <body>
   <h1>ConsoleIn</h1>
   <p>Console input component</p>
@@ -214,7 +216,8 @@ A component that is hung, and one that is dead:
   $ hang these; rtdoc --timeout 0.5 Motor0.rtc
   rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: no answer within 0.5s
   [4]
-  $ wake these; kill-mock these; rtdoc Motor0.rtc
+  $ wake these
+  $ kill-mock these; rtdoc Motor0.rtc
   rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: connection refused; its process is gone (zombie)
   [4]
 

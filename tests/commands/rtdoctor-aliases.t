@@ -39,7 +39,12 @@ What is only empty, or dead, behind several names is nobody's to delete:
 
 With the last but one name gone it is what it was:
 
-  $ rtdel -q real.cxt/loop.cxt; doctor -q; doctor -q again.cxt real.cxt; doctor -q real.cxt
+  $ rtdel -q real.cxt/loop.cxt
+  $ doctor -q
+  [1]
+  $ doctor -q again.cxt real.cxt
+  [1]
+  $ doctor -q real.cxt
   [1]
   $ rtdel -q again.cxt; doctor -q
   warn  /localhost:$PORT/test.host_cxt/real.cxt: stale: empty; try: rtdel /localhost:$PORT/test.host_cxt/real.cxt

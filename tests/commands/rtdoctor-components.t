@@ -11,7 +11,12 @@ world: managers --context mgr.host_cxt/%n.rtc
 world: deadslave --context lost.host_cxt/%n.rtc
 world: deadchild --context forgotten.host_cxt/%n.rtc
 
-  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
+  $ doctor() {
+  >     rtdoctor "$@" > out
+  >     code=$?
+  >     grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out
+  >     return $code
+  > }
 
 Nothing executes them:
 
@@ -77,7 +82,8 @@ An operation that hangs, in a process that goes on; the bound is kept, however m
 
 A context that claims more than it keeps: with --measure an out port of each active component shows it. A mock keeps 50 Hz at most.
 
-  $ rtact --wait ../rates.host_cxt/Fast0.rtc ../rates.host_cxt/Deaf0.rtc ../rates.host_cxt/Calm0.rtc ../many.host_cxt/A0.rtc
+  $ rtact --wait ../rates.host_cxt/Fast0.rtc ../rates.host_cxt/Deaf0.rtc ../rates.host_cxt/Calm0.rtc \
+  >     ../many.host_cxt/A0.rtc
   $ within 1-4 rtdoctor --measure ../rates.host_cxt ../many.host_cxt/A0.rtc | grep rtc
   warn  /localhost:$PORT/rates.host_cxt/Fast0.rtc: keeps * of 1000 Hz, or does not write to out in each cycle; try: look for what takes the time of its host, or of the component itself (top there), or what is lost on the way (ping 127.0.0.1) (glob)
   ok    /localhost:$PORT/many.host_cxt/A0.rtc: rate not measured: nothing is written to out

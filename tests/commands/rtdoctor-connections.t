@@ -11,7 +11,12 @@ world: linked --flavour rtorb --context small.host_cxt/%n.rtc
 world: services --context service.host_cxt/%n.rtc
 both: each ORB tells what is dead in its own way
 
-  $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out; return $code; }
+  $ doctor() {
+  >     rtdoctor "$@" > out
+  >     code=$?
+  >     grep -v -e "here: " -e " failed, " -e "^[a-z]* *[^ ]*$PORT: [as][nl]" out
+  >     return $code
+  > }
   $ rtact ../far.host_cxt/Far0.rtc
 
 One-sided; told differently at both ends; of different types; left by a tool that has been killed:
@@ -105,7 +110,8 @@ It is found, wherever it is bound, or bound nowhere; an inactive component keeps
 
 Connections that are well, of all kinds:
 
-  $ rtcon ../service.host_cxt/MyServiceConsumer0.rtc:MyService ../service.host_cxt/MyServiceProvider0.rtc:MyService
+  $ rtcon ../service.host_cxt/MyServiceConsumer0.rtc:MyService \
+  >     ../service.host_cxt/MyServiceProvider0.rtc:MyService
   $ for each in old new small service; do doctor ../$each.host_cxt; done
   warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc /localhost:$PORT/old.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 1 connection, at 127.0.0.1:* (glob)
@@ -125,7 +131,10 @@ finds that more is written than the component executes:
 
   $ mock senders 100 --context flow.host_cxt/%n.rtc
   $ mock these ConsoleOut:Slow0 --rate 10 --context flow.host_cxt/%n.rtc
-  $ full() { rtcon -p dataport.subscription_type=flush -p $1 ../flow.host_cxt/Source0.rtc:number ../flow.host_cxt/Slow0.rtc:in; }
+  $ full() {
+  >     rtcon -p dataport.subscription_type=flush -p $1 ../flow.host_cxt/Source0.rtc:number \
+  >         ../flow.host_cxt/Slow0.rtc:in
+  > }
   $ full dataport.buffer.write.full_policy=overwrite; rtdoctor -q --measure ../flow.host_cxt | grep buffer
   [1]
   $ rtdis ../flow.host_cxt/Source0.rtc; full dataport.buffer.write.full_policy=do_nothing

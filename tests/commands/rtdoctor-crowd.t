@@ -4,10 +4,13 @@ world: these Mock:In0 Mock:In1 Mock:In2 Mock:In3 Mock:In4 Mock:In5 Mock:In6 Mock
 world: these Mock:Out0 Mock:Out1 Mock:Out2 Mock:Out3 Mock:Out4 --context far.host_cxt/%n.rtc
 world: many 25
 
-  $ near=/localhost:$PORT/near.host_cxt; far=/localhost:$PORT/far.host_cxt; well=/localhost:$PORT/test.host_cxt
+  $ near=/localhost:$PORT/near.host_cxt; far=/localhost:$PORT/far.host_cxt
+  $ well=/localhost:$PORT/test.host_cxt
   $ for n in 0 1 2 3; do rtcon $far/Out$n.rtc:out $near/In$n.rtc:in; done
-  $ rtact $near/In9.rtc; rtfind --wait 10 --state Error $near; rtec $near/In8.rtc stop
+  $ rtact $near/In9.rtc
+  $ rtfind --wait 10 --state Error $near
   /localhost:$PORT/near.host_cxt/In9.rtc
+  $ rtec $near/In8.rtc stop
   $ rtact $(for n in 0 1 2 3 4 5 6 7; do echo $near/In$n.rtc; done) $(rtfind $well -t c); hang these2
 
 One line for each of the three, and none besides:
@@ -24,7 +27,8 @@ What it explains has its cause; of the components that wait, two are asked, and 
   > for one in map(json.loads, open("out")):
   >     name = re.search(r"/([A-Z]\w*)\.rtc", one["path"])
   >     if name and one["level"] != "warn":
-  >         told[name.group(1).rstrip("0123456789"), one["level"], re.split(" when|:|,", one["message"])[0], bool(one["cause"])] += 1
+  >         told[name.group(1).rstrip("0123456789"), one["level"], re.split(" when|:|,", \
+  >             one["message"])[0], bool(one["cause"])] += 1
   > for what, number in sorted(told.items()): print(number, *what)'
   2 In fail hangs True
   1 In fail in Error False

@@ -69,7 +69,8 @@ RTCTREE_NAMESERVERS, each address on its own; the good ones are examined all the
   $ RTCTREE_NAMESERVERS="robot1,robot2" doctor -q
   fail  here: RTCTREE_NAMESERVERS: robot1,robot2: several are separated by semicolons; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   [1]
-  $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:99999;corbaloc::robot1;/robot1/a.host_cxt;a b;:2809" doctor -q
+  $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:99999;corbaloc::robot1;/robot1/a.host_cxt;a b;:2809" \
+  >     doctor -q
   fail  here: RTCTREE_NAMESERVERS: localhost:*: not HOST[:PORT]; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810' (glob)
   fail  here: RTCTREE_NAMESERVERS: corbaloc::robot1: only HOST[:PORT], without corbaloc:; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
   fail  here: RTCTREE_NAMESERVERS: /robot1/a.host_cxt: only HOST[:PORT], nothing after it; try: write HOST[:PORT], several separated by semicolons: RTCTREE_NAMESERVERS='robot1;robot2:2810'
@@ -131,12 +132,15 @@ host, but asked under its outer address, only others would be lost:
 
 What is worse comes first:
 
-  $ mock these Mock:Gone0 --context gone.host_cxt/%n.rtc; hang these; export HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.1"
+  $ mock these Mock:Gone0 --context gone.host_cxt/%n.rtc
+  $ hang these
+  $ export HOSTS="robot1=198.51.100.1 127.0.0.1=198.51.100.1"
   $ doctor -q --timeout 0.5 /127.0.0.1:$PORT/gone.host_cxt
   fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
   [1]
-  $ wake these; kill-mock these; doctor -q /127.0.0.1:$PORT/gone.host_cxt | grep Gone0
+  $ wake these
+  $ kill-mock these; doctor -q /127.0.0.1:$PORT/gone.host_cxt | grep Gone0
   fail  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc (glob)
   warn  /127.0.0.1:$PORT/gone.host_cxt/Gone0.rtc: publishes 127.0.0.1:*: only this host can reach it; try: give its process an address that others reach: corba.endpoints: 198.51.100.1: in rtc.conf (glob)
   $ rtdel -f /localhost:$PORT/gone.host_cxt/Gone0.rtc /localhost:$PORT/gone.host_cxt

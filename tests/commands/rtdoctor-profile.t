@@ -5,13 +5,20 @@ world: linked
 world: these ConsoleOut:Other0
 world: manager11 --context made.host_cxt/%n.rtc
 
-  $ doctor() { rtdoctor -q -s Inactive --profile "$@" > out; code=$?; grep -e missing -e "has none" out; return $code; }
+  $ doctor() {
+  >     rtdoctor -q -s Inactive --profile "$@" > out
+  >     code=$?
+  >     grep -e missing -e "has none" out
+  >     return $code
+  > }
   $ rtcryo -q . | grep -v REFERENCE > plain.rtsys
 
 Object references of data ports, as RTSystemEditor saves them with connections; each end is found by its own. What lives is not
 to be made a second time:
 
-  $ add() { sed -i "s|\(<rtsExt:Properties rtsExt:name=\)\"dataport.data_type\"|\1\"$1\" rtsExt:value=\"$2\"/>&|" $3; }
+  $ add() {
+  >     sed -i "s|\(<rtsExt:Properties rtsExt:name=\)\"dataport.data_type\"|\1\"$1\" rtsExt:value=\"$2\"/>&|" $3
+  > }
   $ cp plain.rtsys in.rtsys
   $ add dataport.corba_cdr.inport_ior $(ctl references ConsoleOut0:in) in.rtsys
   $ cp in.rtsys both.rtsys

@@ -18,10 +18,12 @@ The findings are printed as ever, and are in the file:
   $ cmp now again
   $ rtdoctor --from a.html -q --json | grep -c zombie
   1
-  $ has a.html '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' 'Configuration set mode1 (active)' 'manager of 2'
+  $ has a.html '"level":"fail"' 'dead (zombie)' '"name":"Motor0"' '"state":"Active"' \
+  >     'Configuration set mode1 (active)' 'manager of 2'
   $ grep -o '"name":"Mock0","path":"[^"]*","state":"[A-Za-z]*"' a.html
   "name":"Mock0","path":"/localhost:$PORT/z.host_cxt/Mock0.rtc","state":"Unknown"
-  $ has a.html 'RTCTREE_NAMESERVERS=' '/etc/hosts' 'mock_components' 'It contains the findings' 'Max open files'
+  $ has a.html 'RTCTREE_NAMESERVERS=' '/etc/hosts' 'mock_components' 'It contains the findings' \
+  >     'Max open files'
 
 The profile in it is one for other commands. The dead one is on the map, and not in the profile:
 
@@ -60,7 +62,8 @@ With --measure, clocks are compared where values have times:
 
   $ mock senders 50 8 --context s.host_cxt/%n.rtc
   $ rtdoctor -q --measure --report a.html ../s.host_cxt > now
-  $ grep -o 'Source0.rtc  at 127.0.0.1:[0-9]*: a value of number was stamped [0-9.]* s before it came here' a.html |
+  $ grep -o 'Source0.rtc  at 127.0.0.1:[0-9]*: a value of number was stamped [0-9.]* s before it came here' \
+  >     a.html |
   > sed 's/1:[0-9]*/1:PORT/; s/[0-9.]* s /N s /'
   Source0.rtc  at 127.0.0.1:PORT: a value of number was stamped N s before it came here
 
@@ -91,7 +94,9 @@ The last values of a log, and what happened, as a plot:
 
 As what a trigger of a recording starts, which adds the name of its file:
 
-  $ rtlog -q --ring 4 --after 0.5 --then 'rtdoctor -q --report b.html --log' -f c.mcap Sensor0.rtc:out > told 2>&1 & pid=$!
+  $ rtlog -q --ring 4 --after 0.5 --then 'rtdoctor -q --report b.html --log' \
+  >     -f c.mcap Sensor0.rtc:out > told 2>&1 &
+  >     pid=$!
   $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; soon '[ -e b.html ]'
   $ kill $pid; wait $pid
   [143]

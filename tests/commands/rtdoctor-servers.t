@@ -40,7 +40,8 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
 
 All of them at once take no longer than one, and every one is reported:
 
-  $ within 0.5-2 rtdoctor -q --timeout 0.5 localhost:$REFUSED localhost:$RESET localhost:$CLOSE localhost:$GARBAGE \
+  $ within 0.5-2 rtdoctor -q --timeout 0.5 localhost:$REFUSED localhost:$RESET localhost:$CLOSE \
+  >     localhost:$GARBAGE \
   > localhost:$LATE_RESET localhost:$DEAD_HOST localhost:$SILENT localhost:$DRIP localhost:$LATE_SILENT > out
   [1]
   $ grep -c '^fail  /localhost:' out
@@ -73,7 +74,10 @@ Names that lead nowhere, to the same, to somebody else:
 
 A process that has ended, one that hangs, and one that took over the port of another:
 
-  $ hang these; kill-mock these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../hung.host_cxt > out; grep fail out
+  $ hang these
+  $ kill-mock these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../hung.host_cxt > out
+  [1]
+  $ grep fail out
   fail  /localhost:$PORT/hung.host_cxt/Hung0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/hung.host_cxt/Hung1.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ doctor -q ../dead.host_cxt
@@ -90,6 +94,7 @@ A process that has ended, one that hangs, and one that took over the port of ano
 
 A reference may publish several addresses, some of them out of reach:
 
-  $ ORBendPointPublish=giop:tcp:127.0.0.1:,giop:tcp:127.0.0.1:1 mock these ConsoleIn:Two0 --context two.host_cxt/%n.rtc
+  $ ORBendPointPublish=giop:tcp:127.0.0.1:,giop:tcp:127.0.0.1:1 mock these ConsoleIn:Two0 \
+  >     --context two.host_cxt/%n.rtc
   $ rtact ../two.host_cxt/Two0.rtc; doctor -q ../two.host_cxt/Two0.rtc
   warn  /localhost:$PORT/two.host_cxt/Two0.rtc: also publishes 127.0.0.1:1, out of reach (connection refused); try: have its process publish only addresses that others reach: corba.endpoints in rtc.conf

@@ -39,7 +39,8 @@ A head says so on a terminal only:
   $ rtec --json Multi0.rtc | python3 -c 'import json, sys
   > for line in sys.stdin:
   >     context = json.loads(line)
-  >     print(sorted(context), context["index"], context["handle"], context["rate"], context["running"], context["state"])
+  >     print(sorted(context), context["index"], context["handle"], context["rate"], context["running"], \
+  >         context["state"])
   >     print(context["path"], context["owner"], context["participants"], context["properties"])'
   ['handle', 'index', 'kind', 'owner', 'participants', 'path', 'properties', 'rate', 'running', 'state'] 0 0 1000.0 True Inactive
   /localhost:$PORT/test.host_cxt/Multi0.rtc Multi0 [] {'name': '', 'rate': '1000', 'sync_transition': 'YES', 'transition_timeout': '0.5', 'type': 'PeriodicExecutionContext'}
@@ -259,21 +260,27 @@ C++ 1.1, RtORB and Python:
   rtec: /localhost:$PORT/test.host_cxt/Small0.rtc: 20 Hz
   $ rtec -v Py0.rtc rate 20
   rtec: /localhost:$PORT/test.host_cxt/Py0.rtc: 20 Hz
-  $ rtec -v Old0.rtc stop; rtec -v Small0.rtc stop; rtec -v Py0.rtc stop
+  $ rtec -v Old0.rtc stop
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: stopped
+  $ rtec -v Small0.rtc stop
   rtec: /localhost:$PORT/test.host_cxt/Small0.rtc: stopped
+  $ rtec -v Py0.rtc stop
   rtec: /localhost:$PORT/test.host_cxt/Py0.rtc: stopped
   $ rtec -v Old0.rtc attach Old1.rtc Py0.rtc
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Old1.rtc takes part
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Py0.rtc takes part
-  $ rtec Old0.rtc; rtec Small0.rtc; rtec Py0.rtc
+  $ rtec Old0.rtc
   0  0  Periodic  20  Stopped  Active  Old0  Old1,Py0
+  $ rtec Small0.rtc
   0  0  Periodic  20  Stopped  Inactive  Small0  -
+  $ rtec Py0.rtc
   0  0     Periodic  20  Stopped  Active    Py0   -
   1  1000  Periodic  20  Stopped  Inactive  Old0  Old1,Py0
-  $ rtec -v Old0.rtc start; rtec -v Small0.rtc start; rtec -v Py0.rtc start
+  $ rtec -v Old0.rtc start
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: running
+  $ rtec -v Small0.rtc start
   rtec: /localhost:$PORT/test.host_cxt/Small0.rtc: running
+  $ rtec -v Py0.rtc start
   rtec: /localhost:$PORT/test.host_cxt/Py0.rtc: running
   $ rtec -v Old0.rtc detach Old1.rtc Py0.rtc
   rtec: /localhost:$PORT/test.host_cxt/Old0.rtc: /localhost:$PORT/test.host_cxt/Old1.rtc left

@@ -6,7 +6,10 @@ world: error --flavour cpp2 --context cpp2.host_cxt/%n.rtc
 world: error --flavour java --context java.host_cxt/%n.rtc
 world: error --flavour rtorb --context rtorb.host_cxt/%n.rtc
 
-  $ for f in cpp11 cpp12 cpp2 java rtorb; do rtexit -v --wait ../$f.host_cxt/Broken0.rtc; rtls ../$f.host_cxt/Broken0.rtc; done
+  $ for f in cpp11 cpp12 cpp2 java rtorb; do
+  >     rtexit -v --wait ../$f.host_cxt/Broken0.rtc
+  >     rtls ../$f.host_cxt/Broken0.rtc
+  > done
   rtexit: /localhost:$PORT/cpp11.host_cxt/Broken0.rtc: exited
   rtls: /localhost:$PORT/cpp11.host_cxt/Broken0.rtc: no such path
   rtexit: /localhost:$PORT/cpp12.host_cxt/Broken0.rtc: exited

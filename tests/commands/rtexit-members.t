@@ -5,7 +5,8 @@ world: manager Sensor --flavour cpp2
 world: two --flavour cpp2 --context other.host_cxt/%n.rtc
 world: contexts --flavour cpp2 --rate 2 --context slow.host_cxt/%n.rtc
 
-  $ rtcomp -o exec_cxt.periodic.rate=2 -a Sensor0.rtc -a ../other.host_cxt/ConsoleOut0.rtc -a ../other.host_cxt/ConsoleIn0.rtc manager.mgr:Arm
+  $ rtcomp -o exec_cxt.periodic.rate=2 -a Sensor0.rtc -a ../other.host_cxt/ConsoleOut0.rtc \
+  >     -a ../other.host_cxt/ConsoleIn0.rtc manager.mgr:Arm
   $ rtact --wait Arm.rtc
   $ within 0-3 rtexit -v --wait ../other.host_cxt/ConsoleOut0.rtc
   rtexit: /localhost:$PORT/other.host_cxt/ConsoleOut0.rtc: exited

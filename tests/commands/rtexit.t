@@ -38,7 +38,9 @@ world: many 4
 
 What it costs:
 
-  $ ctl @many reset; rtexit Mock3.rtc; calls @many
+  $ ctl @many reset
+  $ rtexit Mock3.rtc
+  $ calls @many
   1 _non_existent
   1 exit
   1 get_participating_contexts

@@ -133,9 +133,15 @@ Everything at and below a path, a directory before what is in it:
 
 Names alone ask no component anything; types one question each, states a few.
 
-  $ ctl reset; rtfind / -n '*Out*' >/dev/null; rtfind . -m 1 >/dev/null; rtfind / -t nd >/dev/null; calls
-  $ rtfind . -t z -n '*Out*'; calls; ctl reset
+  $ ctl reset
+  $ rtfind / -n '*Out*' >/dev/null
+  $ rtfind . -m 1 >/dev/null
+  $ rtfind / -t nd >/dev/null
+  $ calls
+  $ rtfind . -t z -n '*Out*'
+  $ calls
   3 _non_existent
+  $ ctl reset
   $ rtfind . --state inactive -n ConsoleOut1.rtc; calls
   /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   1 _non_existent
@@ -157,7 +163,8 @@ Paths as everywhere; options may be anywhere.
   $ RTCTREE_NAMESERVERS="localhost:$PORT;127.0.0.1:$PORT2;" rtfind / -n ConsoleIn0.rtc
   /127.0.0.1:$PORT2/test.host_cxt/ConsoleIn0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
-  $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:1;127.0.0.1:$PORT2" rtfind / -n ConsoleIn0.rtc -n 'localhost*'
+  $ RTCTREE_NAMESERVERS="localhost:$PORT;localhost:1;127.0.0.1:$PORT2" rtfind / -n ConsoleIn0.rtc \
+  >     -n 'localhost*'
   /127.0.0.1:$PORT2/test.host_cxt/ConsoleIn0.rtc
   /localhost:1
   /localhost:$PORT
@@ -196,7 +203,8 @@ Whether there is anything is a matter of --quiet: 1 when not. Without it, to fin
   [1]
   $ within 0.3-1 rtfind -q --wait 0.3 . -n nothing
   [1]
-  $ { rtfind --wait 20 / -n Late0.rtc && rtfind --wait 20 -q / -n Late0.rtc; } & mock these ConsoleIn:Late0; wait
+  $ { rtfind --wait 20 / -n Late0.rtc && rtfind --wait 20 -q / -n Late0.rtc; } & mock these ConsoleIn:Late0
+  > wait
   /localhost:$PORT/test.host_cxt/Late0.rtc
   $ (rtfind --wait 20 . --state active -n ConsoleOut0.rtc) & rtact ConsoleOut0.rtc; wait
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc

@@ -8,8 +8,10 @@ world: two --flavour java --context java.host_cxt/%n.rtc
 world: two --flavour rtorb --context rtorb.host_cxt/%n.rtc
 
   $ for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtact --wait ../$v.host_cxt/ConsoleOut0.rtc; done
-  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtinject "$@" ../$v.host_cxt/ConsoleOut0.rtc:in; done
-  >   for w in two two2 two3 two4 two5 two6; do ctl @$w received ConsoleOut0:in 1; ctl @$w connectors ConsoleOut0:in; done; }
+  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtinject "$@" ../$v.host_cxt/ConsoleOut0.rtc:in; \
+  >     done
+  >   for w in two two2 two3 two4 two5 two6; do ctl @$w received ConsoleOut0:in 1; ctl @$w \
+  >       connectors ConsoleOut0:in; done; }
   $ each -c '{"data": 1}'
   1 1
   1 1
@@ -34,7 +36,12 @@ world: two --flavour rtorb --context rtorb.host_cxt/%n.rtc
 
 By data_service, where that is asked for; in both byte orders:
 
-  $ for order in little big; do rtinject -c 7 --property dataport.interface_type=data_service --property dataport.serializer.cdr.endian=$order ../cpp2.host_cxt/ConsoleOut0.rtc:in; done
-  $ ctl @two3 received ConsoleOut0:in 6; ctl @two3 calls | grep push; ctl @two3 connectors ConsoleOut0:in
+  $ for order in little big; do
+  >     rtinject -c 7 --property dataport.interface_type=data_service \
+  >         --property dataport.serializer.cdr.endian=$order ../cpp2.host_cxt/ConsoleOut0.rtc:in
+  > done
+  $ ctl @two3 received ConsoleOut0:in 6
   6 7
+  $ ctl @two3 calls | grep push
   2 push
+  $ ctl @two3 connectors ConsoleOut0:in

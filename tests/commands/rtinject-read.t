@@ -8,7 +8,11 @@ both: each ORB receives and sends values in its own way
 A component reads in its own cycles, however seldom they come; none of its values stays behind:
 
   $ rtact ConsoleOut0.rtc Slow0.rtc ConsoleIn0.rtc
-  $ for hz in 1000 100 10 2; do rtec ConsoleOut0.rtc rate $hz; rtinject -c $hz ConsoleOut0.rtc:in; ctl received ConsoleOut0:in; done
+  $ for hz in 1000 100 10 2; do
+  >     rtec ConsoleOut0.rtc rate $hz
+  >     rtinject -c $hz ConsoleOut0.rtc:in
+  >     ctl received ConsoleOut0:in
+  > done
   1 1000
   2 100
   3 10
@@ -118,7 +122,9 @@ Values from stdin that come all at once wait as well, and what a buffer refuses 
 
 Who stops reading is not waited for any longer:
 
-  $ rtec ConsoleOut0.rtc rate 1; seq 1 40 | within 0.1-15 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!; soon 'ctl waiting ConsoleOut0:in | grep -q 4'
+  $ rtec ConsoleOut0.rtc rate 1
+  $ seq 1 40 | within 0.1-15 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!
+  $ soon 'ctl waiting ConsoleOut0:in | grep -q 4'
   $ rtdeact ConsoleOut0.rtc; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about ? of ? values; the rest is dropped (glob)
   [5]
@@ -149,9 +155,13 @@ elsewhere:
   $ rtcon -p dataflow_type=pull ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtinject -c 1 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it has probably read the value: others are connected, and share its buffer
-  $ rtdis ConsoleOut0.rtc:in; rtinject -q -c 1 -n -1 -r 20 ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
-  $ rtinject -c 1 ConsoleOut0.rtc:in; kill $pid; wait $pid
+  $ rtdis ConsoleOut0.rtc:in
+  $ rtinject -q -c 1 -n -1 -r 20 ConsoleOut0.rtc:in & pid=$!
+  $ soon 'ctl connectors ConsoleOut0:in | grep -q .'
+  $ rtinject -c 1 ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: sent; others write to this port, so whether it was read is not known
+  [5]
+  $ kill $pid; wait $pid
   [143]
   $ ctl buffer ConsoleOut0:in
   8 overwrite
@@ -166,7 +176,10 @@ One that the user asks for is reckoned with:
 
 A buffer that somebody else asks for meanwhile stays as it is:
 
-  $ rtdeact ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 1; rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!; soon "ctl buffer ConsoleOut0:in | grep -q '^4 '"
+  $ rtdeact ConsoleIn0.rtc
+  $ rtec ConsoleOut0.rtc rate 1
+  $ rtinject -q -c 1 -n 12 -r 400 --linger 2 ConsoleOut0.rtc:in 2>/dev/null & pid=$!
+  $ soon "ctl buffer ConsoleOut0:in | grep -q '^4 '"
   $ rtcon -p dataport.buffer.length=64 ConsoleIn0.rtc:out ConsoleOut0.rtc:in; wait $pid
   [5]
   $ ctl buffer ConsoleOut0:in
@@ -176,7 +189,8 @@ A buffer that somebody else asks for meanwhile stays as it is:
 What a port refuses is counted; a buffer that the user has asked for is left alone:
 
   $ rtec Slow0.rtc rate 0.1; rtec Slow0.rtc start
-  $ rtinject -q -c 1 -n 20 -r 400 --linger 0 --property dataport.buffer.length=2 --property dataport.buffer.write.full_policy=do_nothing Slow0.rtc:in
+  $ rtinject -q -c 1 -n 20 -r 400 --linger 0 --property dataport.buffer.length=2 \
+  >     --property dataport.buffer.write.full_policy=do_nothing Slow0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: its buffer is full (BUFFER_FULL)
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it refused 1? of 20 values (glob)
   rtinject: /localhost:$PORT/test.host_cxt/Slow0.rtc:in: it executes at 0.1 Hz; it has read about ? of ? values; the rest is dropped (glob)

@@ -172,11 +172,13 @@ Refused, dead, silent:
   $ rtinject -c '{"data": 1}' ConsoleOut0.rtc:in
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: CORBA.UNKNOWN
   [6]
-  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
+  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!
+  $ soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ rtdis ConsoleOut0.rtc:in; wait $pid
   rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: the connection has been removed
   [4]
-  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!; soon 'ctl connectors ConsoleOut0:in | grep -q .'
+  $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!
+  $ soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ kill-mock two; wait $pid
   rtinject: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection (lost|refused) (re)
   [4]

@@ -24,9 +24,10 @@ world: services
   >   <rtactivate component="ConsoleOut0.rtc"/> <rtactivate component="$(arg SOURCE).rtc"/>
   > </launch>
   > EOF
-  $ rtkeep convert robot.launch -o still.rtsys; rtkeep convert robot.launch WALKING:=true -y -q > walking.rtsys
+  $ rtkeep convert robot.launch -o still.rtsys
   rtkeep: 1 <include> left out
   rtkeep: 2 <node> left out
+  $ rtkeep convert robot.launch WALKING:=true -y -q > walking.rtsys
   $ sed -n '/Connectors /,/DataPortConnectors>/p; /targets/p' still.rtsys
       <rts:DataPortConnectors xsi:type="rtsExt:dataport_connector_ext" rts:connectorId="ConsoleIn0.out_ConsoleOut0.in" rts:name="ConsoleIn0.out_ConsoleOut0.in" rts:dataType="" rts:interfaceType="corba_cdr" rts:dataflowType="push" rts:subscriptionType="new">
           <rts:sourceDataPort xsi:type="rtsExt:target_port_ext" rts:componentId="" rts:instanceName="ConsoleIn0" rts:portName="out">
@@ -46,7 +47,8 @@ world: services
 
 Of these names components are kept, whatever their ids; those that the file does not activate stay as they are.
 
-  $ sed "s,localhost:$PORT/,&test.host_cxt/," still.rtsys > still.here; sed "s,localhost:$PORT/,&test.host_cxt/," walking.rtsys > walking.here
+  $ sed "s,localhost:$PORT/,&test.host_cxt/," still.rtsys > still.here
+  $ sed "s,localhost:$PORT/,&test.host_cxt/," walking.rtsys > walking.here
   $ rtkeep --once --within 20 still.here | bare | sort; rtls -l | awk '{print $1, $2, $6}'
   test.host_cxt/ConsoleIn0.rtc: Active
   test.host_cxt/ConsoleIn0.rtc: restored connection ConsoleIn0.out_ConsoleOut0.in

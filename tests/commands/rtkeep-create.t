@@ -3,13 +3,16 @@ rtkeep lets managers create components that are gone, and gives composites back 
 world: manager
 world: composite
 
-  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtcryo --all -o a.xml localhost:$PORT
+  $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcryo --all -o a.xml localhost:$PORT
   $ rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck a.xml'
 
 A component that is deleted is created, and all is as it was:
 
-  $ rtmgr -d ConsoleIn0 manager.mgr; soon 'grep ConsoleIn0.*created out'; soon 'rtcheck a.xml'
+  $ rtmgr -d ConsoleIn0 manager.mgr
+  $ soon 'grep ConsoleIn0.*created out'
+  $ soon 'rtcheck a.xml'
   $ soon 'said out | grep ConsoleIn0 | tail -1 | grep Active'
   $ said out | grep ConsoleIn0 | tail -4
   ConsoleIn0.rtc: has exited
@@ -19,13 +22,19 @@ A component that is deleted is created, and all is as it was:
 
 Its manager lists it late, when it has been seen already:
 
-  $ ctl @manager delay get_components 1; rtmgr -d ConsoleIn0 manager.mgr; soon 'grep -c ConsoleIn0.*created out | grep 2'
-  $ soon 'said out | grep ConsoleIn0 | tail -1 | grep Active'; ctl @manager delay get_components 0; soon 'rtcheck a.xml'
+  $ ctl @manager delay get_components 1
+  $ rtmgr -d ConsoleIn0 manager.mgr
+  $ soon 'grep -c ConsoleIn0.*created out | grep 2'
+  $ soon 'said out | grep ConsoleIn0 | tail -1 | grep Active'
+  $ ctl @manager delay get_components 0
+  $ soon 'rtcheck a.xml'
 
 A member that a composite has lost:
 
   $ rtcomp -r Motor0.rtc composite0.rtc; soon 'grep restored.members out'
-  $ rtkeep resume; soon 'rtcheck a.xml'; said out | grep -e members -e composite0.*set
+  $ rtkeep resume
+  $ soon 'rtcheck a.xml'
+  $ said out | grep -e members -e composite0.*set
   composite0.rtc: configuration set default was changed by hand: left alone
   composite0.rtc: restored members Controller0, Motor0, Sensor0
   composite0.rtc: restored configuration set default

@@ -8,7 +8,9 @@ world: these Sensor --flavour cpp2
 
 Err0 goes to Error as soon as it is Active. ConsoleIn0 starts after it, ConsoleOut0 after that; Motor0 and Sensor0 need neither.
 
-  $ sync() { echo "<rts:Preceding rts:sendingTiming=\"SYNC\" rts:timeout=\"0\"><rts:PrecedingComponents rts:componentId=\"$1\" rts:instanceName=\"$1\" rts:id=\"0\"/></rts:Preceding>"; }
+  $ sync() {
+  >     echo "<rts:Preceding rts:sendingTiming=\"SYNC\" rts:timeout=\"0\"><rts:PrecedingComponents rts:componentId=\"$1\" rts:instanceName=\"$1\" rts:id=\"0\"/></rts:Preceding>"
+  > }
   $ plan $(when 1 ConsoleIn0 "$(sync Err0)") $(when 2 ConsoleOut0 "$(sync ConsoleIn0)") < a.xml > b.xml
   $ rtkeep --stop-at-end --burst 3/60 --delay 0.05-0.1 b.xml > out 2>&1 & keep=$!
   $ soon 'grep given.up out'; soon 'grep Sensor0.*Active out'
@@ -36,7 +38,11 @@ again, and they follow.
   $ plan $(when 1 ConsoleOut0 "$(sync ConsoleIn0)") $(when 2 Motor0 "$(sync ConsoleOut0)") < c.xml > d.xml
   $ rtkeep --burst 2/60 --delay 0.05-0.1 d.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck d.xml'
-  $ for n in 1 2; do ctl error ConsoleIn0; soon "[ \$(grep -c 'In0.*reset' out) = $n ]"; soon 'rtcheck d.xml'; done
+  $ for n in 1 2; do
+  >     ctl error ConsoleIn0
+  >     soon "[ \$(grep -c 'In0.*reset' out) = $n ]"
+  >     soon 'rtcheck d.xml'
+  > done
   $ ctl error ConsoleIn0; soon 'grep -c Out0.*deactivated out'
   $ soon 'grep Motor0.*deactivated out'
   $ said out | grep -v -e Sensor0 -e not.tried | sort | uniq -c | sed 's/^ *//'

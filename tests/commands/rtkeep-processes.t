@@ -3,7 +3,9 @@ rtkeep --processes starts the processes of a robot, each when what it needs is r
 world: these ConsoleIn
 
   $ export XDG_RUNTIME_DIR=$PWD
-  $ mocks() { echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/$1.control'"; }
+  $ mocks() {
+  >     echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/$1.control'"
+  > }
   $ mkfifo fifo; cat > Procfile <<EOF
   > # processes of a robot
   > motor: $(mocks Motor)

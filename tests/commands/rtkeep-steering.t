@@ -133,22 +133,35 @@ What a person has done can be made the file's.
 
 Every action is in the log; with --teardown all is deactivated, and disconnected.
 
-  $ sed -n '1p' log.json | sed 's/[0-9]*\.[0-9]*/N/g'; kill $keep; wait $keep; grep -o STOPPING=1 told; kill $manager
+  $ sed -n '1p' log.json | sed 's/[0-9]*\.[0-9]*/N/g'
   {"done": "Active", "error": null, "object": "/localhost:$PORT/testNhost_cxt/ConfigSampleNrtc", "seconds": N, "seen": "", "time": N}
+  $ kill $keep; wait $keep
+  $ grep -o STOPPING=1 told
   STOPPING=1
+  $ kill $manager
   $ rtkeep --teardown a.xml > out 2>&1 & keep=$!
-  $ soon 'rtkeep status | grep ";.all.is"'; rtkeep stop; wait $keep; rtls -l | awk '{print $1, $2, $6}'
+  $ soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep stop
+  $ wait $keep
+  $ rtls -l | awk '{print $1, $2, $6}'
   Inactive 0/0 ConfigSample0.rtc
   Inactive 1/0 ConsoleIn0.rtc
   Inactive 1/0 ConsoleOut0.rtc
   Inactive 2/0 Motor0.rtc
   $ rtkeep --leave a.xml > out 2>&1 & keep=$!
-  $ soon 'rtkeep status | grep ";.all.is"'; rtkeep stop; wait $keep; rtcheck a.xml; ls rtkeep | grep socket
+  $ soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep stop
+  $ wait $keep
+  $ rtcheck a.xml
+  $ ls rtkeep | grep socket
   [1]
 
 It goes on when nobody reads what it prints, when its log cannot be written, and when a request is nonsense.
 
-  $ rtkeep --leave --events /dev/full a.xml 2> err | true & soon 'rtkeep status a.xml'; rtdis ConsoleIn0.rtc; soon 'rtcheck a.xml'; cat err
+  $ rtkeep --leave --events /dev/full a.xml 2> err | true & soon 'rtkeep status a.xml'
+  > rtdis ConsoleIn0.rtc
+  > soon 'rtcheck a.xml'
+  > cat err
   rtkeep: nothing more goes to the log of events: No space left on device
   $ python3 - <<'EOF'
   > import glob, socket

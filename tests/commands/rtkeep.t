@@ -87,7 +87,8 @@ else: a question each --look seconds (the mock asks its far ends whether they ex
   $ sleep 2.5; ctl calls | grep -Ev 'put|_non_existent' | awk '{print $2, ($1 <= 2)}'
   get_connector_profiles 1
   $ ctl @these3 calls |
-  > awk -v end=$(date +%s) -v begun=$begun '!/put|_non_existent/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
+  > awk -v end=$(date +%s) -v begun=$begun \
+  >     '!/put|_non_existent/ {n += $1} END {print (0 < n && n <= (end - begun) / 2 + 1.5)}'
   1
   $ kill $keep; wait $keep
   $ ctl observers Motor0; ctl observers ConsoleIn0

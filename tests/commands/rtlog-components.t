@@ -5,23 +5,41 @@ server: other
 orb: builtin
 
   $ rtcon -q -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtact ConsoleOut0.rtc
-  $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep components-1.json'; soon 'ctl observers ConsoleOut0 | grep Observer'
-  $ for i in 1 2 3 4 5 6 7 8 9; do ctl write ConsoleIn0:out $i; done; rtdeact ConsoleOut0.rtc; soon 'rtlog --json -f a.mcap | grep INACTIVE'; ctl write ConsoleIn0:out 10
-  $ soon 'rtlog --json -f a.mcap | grep "data.: 10"'; kill $pid; wait $pid
+  $ rtlog --events -f a.mcap . 2> nul & pid=$!
+  $ soon 'rtlog -d -f a.mcap | grep components-1.json'
+  $ soon 'ctl observers ConsoleOut0 | grep Observer'
+  $ for i in 1 2 3 4 5 6 7 8 9; do ctl write ConsoleIn0:out $i; done
+  $ rtdeact ConsoleOut0.rtc
+  $ soon 'rtlog --json -f a.mcap | grep INACTIVE'
+  $ ctl write ConsoleIn0:out 10
+  $ soon 'rtlog --json -f a.mcap | grep "data.: 10"'
+  $ kill $pid; wait $pid
   [143]
 
 In another name server. What is recorded comes to who is connected, all of it, in its order; then nothing is left:
 
-  $ N=/localhost:$PORT2/test.host_cxt; play() { rm -f told; rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; }
+  $ N=/localhost:$PORT2/test.host_cxt
+  $ play() {
+  >     rm -f told
+  >     rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!
+  >     soon 'grep bound told'
+  > }
   $ play --nameserver localhost:$PORT2 --when-connected; rtls -l $N
   Inactive  1/1  0/0  1/1  0/0  ConsoleIn0.rtc
   Active    1/1  1/1  0/0  0/0  ConsoleOut0.rtc
   Inactive  2/0  1/0  1/0  0/0  Motor0.rtc
-  $ same() { sed "s/localhost:$PORT2/localhost:$PORT/g; s/RTSystem:[^\"]*//; s/ionDate=\"[^\"]*\"//g; s/ateDate=\"[^\"]*\"//g; /REFERENCE/d"; }
+  $ same() {
+  >     sed "s/localhost:$PORT2/localhost:$PORT/g; s/RTSystem:[^\"]*//; s/ionDate=\"[^\"]*\"//g; s/ateDate=\"[^\"]*\"//g; /REFERENCE/d"
+  > }
   $ rtcryo -q --all localhost:$PORT2 | sed "s/RT System created by rtcryo.//" | same > a
   $ rtlog --attachment system-1.rtsys -f a.mcap | same > b; diff a b && echo same
   same
-  $ rtprint $N/ConsoleIn0.rtc:out 2> nul & printing=$!; rtprint -q $N/Motor0.rtc:out 2> nul; wait $printing; wait $pid; cat told; rtls -R /localhost:$PORT2
+  $ rtprint $N/ConsoleIn0.rtc:out 2> nul & printing=$!
+  > rtprint -q $N/Motor0.rtc:out 2> nul
+  > wait $printing
+  > wait $pid
+  > cat told
+  > rtls -R /localhost:$PORT2
   [0.000000000] 1
   [0.000000000] 2
   [0.000000000] 3
@@ -43,8 +61,15 @@ Beside the living, below another name. Components connect with the recording, bo
   [6]
   $ R=replay.host_cxt/test.host_cxt; export RTCSH_CWD=/localhost:$PORT
   $ play -r 50 --loop replay.host_cxt
-  $ connect() { rtcon -q -i two $R/ConsoleIn0.rtc:out test.host_cxt/ConsoleOut0.rtc:in; rtcon -q -i three test.host_cxt/ConsoleIn0.rtc:out $R/ConsoleOut0.rtc:in; }
-  $ for i in 1 2 3; do connect; rtdis -i two test.host_cxt/ConsoleOut0.rtc; rtdis -i three $R/ConsoleOut0.rtc; done
+  $ connect() {
+  >     rtcon -q -i two $R/ConsoleIn0.rtc:out test.host_cxt/ConsoleOut0.rtc:in
+  >     rtcon -q -i three test.host_cxt/ConsoleIn0.rtc:out $R/ConsoleOut0.rtc:in
+  > }
+  $ for i in 1 2 3; do
+  >     connect
+  >     rtdis -i two test.host_cxt/ConsoleOut0.rtc
+  >     rtdis -i three $R/ConsoleOut0.rtc
+  > done
   $ connect; rtact test.host_cxt/ConsoleOut0.rtc
   $ ctl received ConsoleOut0:in 60 > nul
   $ RTSHELL_ORB=omniorb $MOCK_PYTHON -m rtshell_lite rtls -l $R | grep -v ConsoleOut0
@@ -77,13 +102,24 @@ Beside the living, below another name. Components connect with the recording, bo
 
 A component that exits goes when it did, with its name:
 
-  $ rtlog --events -f b.mcap . 2> nul & pid=$!; soon 'rtlog -d -f b.mcap | grep components-1.json'; soon 'ctl observers Motor0 | grep Observer'
+  $ rtlog --events -f b.mcap . 2> nul & pid=$!
+  $ soon 'rtlog -d -f b.mcap | grep components-1.json'
+  $ soon 'ctl observers Motor0 | grep Observer'
   $ rtexit test.host_cxt/Motor0.rtc; soon 'rtlog --json -f b.mcap | grep EXITED'
   $ soon 'rtlog -d -f b.mcap | grep components-2.json'
-  $ ctl write ConsoleIn0:out 11; soon 'rtlog --json -f b.mcap | grep "data.: 11"'; kill $pid; wait $pid
+  $ ctl write ConsoleIn0:out 11
+  $ soon 'rtlog --json -f b.mcap | grep "data.: 11"'
+  $ kill $pid; wait $pid
   [143]
-  $ rm told; rtlog -p -f b.mcap --as-components --nameserver localhost:$PORT2 -r 0.2 2> told & pid=$!; soon 'grep bound told'; cat told
+  $ rm told
+  > rtlog -p -f b.mcap --as-components --nameserver localhost:$PORT2 -r 0.2 2> told & pid=$!
+  > soon 'grep bound told'
+  > cat told
   rtlog: 3 components are bound in /localhost:$PORT2
-  $ soon '! rtls $N | grep Motor0'; rtls $N; kill $pid; wait $pid; rtls /localhost:$PORT2
+  $ soon '! rtls $N | grep Motor0'
+  $ rtls $N
   ConsoleIn0.rtc
   ConsoleOut0.rtc
+  $ kill $pid; wait $pid
+  [143]
+  $ rtls /localhost:$PORT2

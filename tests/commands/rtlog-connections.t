@@ -9,14 +9,17 @@ alone: kills
   $ events() { rtlog --json -f a.mcap | grep 'PORT_\|DIED' |
   > sed 's/.*"event": "//; s/".*_cxt\/\(.*\)", "subject": "\(.*\)".*/ \1 \2/; s/ $//'; }
   $ rtcomp -q -a Dead0.rtc:out -a Fine0.rtc:out $(rtfind /localhost:$PORT -t m | head -n 1):A0
-  $ rtlog -q --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1'; kill-mock these2; soon 'events | grep DIED'
+  $ rtlog -q --events -f a.mcap . 2> nul & pid=$!
+  $ soon 'rtlog -d -f a.mcap | grep system-1'
+  $ kill-mock these2; soon 'events | grep DIED'
   $ rtcon -q Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _CONNECT.Fine0'
   $ rtdis Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _DISCONNECT.Fine0'
   $ soon 'events | grep _DISCONNECT.Sink0'
   $ asked() { ctl calls | grep get_connector_profiles; }; before=$(asked)
   $ ctl fail get_connector_profiles 1 HANG; soon '[ "$(asked)" != "$before" ]'
   $ rtcon -q Fine0.rtc:out Sink0.rtc:in
-  $ soon '[ $(events | grep -c _CONNECT) = 4 ]'; kill $pid; wait $pid
+  $ soon '[ $(events | grep -c _CONNECT) = 4 ]'
+  $ kill $pid; wait $pid
   [143]
   $ events | sort
   DIED Dead0.rtc

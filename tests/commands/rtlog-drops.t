@@ -16,8 +16,11 @@ Here the disk is a pipe that nobody reads until something is dropped; the compon
   rtlog: Recording for 20.0s.
   rtlog: N messages dropped so far: they come faster than they can be written
   rtlog: N of N messages dropped
-  $ exec 9>&-; wait $reader; tail -n 1 told | sed 's/.*rtlog: //; s/ of.*//' > dropped
-  $ rtlog -d --json -f copy | grep -c "\"counts\": {\"input0\": $(cat dropped)}"; rtlog -d -f copy | sed -n 's/Missing: .* (.*) until .* (.*): [0-9]* v/N v/p'
+  $ exec 9>&-
+  $ wait $reader
+  $ tail -n 1 told | sed 's/.*rtlog: //; s/ of.*//' > dropped
+  $ rtlog -d --json -f copy | grep -c "\"counts\": {\"input0\": $(cat dropped)}"
   1
+  $ rtlog -d -f copy | sed -n 's/Missing: .* (.*) until .* (.*): [0-9]* v/N v/p'
   N values of input0: they came faster than they could be written
   $ ctl connectors Source0:block

@@ -36,9 +36,11 @@ A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose
       /localhost/Src0.rtc:out.numbers
   $ rtlog -d --json -f old.rtlog
   {"attachments": [], "channels": [{"entries": 3, "name": "numbers", "sources": ["/localhost/Src0.rtc:out.numbers"], "type": "IDL:RTC/TimedLong:1.0", "typecode": false}], "closed": true, "damaged": 0, "entries": 3, "file": "old.rtlog", "first": 1795247464.7500002, "form": "simpkl", "gaps": [], "last": 1795247464.77, "size": 1103, "started": 1795247464.7500002, "torn": 0}
-  $ rtlog -d old.rtlog | head -n 1; rtlog --json ./old.rtlog | wc -l; rtlog -p --csv old.rtlog | wc -l
+  $ rtlog -d old.rtlog | head -n 1
   Name: old.rtlog
+  $ rtlog --json ./old.rtlog | wc -l
   3
+  $ rtlog -p --csv old.rtlog | wc -l
   4
   $ rtlog old.rtlog
   rtlog: old.rtlog: a log; -d shows what is in it, -p plays it, -f names what is recorded to (see --help)

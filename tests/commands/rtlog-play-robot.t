@@ -10,7 +10,10 @@ world: these ConsoleOut:Uno --nameserver localhost:$PORT2 --context new.host_cxt
   $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep system-1.rtsys'
   $ soon '[ $(ctl @these connectors Left:out | wc -l) = 3 ]'
   $ soon '[ $(ctl @these connectors Right:out | wc -l) = 2 ]'
-  $ for i in 1 2 3 4; do ctl write Left:out $i; done; ctl write Right:out 5; soon 'rtlog --json -f a.mcap | grep "data.: 4"'; soon 'rtlog --json -f a.mcap | grep "data.: 5"'
+  $ for i in 1 2 3 4; do ctl write Left:out $i; done
+  $ ctl write Right:out 5
+  $ soon 'rtlog --json -f a.mcap | grep "data.: 4"'
+  $ soon 'rtlog --json -f a.mcap | grep "data.: 5"'
   $ kill $pid; wait $pid
   [143]
   $ rtdis -q Left.rtc; rtdis -q Right.rtc
@@ -79,9 +82,15 @@ They are elsewhere, or have other names; what is not there is reported, and the 
 
 As components, too, some ports may be left out:
 
-  $ R=/localhost:$PORT2/test.host_cxt/Right.rtc; RTSHELL_ORB=builtin rtlog -q -p --as-components --not '*Left*' --not 'Motor0.rtc:*' --when-connected --nameserver localhost:$PORT2 -f a.mcap & pid=$!
-  $ soon "rtls $R"; rtprint -q $R:out 2> nul; wait $pid
+  $ R=/localhost:$PORT2/test.host_cxt/Right.rtc
+  $ RTSHELL_ORB=builtin rtlog -q -p --as-components --not '*Left*' --not 'Motor0.rtc:*' \
+  >     --when-connected --nameserver localhost:$PORT2 -f a.mcap &
+  >     pid=$!
+  $ soon "rtls $R"
+  $ rtprint -q $R:out 2> nul
   [0.000000000] 5
+  [4]
+  $ wait $pid
 
 What cannot be:
 

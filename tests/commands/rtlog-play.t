@@ -24,7 +24,9 @@ By NAME, or by place; as long as recording took; nothing is left behind:
 
 Faster, slower, not longer than, in cycles, several a cycle:
 
-  $ rtlog -q -i -e 5 -f b.rtlog --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=10 --property dataport.publisher.push_policy=new Source0.rtc:number.n
+  $ rtlog -q -i -e 5 -f b.rtlog --property dataport.subscription_type=periodic \
+  >     --property dataport.publisher.push_rate=10 --property dataport.publisher.push_policy=new \
+  >     Source0.rtc:number.n
   $ within 0.3-10 rtlog -p -f b.rtlog ConsoleOut0.rtc:in.n
   rtlog: End of log reached.
   $ within 0-10 rtlog -p -f b.rtlog -r 100 ConsoleOut0.rtc:in.n
@@ -78,7 +80,8 @@ What was recorded big-endian is played to a port that wants little-endian data:
 
   $ rtlog -q -i -e 3 -f big.rtlog --property dataport.serializer.cdr.endian=big Source0.rtc:number.n
   $ ctl @these received ConsoleOut0:in | cut -d' ' -f1 > before; rtlog -q -p -f big.rtlog ConsoleOut0.rtc:in
-  $ [ "$(ctl @these received ConsoleOut0:in $(($(cat before) + 3)))" = "$(($(cat before) + 3)) $(rtlog --csv -f big.rtlog | tail -n 1 | cut -d, -f5)" ]
+  $ [ "$(ctl @these received ConsoleOut0:in $(($(cat before) + 3)))" = \
+  >     "$(($(cat before) + 3)) $(rtlog --csv -f big.rtlog | tail -n 1 | cut -d, -f5)" ]
 
 To the terminal, at their pace; --json and --csv, too:
 
@@ -126,14 +129,18 @@ Wrong ports:
 
 Ctrl-C, and a component that dies or hangs meanwhile:
 
-  $ rtlog -q -i -e 3 -f c.rtlog --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=2 --property dataport.publisher.push_policy=new Source0.rtc:number.n
+  $ rtlog -q -i -e 3 -f c.rtlog --property dataport.subscription_type=periodic \
+  >     --property dataport.publisher.push_rate=2 --property dataport.publisher.push_policy=new \
+  >     Source0.rtc:number.n
   $ interrupt 0.7 rtlog -p -f c.rtlog ConsoleOut0.rtc:in.n
   [130]
   $ ctl @these connectors ConsoleOut0:in
-  $ for s in TERM HUP; do rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n & soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'
+  $ for s in TERM HUP; do rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n & \
+  >     soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'
   > kill -$s $!; wait $!; echo $?; ctl @these connectors ConsoleOut0:in; done
   143
   129
-  $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'; kill-mock these; wait $!
+  $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'
+  > kill-mock these; wait $!
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: the component is gone, and its process too
   [4]

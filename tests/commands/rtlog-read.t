@@ -12,13 +12,18 @@ world: these ConsoleOut
 
 What it refuses is counted:
 
-  $ rtec ConsoleOut0.rtc rate 10; rtlog -q -p -f a.rtlog -r 10 ConsoleOut0.rtc:in.n; ctl @these waiting ConsoleOut0:in
+  $ rtec ConsoleOut0.rtc rate 10
+  $ rtlog -q -p -f a.rtlog -r 10 ConsoleOut0.rtc:in.n
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it refused * of 30 values: they came faster than it reads them (* Hz) (glob)
+  [5]
+  $ ctl @these waiting ConsoleOut0:in
   0
 
 Who is not going to read is sent nothing, without --anyway:
 
-  $ rtdeact ConsoleOut0.rtc; ctl @these reset; rtlog -q -p -f a.rtlog ConsoleOut0.rtc:in.n
+  $ rtdeact ConsoleOut0.rtc
+  $ ctl @these reset
+  $ rtlog -q -p -f a.rtlog ConsoleOut0.rtc:in.n
   rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive and would read the values at some later connection; rtact /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc first, or --anyway
   [1]
   $ ctl @these calls ConsoleOut0 | grep -c 'connect\|put'

@@ -10,7 +10,9 @@ alone: time
 An error, with what came before it and after it; the ring is bounded, and goes on. (With `new` no port is let go where the
 machine is busy.)
 
-  $ rtlog --ring 4 --after 2 --trigger error --then 'echo complete:' --property dataport.subscription_type=new -f a.mcap . > said 2> told & pid=$!
+  $ rtlog --ring 4 --after 2 --trigger error --then 'echo complete:' \
+  >     --property dataport.subscription_type=new -f a.mcap . > said 2> told &
+  >     pid=$!
   $ soon 'ctl observers ConsoleIn0 | grep Observer'; sleep 6
   $ rtact ConsoleIn0.rtc; ctl error ConsoleIn0
   $ soon 'grep complete said'
@@ -27,7 +29,8 @@ machine is busy.)
   $ rm a-2*; for i in 1 2; do rtlog --trigger-now a.mcap; done
   $ soon 'grep trigger:.now told'; kill -USR1 $pid
   $ soon '[ $(ls a-2* | wc -l) = 1 ]'; soon '[ $(grep -c complete said) = 2 ]'
-  $ [ $(ls a-0* | wc -l) -le 7 ]; kill $pid; wait $pid
+  $ [ $(ls a-0* | wc -l) -le 7 ]
+  $ kill $pid; wait $pid
   [143]
   $ sed 's/20[0-9]*-[0-9]*/DATE/' told | LC_ALL=C sort -u
   rtlog: Recording * ports. (glob)
@@ -47,14 +50,23 @@ machine is busy.)
 
 A file of the user's that has the name of ours is left alone; what a killed rtlog has left is not:
 
-  $ for words in mine ''; do printf "$words" > q.mcap.trigger; rtlog --ring 4 --trigger error -f q.mcap .; rtlog --trigger-now q.mcap; cat q.mcap.trigger; ls q*; done
+  $ for words in mine ''; do
+  >     printf "$words" > q.mcap.trigger
+  >     rtlog --ring 4 --trigger error -f q.mcap .
+  >     rtlog --trigger-now q.mcap
+  >     cat q.mcap.trigger
+  >     ls q*
+  > done
   rtlog: q.mcap.trigger: exists, and is not rtlog's, which needs this name for triggers
   rtlog: q.mcap: no rtlog records a ring of that name
   mineq.mcap.trigger
   rtlog: q.mcap.trigger: exists, and is not rtlog's, which needs this name for triggers
   rtlog: q.mcap: no rtlog records a ring of that name
   q.mcap.trigger
-  $ rm q*; rtlog -q --ring 4 --trigger error -f q.mcap . & pid=$!; soon 'grep -- --trigger q.mcap.trigger'; rtlog --trigger-now q.mcap; kill -KILL $pid; wait $pid 2>/dev/null
+  $ rm q*; rtlog -q --ring 4 --trigger error -f q.mcap . & pid=$!
+  > soon 'grep -- --trigger q.mcap.trigger'
+  > rtlog --trigger-now q.mcap
+  > kill -KILL $pid; wait $pid 2>/dev/null
   [137]
   $ rtlog -q -t 0.5 --ring 4 --trigger error -f q.mcap .; ls q* | grep trigger
   [1]
@@ -62,7 +74,8 @@ A file of the user's that has the name of ours is left alone; what a killed rtlo
 
 A value, in memory; only the file of the trigger is written:
 
-  $ rtlog -q -t 6 --ring 2 --in-memory --after 0.5 --trigger 'Source0.rtc:number.data > 0' -f m.mcap Source0.rtc:number
+  $ rtlog -q -t 6 --ring 2 --in-memory --after 0.5 --trigger 'Source0.rtc:number.data > 0' \
+  >     -f m.mcap Source0.rtc:number
   $ ls m* | sed 's/20[0-9]*-[0-9]*/DATE/'
   m-DATE-Source0.rtc-number.data-0.mcap
   $ rtlog -d --json -f m-2* | grep -o '"closed": true'
@@ -70,7 +83,11 @@ A value, in memory; only the file of the trigger is written:
 
 Silence, after which what is left at the end is kept, too:
 
-  $ rtlog -q -t 4 --ring 9 --after 60 --trigger 'silent Source0.rtc:number 0.4' -f s.mcap Source0.rtc:number & sleep 1.5; rtdeact Source0.rtc; wait $!; rtact Source0.rtc
+  $ rtlog -q -t 4 --ring 9 --after 60 --trigger 'silent Source0.rtc:number 0.4' -f s.mcap Source0.rtc:number &
+  >     sleep 1.5
+  $ rtdeact Source0.rtc
+  $ wait $!
+  $ rtact Source0.rtc
   $ ls s-2* | sed 's/20[0-9]*-[0-9]*/DATE/'; rtlog --json -q -f s-2* | grep -c TRIGGER
   s-DATE-silent-Source0.rtc-number-0.4.mcap
   1
@@ -92,7 +109,8 @@ A disk that is nearly full:
 
 kill -9 leaves what can be read:
 
-  $ rtlog -q --ring 5 -f k.mcap Source0.rtc:number & soon 'rtlog --json -f k-000001.mcap | grep number'; kill -KILL $!; wait $! 2>/dev/null
+  $ rtlog -q --ring 5 -f k.mcap Source0.rtc:number & soon 'rtlog --json -f k-000001.mcap | grep number'
+  > kill -KILL $!; wait $! 2>/dev/null
   [137]
   $ rtlog -q --json -f k-000001.mcap | head -n 1 | cut -c1-13
   {"number": 0,

@@ -10,7 +10,8 @@ alone: kills and time
 A directory with events. A component that dies and comes back goes on in its channel; no port has two connectors. (With `new` none
 is let go where the machine is busy.)
 
-  $ rtlog -f a.mcap --events --property dataport.subscription_type=new . 2> told & pid=$!; soon '[ $(entries a.mcap :number) -gt 20 ]'
+  $ rtlog -f a.mcap --events --property dataport.subscription_type=new . 2> told & pid=$!
+  $ soon '[ $(entries a.mcap :number) -gt 20 ]'
   $ soon 'ctl observers ConsoleIn0 | grep Observer'; rtact ConsoleIn0.rtc
   $ ctl error ConsoleIn0
   $ ctl @senders connectors Source0:number | wc -l
@@ -71,14 +72,19 @@ Some ports, and some of their values:
 
 A component that may send more than 1,000 values a second does not call us in its own cycle, others do; all leave no connector:
 
-  $ rtlog -q -f f.mcap . & pid=$!; soon '[ $(entries f.mcap :number) -gt 1 ]'; rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
+  $ rtlog -q -f f.mcap . & pid=$!
+  > soon '[ $(entries f.mcap :number) -gt 1 ]'
+  > rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
   subscription_type": "flush"
   $ kill $pid; wait $pid
   [143]
 
 A recorder that stood still lets components go, which would have waited for it:
 
-  $ rtlog -f h.mcap --events Source0.rtc 2> told & pid=$!; soon '[ $(entries h.mcap :number) -gt 1 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ rtlog -f h.mcap --events Source0.rtc 2> told & pid=$!
+  $ soon '[ $(entries h.mcap :number) -gt 1 ]'
+  $ kill -STOP $pid; sleep 3
+  $ kill -CONT $pid
   $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'
   $ before=$(entries h.mcap :number); soon '[ $(entries h.mcap :number) -gt $before ]'
   $ kill $pid; wait $pid
@@ -88,14 +94,19 @@ A recorder that stood still lets components go, which would have waited for it:
   rtlog: this machine has too much to do: for *% of 5 s components would have waited for rtlog; 2 ports do not call it in their own cycle any more (glob)
   $ rtlog --json -f h.mcap | grep -c LET_GO
   2
-  $ rtlog -f i.mcap --property dataport.subscription_type=flush Source0.rtc:number 2> told & pid=$!; soon '[ $(entries i.mcap input0) -gt 1 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ rtlog -f i.mcap --property dataport.subscription_type=flush Source0.rtc:number 2> told & pid=$!
+  $ soon '[ $(entries i.mcap input0) -gt 1 ]'
+  $ kill -STOP $pid; sleep 3
+  $ kill -CONT $pid
   $ wait $pid
   [1]
   $ grep -v much told
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: given up, as its component would be held up
 
   $ kill-mock senders2; mock senders 2000 8
-  $ rtlog -q -f g.mcap Source0.rtc & pid=$!; soon '[ $(entries g.mcap :number) -gt 1 ]'; rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
+  $ rtlog -q -f g.mcap Source0.rtc & pid=$!
+  > soon '[ $(entries g.mcap :number) -gt 1 ]'
+  > rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
   subscription_type": "new"
   $ kill $pid; wait $pid
   [143]
@@ -103,7 +114,9 @@ A recorder that stood still lets components go, which would have waited for it:
 
 Connections come and go, are made again under their id, with another far end, too; those of tools are no part of the system:
 
-  $ rtlog -q -f j.mcap --events . 2> nul & pid=$!; soon '[ $(entries j.mcap :number) -gt 1 ]'; number=/localhost:$PORT/test.host_cxt/Source0.rtc:number
+  $ rtlog -q -f j.mcap --events . 2> nul & pid=$!
+  $ soon '[ $(entries j.mcap :number) -gt 1 ]'
+  $ number=/localhost:$PORT/test.host_cxt/Source0.rtc:number
   $ events() { rtlog --json -f j.mcap 2> nul | grep PORT_ | sed 's/.*"value": //'; }
   $ seen() { [ $(events | grep -c $1) = $2 ]; }
   $ rtprint -n 1 $number > nul; rtcon -i again $number ConsoleOut0.rtc:in

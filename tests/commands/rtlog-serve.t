@@ -3,9 +3,17 @@ rtlog --as-components --serve needs no other name server.
 world: these ConsoleIn Motor
 orb: builtin
 
-  $ play() { rm -f told; rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!; soon 'grep bound told'; W=$(sed 's/.*bound in //' told); }
-  $ rtlog --events -f a.mcap . 2> nul & pid=$!; soon 'rtlog -d -f a.mcap | grep components-1.json'; for i in 1 2 3 4 5 6 7 8 9 10; do ctl write ConsoleIn0:out $i; done
-  $ soon 'rtlog --json -f a.mcap | grep "data.: 10"'; kill $pid; wait $pid
+  $ play() {
+  >     rm -f told
+  >     rtlog -p -f a.mcap --as-components "$@" 2> told & pid=$!
+  >     soon 'grep bound told'
+  >     W=$(sed 's/.*bound in //' told)
+  > }
+  $ rtlog --events -f a.mcap . 2> nul & pid=$!
+  $ soon 'rtlog -d -f a.mcap | grep components-1.json'
+  $ for i in 1 2 3 4 5 6 7 8 9 10; do ctl write ConsoleIn0:out $i; done
+  $ soon 'rtlog --json -f a.mcap | grep "data.: 10"'
+  $ kill $pid; wait $pid
   [143]
 
 Everything can be asked:
@@ -51,17 +59,24 @@ Everything can be asked:
     dataport.marshaling_types               cdr
     dataport.subscription_type              block,flush,new,nonblock,periodic
     port.port_type                          DataOutPort
-  $ rtprint -n 30 $W/test.host_cxt/ConsoleIn0.rtc:out | sort -u | wc -l; kill -HUP $pid; wait $pid
+  $ rtprint -n 30 $W/test.host_cxt/ConsoleIn0.rtc:out | sort -u | wc -l
   10
+  $ kill -HUP $pid; wait $pid
   [129]
 
 Only this host can ask, unless an address is given:
 
-  $ play --serve 0 --loop; echo $W; listens ${W##*:}; kill $pid; wait $pid
+  $ play --serve 0 --loop
+  > echo $W
+  > listens ${W##*:}
+  > kill $pid; wait $pid
   /127.0.0.1:* (glob)
   0100007F
   [143]
-  $ play --serve 0.0.0.0:0 --loop; listens ${W##*:}; rtls 127.0.0.1:${W##*:}/test.host_cxt; kill $pid; wait $pid
+  $ play --serve 0.0.0.0:0 --loop
+  > listens ${W##*:}
+  > rtls 127.0.0.1:${W##*:}/test.host_cxt
+  > kill $pid; wait $pid
   00000000
   ConsoleIn0.rtc
   Motor0.rtc

@@ -148,7 +148,8 @@ While somebody records to it nobody else does; reading it is fine:
 Who removes the log meanwhile is told what has become of it:
 
   $ rtlog -q -f gone.rtlog Source0.rtc:number & soon 'rtlog --json -f gone.rtlog 2>/dev/null | grep -q number'
-  $ rm gone.rtlog; kill $!; wait $!
+  $ rm gone.rtlog; kill $!
+  $ wait $!
   rtlog: gone.rtlog: was moved or removed while it was recorded
   [143]
 
@@ -174,7 +175,8 @@ Fetched instead of pushed; with properties of the connection, as in rtcon:
   rtlog: 5 messages, 60 octets recorded
   $ rtlog --json -f p.rtlog | wc -l
   5
-  $ rtlog --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=50 -i -e 2 -f p.rtlog Source0.rtc:number
+  $ rtlog --property dataport.subscription_type=periodic --property dataport.publisher.push_rate=50 -i -e 2 \
+  >     -f p.rtlog Source0.rtc:number
   rtlog: Recording 2 entries.
   $ rtlog --property dataport.subscription_type=odd -i -e 2 -f p.rtlog Source0.rtc:number
   rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: has no subscription_type odd (it has: block, flush, new, nonblock, periodic)

@@ -32,12 +32,16 @@ Names, and whether each still lives: one call a component, at most 4 at a time t
 
 One component is asked alone; the other 199 hear nothing.
 
-  $ ctl reset; rtls Mock7.rtc; calls
+  $ ctl reset
+  $ rtls Mock7.rtc
   Mock7.rtc
+  $ calls
   1 _non_existent
-  $ ctl reset; rtls -l Mock7.rtc Mock8.rtc; calls Mock7
+  $ ctl reset
+  $ rtls -l Mock7.rtc Mock8.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock7.rtc
   Inactive  2/0  1/0  1/0  0/0  Mock8.rtc
+  $ calls Mock7
   1 get_component_state
   1 get_owned_contexts
   1 get_participating_contexts
@@ -74,9 +78,13 @@ Naming contexts and name servers are listed without asking any component below t
 
 -0 and --json ask no more than the listing does.
 
-  $ rtls -0 >/dev/null; calls; ctl reset
+  $ rtls -0 >/dev/null
+  $ calls
   200 _non_existent
-  $ rtls --json >/dev/null; calls; ctl reset
+  $ ctl reset
+  $ rtls --json >/dev/null
+  $ calls
   200 _non_existent
+  $ ctl reset
   $ rtls -R / >/dev/null; calls
   200 _non_existent

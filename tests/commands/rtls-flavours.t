@@ -10,7 +10,8 @@ world: these ConsoleIn MyServiceProvider ConfigSample --flavour rtorb --context 
 What the other versions print as C++ 1.1 does is not repeated:
 
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do
-  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } | sed "s/$v.host/V.host/g" >$v
+  >   { RTCSH_CWD=/localhost:$PORT/$v.host_cxt "$@" 2>&1; s=$?; [ $s = 0 ] || echo "status $s"; } |
+  >       sed "s/$v.host/V.host/g" >$v
   >   [ $v != cpp11 ] && cmp -s cpp11 $v || { echo "$v:"; cat $v; }
   > done; }
 
@@ -23,7 +24,9 @@ What the other versions print as C++ 1.1 does is not repeated:
 Connected, active, in Error:
 
   $ for v in cpp12 py2 rtorb; do rtact --wait ../$v.host_cxt/ConsoleIn0.rtc; done
-  $ ctl error ConsoleIn0; ctl @these3 error ConsoleIn0; ctl @these5 error ConsoleIn0
+  $ ctl error ConsoleIn0
+  $ ctl @these3 error ConsoleIn0
+  $ ctl @these5 error ConsoleIn0
   $ each rtls -l ConsoleIn0.rtc
   cpp11:
   Error  1/0  0/0  1/0  0/0  ConsoleIn0.rtc

@@ -128,7 +128,8 @@ A manager and what it has are reached without a name server:
 
   ./corbaloc:iiop:localhost:*/manager: (glob)
   ConsoleIn0.rtc
-  $ RTCTREE_NAMESERVERS=corbaloc::localhost:$M/manager rtcryo -q | grep -o pathUri=.*manager/Console[A-Za-z0-9]*.rtc
+  $ RTCTREE_NAMESERVERS=corbaloc::localhost:$M/manager rtcryo -q |
+  >     grep -o pathUri=.*manager/Console[A-Za-z0-9]*.rtc
   pathUri="corbaloc:iiop:localhost:*/manager/ConsoleIn0.rtc (glob)
   pathUri="corbaloc:iiop:localhost:*/manager/ConsoleOut0.rtc (glob)
   $ RTCTREE_NAMESERVERS=corbaloc::localhost:$M/manager rtcryo -q > made.rtsys; rtcheck made.rtsys

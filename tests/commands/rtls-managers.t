@@ -88,16 +88,22 @@ Paths lead through them, for every command; .. leads back:
    +Connected to  /localhost:$PORT/test.host_cxt/manager.mgr/ConsoleOut0.rtc:in
   $ rtdis manager.mgr/ConsoleOut0.rtc
   $ eval "$(rtcwd --shell)"
-  $ rtcwd manager.mgr; rtpwd; rtls
+  $ rtcwd manager.mgr
+  $ rtpwd
   /localhost:$PORT/test.host_cxt/manager.mgr
+  $ rtls
   ConsoleIn0.rtc
   ConsoleOut0.rtc
   manager_*/ (glob)
   manager_*/ (glob)
-  $ rtcwd ${SLAVE%/}; rtls; rtcwd ../..; rtpwd | sed "s,/manager_.*,,"
+  $ rtcwd ${SLAVE%/}
+  $ rtls
   ConsoleIn0.rtc
+  $ rtcwd ../..
+  $ rtpwd | sed "s,/manager_.*,,"
   /localhost:$PORT/test.host_cxt
-  $ rtls manager.mgr/nobody.rtc manager.mgr/ConsoleIn1.rtc manager.mgr/nobody/ConsoleIn0.rtc manager.mgr/ConsoleIn0.rtc/x
+  $ rtls manager.mgr/nobody.rtc manager.mgr/ConsoleIn1.rtc manager.mgr/nobody/ConsoleIn0.rtc \
+  >     manager.mgr/ConsoleIn0.rtc/x
   rtls: /localhost:$PORT/test.host_cxt/manager.mgr/nobody.rtc: no such path
   rtls: /localhost:$PORT/test.host_cxt/manager.mgr/ConsoleIn1.rtc: no such path; did you mean ConsoleIn0.rtc?
   rtls: /localhost:$PORT/test.host_cxt/manager.mgr/nobody: no such path
@@ -121,12 +127,19 @@ A master of C++ 1.1 makes its components itself and has no slaves, one of RtORB 
 
 rtls asks a manager for its lists, and each component for its name and whether it lives:
 
-  $ ctl reset; ctl slave 1 reset; ctl slave 2 reset
-  $ rtls >/dev/null; calls; ctl slave 1 calls
+  $ ctl reset
+  $ ctl slave 1 reset
+  $ ctl slave 2 reset
+  $ rtls >/dev/null
+  $ calls
+  $ ctl slave 1 calls
   1 _non_existent
-  $ ctl reset; rtls manager.mgr >/dev/null; calls; ctl slave 1 calls
+  $ ctl reset
+  $ rtls manager.mgr >/dev/null
+  $ calls
   1 get_components
   1 get_slave_managers
+  $ ctl slave 1 calls
   2 _non_existent
   1 get_components
   1 get_profile

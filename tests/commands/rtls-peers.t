@@ -43,7 +43,9 @@ As a name server:
   $ rtls localhost:$STRING_BOMB
   rtls: /localhost:$STRING_BOMB: garbled answer (*) (glob)
   [4]
-  $ within 0.5-1 rtls --timeout 0.5 -R localhost:$SILENT localhost:$DRIP localhost:$HALF_HEADER localhost:$PORT 2>&1 | grep -v '^$'
+  $ within 0.5-1 rtls --timeout 0.5 -R localhost:$SILENT localhost:$DRIP localhost:$HALF_HEADER \
+  >     localhost:$PORT 2>&1 |
+  >     grep -v '^$'
   rtls: /localhost:$SILENT: no answer within 0.5s
   rtls: /localhost:$DRIP: no answer within 0.5s
   rtls: /localhost:$HALF_HEADER: no answer within 0.5s

@@ -142,7 +142,8 @@ Components: a name that is unknown or taken, a module that is unknown, an argume
   rtmgr: created a
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: has a component a already
   [6]
-  $ rtmgr -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor manager.mgr
+  $ rtmgr -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor -c Motor \
+  >     -c Motor manager.mgr
   rtmgr: /localhost:$PORT/test.host_cxt/manager.mgr: does not create Motor (a wrong argument, its max_instance of 10 is reached, or its own initialisation failed)
   [6]
   $ rtmgr -r manager.mgr | grep -c Motor:

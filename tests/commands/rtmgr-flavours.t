@@ -46,11 +46,15 @@ Masters of C++ 1.1 and RtORB make components themselves, the others have a slave
   ConsoleOut0
   Motor0
   Motor1
-  $ at cpp11 -vd Motor0; at cpp12 -vd Motor0; at py2 -vd Motor0; at java -vd Motor0; at rtorb -vd Motor0
+  $ at cpp11 -vd Motor0
   rtmgr: deleted Motor0
+  $ at cpp12 -vd Motor0
   rtmgr: deleted Motor0
+  $ at py2 -vd Motor0
   rtmgr: deleted Motor0
+  $ at java -vd Motor0
   rtmgr: deleted Motor0
+  $ at rtorb -vd Motor0
   rtmgr: deleted Motor0
 
 C++ 1.1 and RtORB say RTC_OK to a name that they do not know:
@@ -162,7 +166,9 @@ Masters that end, after their slaves:
   rtmgr: shut down /localhost:$PORT/cpp12.host_cxt/manager.mgr/manager
   rtmgr: shut down /localhost:$PORT/cpp12.host_cxt/manager.mgr/fresh
   rtmgr: shut down /localhost:$PORT/cpp12.host_cxt/manager.mgr
-  $ at py2 --shutdown; at java --shutdown; at rtorb --shutdown
+  $ at py2 --shutdown
+  $ at java --shutdown
+  $ at rtorb --shutdown
   $ rtls -R ..
   .:
   cpp11.host_cxt/

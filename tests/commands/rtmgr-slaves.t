@@ -11,7 +11,10 @@ A master starts a new slave for a name that no factory has; what remains empty i
   $ rtmgr -c Typo manager.mgr > nul 2>&1; slaves
   manager_N/
   manager_N/
-  $ rtmgr -c 'Motor?manager_name=fresh' manager.mgr; rtmgr -c 'Typo?manager_name=fresh' manager.mgr > nul 2>&1; slaves
+  $ rtmgr -c 'Motor?manager_name=fresh' manager.mgr
+  $ rtmgr -c 'Typo?manager_name=fresh' manager.mgr > nul 2>&1
+  [6]
+  $ slaves
   fresh/
   manager_N/
   manager_N/

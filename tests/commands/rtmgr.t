@@ -76,7 +76,8 @@ components, --loaded the modules that are there:
 
 More properties of a component can be given; and the whole identity of what is wanted:
 
-  $ rtmgr -c 'Sensor?instance_name=slowly&exec_cxt.periodic.rate=5&naming.formats=lab.host_cxt/%n.rtc' manager.mgr
+  $ rtmgr -c 'Sensor?instance_name=slowly&exec_cxt.periodic.rate=5&naming.formats=lab.host_cxt/%n.rtc' \
+  >     manager.mgr
   $ rtec ../lab.host_cxt/slowly.rtc
   0  0  Periodic  5  Running  Inactive  slowly  -
   $ rtmgr -vc RTC:AIST:example:Controller:C++:2.0.0 -c 'RTC:::Controller::?instance_name=other' manager.mgr
@@ -181,7 +182,9 @@ A file that is there already, or a wrong function, adds nothing; that is reporte
 
 --dry-run prints what would be done, and does not do it; what only asks is done:
 
-  $ rtmgr --dry-run -c 'Motor?instance_name=m3' -d m1 -l a.so:aInit -u a.so -s a='b c' --shutdown -r manager.mgr | grep -v '^ '
+  $ rtmgr --dry-run -c 'Motor?instance_name=m3' -d m1 -l a.so:aInit -u a.so -s a='b c' \
+  >     --shutdown -r manager.mgr |
+  >     grep -v '^ '
   rtmgr --create 'Motor?instance_name=m3' /localhost:$PORT/test.host_cxt/manager.mgr
   rtmgr --delete m1 /localhost:$PORT/test.host_cxt/manager.mgr
   rtmgr --load a.so:aInit /localhost:$PORT/test.host_cxt/manager.mgr

@@ -142,19 +142,29 @@ Unmounting waits for the end of its process, even where another mount namespace,
 
 One whose rtmount is stopped answers nobody, but can be taken away:
 
-  $ rtmount -f m & pid=$!; soon '[ -e m/README ]'; kill -STOP $pid; rtmount --timeout 0.5 m
+  $ rtmount -f m & pid=$!
+  > soon '[ -e m/README ]'
+  > kill -STOP $pid; rtmount --timeout 0.5 m
   rtmount: $TMP/m: an RTC Tree is mounted there already
   [1]
-  $ rtmount -u m/; ls m; kill -CONT $pid; wait $pid
+  $ rtmount -u m/
   rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
+  $ ls m
+  $ kill -CONT $pid; wait $pid
 
 In front, SIGTERM and Ctrl-C unmount:
 
-  $ rtmount -f m & pid=$!; soon '[ -e m/README ]'; kill $pid; wait $pid; ls m
+  $ rtmount -f m & pid=$!
+  $ soon '[ -e m/README ]'
+  $ kill $pid; wait $pid
+  $ ls m
 
 If rtmount is killed, its mount is stale: rtdoctor says so, and the next rtmount takes it away:
 
-  $ rtmount -f m & pid=$!; soon '[ -e m/README ]'; kill -9 $pid; wait $pid 2>/dev/null; ls m
+  $ rtmount -f m & pid=$!
+  > soon '[ -e m/README ]'
+  > kill -9 $pid; wait $pid 2>/dev/null
+  > ls m
   ls: cannot open directory 'm': Transport endpoint is not connected
   [2]
   $ rtdoctor -q | grep $TMP

@@ -51,7 +51,9 @@ A component. What is not listed is in rtmount-streams.t; a reader sees one value
   version
   $ cat state
   Inactive
-  $ for name in instance_name type_name category vendor version description; do echo "$name: $(cat $name)"; done
+  $ for name in instance_name type_name category vendor version description; do
+  >     echo "$name: $(cat $name)"
+  > done
   instance_name: ConsoleIn0
   type_name: ConsoleIn
   category: example

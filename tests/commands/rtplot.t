@@ -96,7 +96,8 @@ A log that somebody else wrote, of six numbers and a state:
 
 A channel is called by its port, too, where that is one:
 
-  $ rtlog -q -f two.mcap -i -e 3 Source0.rtc:number; for name in number Source0.rtc:number.data input0; do rtplot -f two.mcap --ascii $name | head -n 1; done
+  $ rtlog -q -f two.mcap -i -e 3 Source0.rtc:number
+  $ for name in number Source0.rtc:number.data input0; do rtplot -f two.mcap --ascii $name | head -n 1; done
   input0
   input0.data
   input0
@@ -106,8 +107,10 @@ A channel is called by its port, too, where that is one:
 
 As SVG:
 
-  $ rtplot -f other.mcap --svg a.svg numbers; grep -c '<svg.*xmlns' a.svg; grep -o 'data: min[^<]*\|prefers-color-scheme: dark' a.svg
+  $ rtplot -f other.mcap --svg a.svg numbers
+  $ grep -c '<svg.*xmlns' a.svg
   1
+  $ grep -o 'data: min[^<]*\|prefers-color-scheme: dark' a.svg
   prefers-color-scheme: dark
   data: min 0, max 35, last 35
   $ python3 -c 'import xml.dom.minidom; xml.dom.minidom.parse("a.svg")'
@@ -139,7 +142,8 @@ What is not there:
   $ rtlog -q -f empty.mcap -t 0.3 ConsoleIn0.rtc:out; rtplot -f empty.mcap
   no values
   [1]
-  $ rtlog -q -f one.mcap -t 1 ConsoleIn0.rtc:out.none Source0.rtc:number.some; rtplot -f one.mcap --ascii | grep '^none\|^some'
+  $ rtlog -q -f one.mcap -t 1 ConsoleIn0.rtc:out.none Source0.rtc:number.some
+  $ rtplot -f one.mcap --ascii | grep '^none\|^some'
   some
 
 Live; not on a terminal, the plot is printed at the end:
@@ -147,7 +151,8 @@ Live; not on a terminal, the plot is printed at the end:
   $ rtplot -t 1 --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
   /localhost:N/testNhost_cxt/SourceNrtc:number
   * data  min N  max N  last N
-  $ rtplot -t 1 --svg live.svg Source0.rtc:number.data Source0.rtc:block.data[0]; grep -c '<path class="series' live.svg
+  $ rtplot -t 1 --svg live.svg Source0.rtc:number.data Source0.rtc:block.data[0]
+  $ grep -c '<path class="series' live.svg
   4
   $ COLUMNS=100 rtplot -t 3 --rate --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
   /localhost:N/testNhost_cxt/SourceNrtc:number, values per second

@@ -11,7 +11,8 @@ world: senders 50 12 interfaces=data_service,direct --context service.host_cxt/%
 world: senders 50 12 interfaces=direct,shared_memory --context direct.host_cxt/%n.rtc
 world: senders 4 10000000 --flavour cpp2 --context big.host_cxt/%n.rtc
 
-  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtprint -n 3 ../$v.host_cxt/Source0.rtc:number "$@" 2>&1 |
+  $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtprint -n 3 ../$v.host_cxt/Source0.rtc:number \
+  >     "$@" 2>&1 |
   >   awk -v v=$v '/^\[/ { if ($2 > 0 && $2 < 9999) n++; next } { print } END { print v, n }'; done; }
   $ each
   cpp11 3
@@ -87,7 +88,8 @@ Values of 10 MB, pushed and fetched, shown and recorded:
   30000025
   $ rtprint --json -n 1 ../big.host_cxt/Source0.rtc:block 2>/dev/null | awk '{ print int(length($0) / 1000) }'
   13333
-  $ rtlog -q -i -e 3 -f big.rtlog ../big.host_cxt/Source0.rtc:block; rtlog --json -f big.rtlog | awk '{ print int(length($0) / 1000) }'
+  $ rtlog -q -i -e 3 -f big.rtlog ../big.host_cxt/Source0.rtc:block
+  $ rtlog --json -f big.rtlog | awk '{ print int(length($0) / 1000) }'
   13333
   13333
   13333

@@ -14,14 +14,21 @@ both: each ORB receives and sends values in its own way
 
 It waits 0.2 s, which a component on a busy machine may need for itself: some of five removals may be rtprint's.
 
-  $ leave() { rtprint -q Source0.rtc:number >/dev/null & soon 'ctl connectors Source0:number | grep rtprint'; kill $!; wait $!; }
+  $ leave() {
+  >     rtprint -q Source0.rtc:number >/dev/null & soon 'ctl connectors Source0:number | grep rtprint'
+  >     kill $!
+  >     wait $!
+  > }
   $ ctl reset; for i in 1 2 3 4 5; do leave; done
   [143]
   $ test $(calls Source0 | grep -c disconnect) -lt 4; ctl connectors Source0:number
 
 Again and again; none of it touches a reference that is in use:
 
-  $ for i in 1 2 3 4 5 6 7 8 9 10; do rtprint -q -n 2 Source0.rtc:number >/dev/null; rtlog -q -i -e 2 -f a.rtlog Source0.rtc:number; done
+  $ for i in 1 2 3 4 5 6 7 8 9 10; do
+  >     rtprint -q -n 2 Source0.rtc:number >/dev/null
+  >     rtlog -q -i -e 2 -f a.rtlog Source0.rtc:number
+  > done
   $ ctl near_misses; ctl connectors Source0:number
   0
 
@@ -37,7 +44,10 @@ What the user asks for counts:
 Its connector is removed when an answer has been sent (test_connection). A publisher on a busy machine may not have taken that
 yet, which we cannot know: most removals are in time.
 
-  $ for i in 1 2 3 4 5 6 7 8 9 10; do rtprint -q -n 2 --property dataport.subscription_type=new ../slow.host_cxt/Source0.rtc:number >/dev/null; done
+  $ for i in 1 2 3 4 5 6 7 8 9 10; do
+  >     rtprint -q -n 2 --property dataport.subscription_type=new ../slow.host_cxt/Source0.rtc:number \
+  >         >/dev/null
+  > done
   $ ctl @senders2 near_misses | grep -c '^[0-3]$'; ctl @senders2 connectors Source0:number
   1
 

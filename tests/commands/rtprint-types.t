@@ -5,7 +5,8 @@ world: custom
 world: custom --flavour cpp11 --context cpp11.host_cxt/%n.rtc
 world: custom --flavour java --context java.host_cxt/%n.rtc
 
-  $ printing() { w=$1; shift; "$@" & pid=$!; soon 'ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-'
+  $ printing() { w=$1; shift; "$@" & pid=$!; \
+  >     soon 'ctl @$w connectors Arm0:status | grep -q . || ! kill -0 $pid 2>&-'
   >   ctl @$w write Arm0:status 3; wait $pid; }
 
 Nobody knows it; what fills the gaps between values may be anything:
@@ -54,7 +55,8 @@ An IDL file; what it includes is looked for beside it, in -I, and among the stan
   $ echo 'module Arm { struct Status { lung a; }; };' >wrong.idl; rtprint --idl wrong.idl Arm0.rtc:status
   rtprint: wrong.idl:1:30: not declared: lung
   [1]
-  $ echo 'module Arm { struct Status { long a; double b[200]; }; };' >other.idl; printing custom rtprint -n 1 --idl other.idl Arm0.rtc:status
+  $ echo 'module Arm { struct Status { long a; double b[200]; }; };' >other.idl
+  > printing custom rtprint -n 1 --idl other.idl Arm0.rtc:status
   rtprint: /localhost:$PORT/test.host_cxt/Arm0.rtc:status: Arm.Status: ends within an array
   [4]
 

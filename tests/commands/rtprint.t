@@ -6,7 +6,10 @@ world: senders 100 12
 A mock sends a value made of a number on command; its time is 0 then:
 
   $ printing() { "$@" & pid=$!; soon 'ctl connectors ConsoleIn0:out | grep -q . || ! kill -0 $pid 2>&-'; }
-  $ printing rtprint -n 2 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 42; ctl write ConsoleIn0:out -1; wait $pid
+  $ printing rtprint -n 2 ConsoleIn0.rtc:out
+  > ctl write ConsoleIn0:out 42
+  > ctl write ConsoleIn0:out -1
+  > wait $pid
   [0.000000000] 42
   [0.000000000] -1
   $ ctl connectors ConsoleIn0:out
@@ -33,8 +36,12 @@ Others stamp their values. They are printed as they come, all of them:
 
 Several ports; NAME is another name for the port before it:
 
-  $ rtprint -q -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines & pid=$!
-  $ soon '[ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]'; ctl write ConsoleIn0:out 5; wait $pid; sort lines
+  $ rtprint -q -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines &
+  >     pid=$!
+  $ soon '[ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]'
+  $ ctl write ConsoleIn0:out 5
+  $ wait $pid
+  $ sort lines
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
   console: [0.000000000] 5
   $ rtprint -t 0.3 Source0.rtc:number.n Source0.rtc:block | cut -d: -f1 | sort | uniq -c |
@@ -47,13 +54,21 @@ One member, Python's spelling, a function of one's own:
   $ echo 'def half(value): return value.data / 2
   > def wrong(value): return value.nothing
   > number = 3' >spell.py
-  $ printing rtprint --field data -n 1 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 7; wait $pid
+  $ printing rtprint --field data -n 1 ConsoleIn0.rtc:out
+  > ctl write ConsoleIn0:out 7
+  > wait $pid
   7
-  $ printing rtprint -n 1 ConsoleIn0.rtc:out#rtshell.rawpy; ctl write ConsoleIn0:out 7; wait $pid
+  $ printing rtprint -n 1 ConsoleIn0.rtc:out#rtshell.rawpy
+  > ctl write ConsoleIn0:out 7
+  > wait $pid
   RTC.TimedLong(tm=RTC.Time(sec=0, nsec=0), data=7)
-  $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.half; ctl write ConsoleIn0:out 7; wait $pid
+  $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.half
+  > ctl write ConsoleIn0:out 7
+  > wait $pid
   3.5
-  $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.wrong; ctl write ConsoleIn0:out 7; wait $pid
+  $ printing rtprint -p . -n 1 ConsoleIn0.rtc:out#spell.wrong
+  > ctl write ConsoleIn0:out 7
+  > wait $pid
   rtprint: ConsoleIn0.rtc:out: the formatter fails (AttributeError: 'TimedLong' object has no attribute 'nothing')
   [1]
   $ rtprint -p . ConsoleIn0.rtc:out#spell.missing
@@ -65,23 +80,31 @@ One member, Python's spelling, a function of one's own:
   $ rtprint ConsoleIn0.rtc:out#nomodule.f
   rtprint: #nomodule.f: cannot import nomodule (No module named 'nomodule')
   [1]
-  $ printing rtprint --field tm.year -n 1 ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 7; wait $pid
+  $ printing rtprint --field tm.year -n 1 ConsoleIn0.rtc:out
+  > ctl write ConsoleIn0:out 7
+  > wait $pid
   rtprint: tm.year: no such field: year (there are sec, nsec)
   [3]
 
 Bytes:
 
-  $ printing rtprint -n 1 --raw ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 258; wait $pid
+  $ printing rtprint -n 1 --raw ConsoleIn0.rtc:out
+  > ctl write ConsoleIn0:out 258
+  > wait $pid
   12 bytes
   00000000  00 00 00 00 00 00 00 00 02 01 00 00              ............
   maybe: time 0.000000000
   maybe: long 258
-  $ printing rtprint -n 1 --raw --json ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 258; wait $pid
+  $ printing rtprint -n 1 --raw --json ConsoleIn0.rtc:out
+  > ctl write ConsoleIn0:out 258
+  > wait $pid
   {"hex": "000000000000000002010000", "little_endian": true, "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "received": *, "size": 12, "type": "IDL:RTC/TimedLong:1.0"} (glob)
 
 For programs:
 
-  $ printing rtprint -n 1 --json ConsoleIn0.rtc:out; ctl write ConsoleIn0:out 258; wait $pid
+  $ printing rtprint -n 1 --json ConsoleIn0.rtc:out
+  > ctl write ConsoleIn0:out 258
+  > wait $pid
   {"path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out", "received": *, "type": "IDL:RTC/TimedLong:1.0", "value": {"data": 258, "tm": {"nsec": 0, "sec": 0}}} (glob)
   $ rtprint -n 1 --json --field data Source0.rtc:block
   {"path": "/localhost:$PORT/test.host_cxt/Source0.rtc:block", "received": *, "type": "IDL:RTC/TimedOctetSeq:1.0", "value": "*AAAAAA"} (glob)
@@ -121,9 +144,11 @@ Figures, each second and at the end. The sender is a Python process beside other
 A connection's properties can be set, and data can be fetched instead:
 
   $ printing rtprint -n 1 --property dataport.subscription_type=flush ConsoleIn0.rtc:out
-  $ rtcat -ll ConsoleIn0.rtc:out | grep '  *dataport.subscription_type'; ctl write ConsoleIn0:out 1; wait $pid
+  $ rtcat -ll ConsoleIn0.rtc:out | grep '  *dataport.subscription_type'
     dataport.subscription_type               block,flush,new,nonblock,periodic
+  $ ctl write ConsoleIn0:out 1
   [0.000000000] 1
+  $ wait $pid
   $ rtprint -v --pull -n 2 Source0.rtc:number
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connected (pull), id $UUID
   \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)

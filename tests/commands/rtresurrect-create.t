@@ -12,7 +12,12 @@ world: two
   $ grep -o 'name="MANAGER".*' named.xml | sort | uniq -c
         6 name="MANAGER" rtsExt:value="localhost:$PORT/test.host_cxt/manager.mgr"/>
 
-  $ gone() { for c in Arm SequenceOutComponent0 SequenceInComponent0 Sensor0 Motor0 ConfigSample0; do rtmgr -d $c manager.mgr 2> /dev/null; done; rtdis ConsoleIn0.rtc; }
+  $ gone() {
+  >     for c in Arm SequenceOutComponent0 SequenceInComponent0 Sensor0 Motor0 ConfigSample0; do
+  >         rtmgr -d $c manager.mgr 2> /dev/null
+  >     done
+  >     rtdis ConsoleIn0.rtc
+  > }
   $ same() { rtcryo --all | grep -v -e Date= -e '"MANAGER"' -e '"REFERENCE"' > b; grep -v Date= a.xml |
   > diff - b; }
   $ gone; rtresurrect a.xml
@@ -158,7 +163,9 @@ A master of C++ starts a new process for each id that no factory of its slaves h
   $ slaves() { rtls --json /localhost:$PORT/cpp2.host_cxt/manager.mgr | grep -c '"kind": "manager"'; }
   $ rtcryo --all -o cpp2.rtsys /localhost:$PORT/cpp2.host_cxt; slaves
   1
-  $ for c in SequenceOutComponent0 SequenceInComponent0 Sensor0; do rtmgr -d $c /localhost:$PORT/cpp2.host_cxt/manager.mgr; done
+  $ for c in SequenceOutComponent0 SequenceInComponent0 Sensor0; do
+  >     rtmgr -d $c /localhost:$PORT/cpp2.host_cxt/manager.mgr
+  > done
   $ rtresurrect -q --create --manager /localhost:$PORT/cpp2.host_cxt/manager.mgr cpp2.rtsys; slaves
   1
   $ rtmgr -c RTC:AIST:example:SeqOut:2.0.0?instance_name=Another /localhost:$PORT/cpp2.host_cxt/manager.mgr

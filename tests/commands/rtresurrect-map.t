@@ -16,12 +16,16 @@ A name server and contexts; each OLD means whole elements, and the longest that 
   $ rtteardown -v --map /localhost:$PORT/old.host_cxt/arm.cxt/=localhost:$PORT2/new.host_cxt a.xml
   rtteardown: connection one of /localhost:$PORT2/new.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT2/new.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: 1 done
-  $ rtresurrect --dry-run -m old.host_cxt=x.cxt -m localhost:$PORT=localhost:$PORT2 -m arm.cxt=y.cxt -m old.host_cxt/arm.cxt=new.host_cxt a.xml | wc -l
+  $ rtresurrect --dry-run -m old.host_cxt=x.cxt -m localhost:$PORT=localhost:$PORT2 -m arm.cxt=y.cxt \
+  >     -m old.host_cxt/arm.cxt=new.host_cxt a.xml |
+  >     wc -l
   1
 
 Single components, which may have other names there:
 
-  $ N=localhost:$PORT2/old.host_cxt/arm.cxt; rtresurrect --map $O/ConsoleIn0.rtc=$N/Left.rtc -m /localhost:$PORT=localhost:$PORT2 -m ConsoleOut0.rtc=Right.rtc -v a.xml
+  $ N=localhost:$PORT2/old.host_cxt/arm.cxt
+  $ rtresurrect --map $O/ConsoleIn0.rtc=$N/Left.rtc -m /localhost:$PORT=localhost:$PORT2 \
+  >     -m ConsoleOut0.rtc=Right.rtc -v a.xml
   rtresurrect: connection one of /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out to /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: done
   rtresurrect: 1 done, 6 already done
   $ rtls -l /$N
@@ -40,7 +44,8 @@ Names can be exchanged, as each element is replaced once; but two components can
 
 Whom the file names must stay clear:
 
-  $ rtcryo -q --all localhost:$PORT localhost:$PORT2 > all.xml; rtcheck --dry-run -m $O/ConsoleIn0.rtc=$O/Left.rtc all.xml | grep -c $O/Left.rtc:out
+  $ rtcryo -q --all localhost:$PORT localhost:$PORT2 > all.xml
+  $ rtcheck --dry-run -m $O/ConsoleIn0.rtc=$O/Left.rtc all.xml | grep -c $O/Left.rtc:out
   1
   $ sed /COMPONENT_PATH_ID/d all.xml | rtcheck --dry-run -m $O/ConsoleIn0.rtc=$O/Left.rtc
   rtcheck: ConsoleIn0 (RTC:Shinji Kurihara:example:ConsoleIn:1.0): there are several, of which --map renames some (the property COMPONENT_PATH_ID decides which is meant)
@@ -73,14 +78,16 @@ What cannot be meant:
 
 What is elsewhere can be checked, started, stopped and examined with the same file:
 
-  $ M="-m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc"; rtteardown -q $M a.xml
+  $ M="-m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc"
+  $ rtteardown -q $M a.xml
   $ rtcheck -s inactive $M a.xml
   No connection between /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in
   [1]
   $ rtdoctor --profile a.xml -s Inactive $M localhost:$PORT2 | grep ^fail
   fail  /localhost:$PORT2/old.host_cxt/arm.cxt/Left.rtc:out and /localhost:$PORT2/old.host_cxt/arm.cxt/Right.rtc:in: No connection; try: rtresurrect -m localhost:$PORT=localhost:$PORT2 -m ConsoleIn0.rtc=Left.rtc -m ConsoleOut0.rtc=Right.rtc a.xml
   $ rtresurrect -q $M a.xml; rtstart -q $M a.xml
-  $ sed 's/portName="\([a-z]*\)"\(.*instanceName="\([A-Za-z0-9]*\)"\)/portName="\3.\1"\2/' a.xml > b.xml; grep -c 'ConsoleIn0.out\|ConsoleOut0.in' b.xml
+  $ sed 's/portName="\([a-z]*\)"\(.*instanceName="\([A-Za-z0-9]*\)"\)/portName="\3.\1"\2/' a.xml > b.xml
+  $ grep -c 'ConsoleIn0.out\|ConsoleOut0.in' b.xml
   2
   $ rtcheck $M a.xml && rtcheck $M b.xml
   $ rtstop -q $M a.xml

@@ -12,7 +12,8 @@ world: these Sensor:Sensor9 Motor:Motor9 Controller ConsoleOut PeriodicECSharedC
 
 It keeps the ports that it exports, and connections of them that the file has as its own:
 
-  $ sed '/sourceDataPort.*Motor0.out/{s/componentId="[^"]*"/componentId="RTC:jp.go.aist:composite.PeriodicECShared:PeriodicECSharedComposite:1.0"/;s/instanceName="Motor0"/instanceName="composite0"/;n;s/Motor0/composite0/;}' a.xml > b.xml; grep -c composite0.rtc a.xml b.xml
+  $ sed '/sourceDataPort.*Motor0.out/{s/componentId="[^"]*"/componentId="RTC:jp.go.aist:composite.PeriodicECShared:PeriodicECSharedComposite:1.0"/;s/instanceName="Motor0"/instanceName="composite0"/;n;s/Motor0/composite0/;}' a.xml > b.xml
+  $ grep -c composite0.rtc a.xml b.xml
   a.xml:1
   b.xml:2
   $ rtresurrect -v $M b.xml

@@ -172,7 +172,8 @@ Ports that are missing or do not match, ids that are taken, other connections in
 
 Files that contradict themselves; --strict-path takes nothing for what is only called the same:
 
-  $ sed 's/rtsExt:value="localhost:[0-9]*.test.host_cxt.ConsoleIn0.rtc"/rtsExt:value="localhost\/X.rtc"/' a.xml > path.xml
+  $ sed 's/rtsExt:value="localhost:[0-9]*.test.host_cxt.ConsoleIn0.rtc"/rtsExt:value="localhost\/X.rtc"/' \
+  >     a.xml > path.xml
   $ rtresurrect --strict-path path.xml; rtresurrect -v path.xml 2>&1 | grep done
   rtresurrect: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   rtresurrect: connection one: the file has no component for its end ConsoleIn0.out

@@ -55,8 +55,10 @@ From a pipe and from a file; a backslash at the end of a line joins it with the 
   rtsh: stdin:2: a NUL character: ls x\x00y
   rtsh: stdin:3: a NUL character: check x\x00y
   [2]
-  $ awk 'BEGIN { printf "ls nowhere"; for (i = 0; i < 500000; i++) printf "ab"; print ""; print "pwd" }' | within 0-5 rtsh 2> out; grep -c nowhere out
+  $ awk 'BEGIN { printf "ls nowhere"; for (i = 0; i < 500000; i++) printf "ab"; print ""; print "pwd" }' |
+  >     within 0-5 rtsh 2> out
   /localhost:$PORT/test.host_cxt
+  $ grep -c nowhere out
   1
   $ rtsh nowhere
   rtsh: nowhere: No such file or directory
@@ -96,14 +98,16 @@ The exit status is that of the last command; with -e that of the first that fail
 
 help lists the commands, and helps with one:
 
-  $ rtsh -c help | grep -e commands -e rtact -e cd -e exit; rtsh -c 'help pwd' | head -1; rtsh -c 'help nothing'
+  $ rtsh -c help | grep -e commands -e rtact -e cd -e exit
   commands, with or without rt; help COMMAND says more:
     rtact        Activate components.
     rtexit       Make components exit: they are finalised and leave the name
     rtsh         Run many commands in one process, with open connections: from
     cd  changes the working directory, as rtcwd does
     exit [STATUS]  ends rtsh
+  $ rtsh -c 'help pwd' | head -1
   usage: rtpwd [--json] [-v] [-q] [--timeout SECONDS] [--version] [-h]
+  $ rtsh -c 'help nothing'
   rtsh: nothing: no such command
   [2]
 
@@ -160,20 +164,28 @@ The reader goes away; Ctrl-C:
 
 The connections stay open, so a second command asks no more than the first:
 
-  $ ctl reset; rtsh -c 'ls ConsoleIn0.rtc; ls; ls'; calls
+  $ ctl reset
+  $ rtsh -c 'ls ConsoleIn0.rtc; ls; ls'
   ConsoleIn0.rtc
   ConsoleIn0.rtc
   ConsoleOut0.rtc
   ConsoleIn0.rtc
   ConsoleOut0.rtc
+  $ calls
   5 _non_existent
 
 Its connections may be old ones: what has ended meanwhile is reported as ever, and is no failure where it would be none:
 
   $ mock these ConsoleIn:Doomed0 ConsoleIn:Doomed1
-  $ { echo 'ls -l Doomed0.rtc Doomed1.rtc'; soon '[ -s said ]'; kill-mock these; echo "cryo --all -o a.xml $RTCSH_CWD; ls -l Doomed0.rtc"; } | rtsh > said; cat said
+  $ {
+  >     echo 'ls -l Doomed0.rtc Doomed1.rtc'
+  >     soon '[ -s said ]'
+  >     kill-mock these
+  >     echo "cryo --all -o a.xml $RTCSH_CWD; ls -l Doomed0.rtc"
+  > } | rtsh > said
   rtcryo: /localhost:$PORT/test.host_cxt/Doomed0.rtc: zombie, left out
   rtcryo: /localhost:$PORT/test.host_cxt/Doomed1.rtc: zombie, left out
+  $ cat said
   Inactive  1/0  0/0  1/0  0/0  Doomed0.rtc
   Inactive  1/0  0/0  1/0  0/0  Doomed1.rtc
   -  -  -  -  -  *Doomed0.rtc

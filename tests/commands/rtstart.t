@@ -66,7 +66,9 @@ Without that section, all start at once. What is Active already counts as done:
 
 Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it is active comes Hokuyo_AIST0:
 
-  $ plan $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Clusterer0 "$(waiting 300)") $(when 4 Hokuyo_AIST0 "$(preceding SYNC 2000 Clusterer0)") $(when 5 Controller0 "$(preceding ASYNC 0 Clusterer0)") < a.xml > b.xml
+  $ plan $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Clusterer0 "$(waiting 300)") \
+  >     $(when 4 Hokuyo_AIST0 "$(preceding SYNC 2000 Clusterer0)") \
+  >     $(when 5 Controller0 "$(preceding ASYNC 0 Clusterer0)") < a.xml > b.xml
   $ rtstart --dry-run b.xml | tail -5
   {4} [Order 1] Activate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 (Required)
   {5} [Order 2] Activate /localhost:$PORT/test.host_cxt/Sensor0.rtc in execution context 0 (Required)
@@ -91,7 +93,8 @@ Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it
   Active Motor0.rtc
   Active Sensor0.rtc
   $ rtstop -q b.xml
-  $ plan $(when 1 Clusterer0 "$(waiting 600)") $(when 1 Motor0 "$(preceding SYNC 100 Clusterer0)") $(when 1 Sensor0 "$(preceding '' 0 Motor0)") < a.xml > late.xml
+  $ plan $(when 1 Clusterer0 "$(waiting 600)") $(when 1 Motor0 "$(preceding SYNC 100 Clusterer0)") \
+  >     $(when 1 Sensor0 "$(preceding '' 0 Motor0)") < a.xml > late.xml
   $ rtstart -q late.xml
   rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried: Sync to Clusterer0: not Active within 100ms
   rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not tried: it waits for /localhost:$PORT/test.host_cxt/Motor0.rtc, which was not tried
@@ -109,7 +112,8 @@ Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it
 What is wrong with a plan is found before anything is asked:
 
   $ rtstop -q a.xml; ctl reset
-  $ plan $(when 1 Motor0 "$(preceding SYNC 0 Sensor0)") $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") < a.xml |
+  $ plan $(when 1 Motor0 "$(preceding SYNC 0 Sensor0)") $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") \
+  >     < a.xml |
   > rtstart
   rtstart: -: Activation: these wait for each other: /localhost:$PORT/test.host_cxt/Motor0.rtc for /localhost:$PORT/test.host_cxt/Sensor0.rtc for /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
@@ -155,7 +159,8 @@ A component that fails stops what depends on it, and nothing else:
   rtstart: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
   $ rtstop -q a.xml; rtdeact ConsoleIn0.rtc ConsoleOut0.rtc
   $ rtreset ErrStart0.rtc Broken0.rtc
-  $ plan $(when 1 ErrStart0) $(when 2 Motor0) $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") $(when 1 Controller0 "$(waiting 1)") < e.xml > f.xml
+  $ plan $(when 1 ErrStart0) $(when 2 Motor0) $(when 1 Sensor0 "$(preceding ASYNC 0 Motor0)") \
+  >     $(when 1 Controller0 "$(waiting 1)") < e.xml > f.xml
   $ rtstart -q f.xml
   rtstart: /localhost:$PORT/test.host_cxt/ErrStart0.rtc: cannot activate: it went to Error
   rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc: not tried: it comes after /localhost:$PORT/test.host_cxt/ErrStart0.rtc, which failed

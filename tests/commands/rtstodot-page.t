@@ -8,8 +8,10 @@ Of what is running, connected or not, with what rtcat -ll shows, and configurati
 
   $ rtact ConsoleIn0.rtc
   $ rtstodot --live --html page.html .
-  $ has page.html '"name":"ConsoleIn0"' '"state":"Active"' '"name":"ConfigSample0"' '"Owner","ConsoleIn0"' 'Configuration set mode1 (active)'
-  $ has page.html '"port.port_type","DataOutPort"' '"dataport.interface_type","corba_cdr"' '"path":"/localhost:[0-9]*/test.host_cxt/ConsoleOut0.rtc"'
+  $ has page.html '"name":"ConsoleIn0"' '"state":"Active"' '"name":"ConfigSample0"' '"Owner","ConsoleIn0"' \
+  >     'Configuration set mode1 (active)'
+  $ has page.html '"port.port_type","DataOutPort"' '"dataport.interface_type","corba_cdr"' \
+  >     '"path":"/localhost:[0-9]*/test.host_cxt/ConsoleOut0.rtc"'
 
 Of a file, of a part, to stdout; a page needs no terminal and no other file:
 
@@ -36,9 +38,11 @@ What fails is in it as failed:
 Nothing that a component says becomes markup:
 
   $ rtstodot --live --html page.html ../h.host_cxt
-  $ grep -c '<script' page.html; grep -c '</script' page.html; has page.html 'u003cscript'
+  $ grep -c '<script' page.html
   2
+  $ grep -c '</script' page.html
   2
+  $ has page.html 'u003cscript'
 
 Files are written whole, or not at all; wrong usage:
 

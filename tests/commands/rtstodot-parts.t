@@ -51,9 +51,13 @@ Neighbourhoods, by connections, with the data or against it:
     Sensor0:out -> Controller0:in;
   $ rtstodot --live --around Motor0.rtc --hops 0 | grep label
     Motor0 [label="{{}|Motor0|{}}", style=filled, fillcolor=lightblue];
-  $ rtstodot --live --around Nothing0.rtc; rtstodot --hops -1 robot.rtsys; rtstodot --upstream --downstream robot.rtsys
+  $ rtstodot --live --around Nothing0.rtc
   rtstodot: nothing to draw: no component at or below /localhost:$PORT/test.host_cxt/Nothing0.rtc
+  [1]
+  $ rtstodot --hops -1 robot.rtsys
   rtstodot: --hops takes a number from 0 up (see --help)
+  [2]
+  $ rtstodot --upstream --downstream robot.rtsys
   rtstodot: --upstream does not go with --downstream (see --help)
   [2]
 
@@ -155,10 +159,16 @@ Formats exclude each other:
 Connections to what does not answer are drawn, to a port that is not known: they may be gone. Where it is not clear whose port it
 is, its process is drawn.
 
-  $ mock these ConsoleIn:Near0 --context far.host_cxt/%n.rtc; mock these ConsoleOut:Hung0 --context far.host_cxt/%n.rtc
+  $ mock these ConsoleIn:Near0 --context far.host_cxt/%n.rtc
+  $ mock these ConsoleOut:Hung0 --context far.host_cxt/%n.rtc
   $ mock these ConsoleOut:Hung1 ConsoleOut:Hung2 --context far.host_cxt/%n.rtc
-  $ rtcon ../far.host_cxt/Near0.rtc:out ../far.host_cxt/Hung0.rtc:in; rtcon ../far.host_cxt/Near0.rtc:out ../far.host_cxt/Hung1.rtc:in
-  $ hung() { ctl @these3 fail get_owned_contexts 1 HANG; ctl @these4 fail get_owned_contexts 1 HANG; ctl @these4 fail get_owned_contexts 2 HANG; }
+  $ rtcon ../far.host_cxt/Near0.rtc:out ../far.host_cxt/Hung0.rtc:in
+  $ rtcon ../far.host_cxt/Near0.rtc:out ../far.host_cxt/Hung1.rtc:in
+  $ hung() {
+  >     ctl @these3 fail get_owned_contexts 1 HANG
+  >     ctl @these4 fail get_owned_contexts 1 HANG
+  >     ctl @these4 fail get_owned_contexts 2 HANG
+  > }
   $ hung; rtstodot --live --timeout 1 --text ../far.host_cxt 2> said | sed 's/1:[0-9]*  /1:PORT  /'
   ┌──────────────────────────┐
   │ Near0  Inactive          │

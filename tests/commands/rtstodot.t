@@ -55,7 +55,8 @@ Service connections, more than two ends, components without connections:
 Composites are boxes around their members; a port that a composite exports belongs to the member:
 
   $ c=/localhost:$PORT2/test.host_cxt
-  $ rtcon $c/Sensor0.rtc:out $c/Controller0.rtc:in; rtcon $c/composite0.rtc:Motor0.out $c/composite0.rtc:Sensor0.in
+  $ rtcon $c/Sensor0.rtc:out $c/Controller0.rtc:in
+  $ rtcon $c/composite0.rtc:Motor0.out $c/composite0.rtc:Sensor0.in
   $ rtcryo localhost:$PORT2 | rtstodot
   digraph rtsprofile {
     rankdir=LR;

@@ -54,7 +54,8 @@ world: contexts
 
 In order, with timeouts:
 
-  $ plan -d $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Controller0 "$(preceding SYNC 0 Motor0)") $(when 3 Clusterer0 "$(preceding '' 0 Motor0)") < a.xml > b.xml
+  $ plan -d $(when 1 Motor0) $(when 2 Sensor0) $(when 3 Controller0 "$(preceding SYNC 0 Motor0)") \
+  >     $(when 3 Clusterer0 "$(preceding '' 0 Motor0)") < a.xml > b.xml
   $ rtstop --dry-run b.xml
   {3} Deactivate /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc in execution context 0
   {4} [Order 1] Deactivate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0

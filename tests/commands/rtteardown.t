@@ -49,7 +49,10 @@ Doing it; other connections stay, and a second time nothing is left to do:
 One that fails is reported, the others are removed; with --rollback these are made again:
 
   $ rtresurrect a.xml
-  $ for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
+  $ for n in 1 2 3 4; do
+  >     ctl @services fail disconnect $n UNKNOWN
+  >     ctl @services fail notify_disconnect $n UNKNOWN
+  > done
   $ rtteardown --rollback -v a.xml
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: undone
   rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: not tried
@@ -57,7 +60,10 @@ One that fails is reported, the others are removed; with --rollback these are ma
   rtteardown: 1 undone, 1 not tried, 1 failed
   [6]
   $ rtcheck -s inactive a.xml
-  $ for n in 1 2 3 4; do ctl @services fail disconnect $n UNKNOWN; ctl @services fail notify_disconnect $n UNKNOWN; done
+  $ for n in 1 2 3 4; do
+  >     ctl @services fail disconnect $n UNKNOWN
+  >     ctl @services fail notify_disconnect $n UNKNOWN
+  > done
   $ rtteardown -v a.xml
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection two ends of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc:in: done

@@ -23,7 +23,9 @@ One page; by default, of all name servers. What is dead has its line, and spoils
   Inactive      1000     2  Sensor0.rtc
   Active          50     0  Source0.rtc
   $ RTCTREE_NAMESERVERS="localhost:$PORT2;localhost:$PORT" top -f robot
-  $ rtact --wait 2 Motor0.rtc; rtec Sensor0.rtc stop; top .
+  $ rtact --wait 2 Motor0.rtc
+  $ rtec Sensor0.rtc stop
+  $ top .
   STATE         RATE  CONN  COMPONENT
   Inactive      1000     1  Clusterer0.rtc
   Inactive      1000     2  Controller0.rtc
@@ -116,7 +118,8 @@ Pages follow one another, -r times a second, or without end:
   $ interrupt 1.5 rttop --json Motor0.rtc > out
   [130]
   $ rttop -p ../src.host_cxt/Source0.rtc:number Motor0.rtc > out & pid=$!
-  $ soon "grep -q '[1-9] Hz' out"; kill $pid; wait $pid
+  $ soon "grep -q '[1-9] Hz' out"
+  $ kill $pid; wait $pid
   [143]
   $ tail -1 out; ctl @senders connectors Source0:number
       [2-7]\d\.\d Hz     *\d+ B/s  /localhost:\$PORT/src.host_cxt/Source0.rtc:number (re)
@@ -125,12 +128,16 @@ Where a terminal knows no pages, they are printed:
 
   $ page() { terminal 80 timeout -s INT --foreground 4 rttop Motor0.rtc | uniq | head -3; }
   $ mkdir lib; echo 'raise ImportError("no")' > lib/curses.py
-  $ (export TERM=dumb; page) > dumb & (export TERM=nonsense; page) > nonsense & (export PYTHONPATH=lib:$PYTHONPATH; page) > without &
-  $ wait; cat dumb; head -1 nonsense; head -1 without
+  $ (export TERM=dumb; page) > dumb & (export TERM=nonsense; page) > nonsense &
+  >     (export PYTHONPATH=lib:$PYTHONPATH; page) > without &
+  $ wait
+  $ cat dumb
   rttop: the terminal dumb has no pages: pages are printed one below the other
   STATE         RATE  CONN  COMPONENT
   Active        1000     2  Motor0.rtc
+  $ head -1 nonsense
   rttop: the terminal nonsense is not known here: pages are printed one below the other
+  $ head -1 without
   rttop: this Python has no curses: pages are printed one below the other
 
 What cannot be shown is reported; the rest is shown all the same:
@@ -159,7 +166,9 @@ What cannot be shown is reported; the rest is shown all the same:
 
 Asking is cheap: state twice a second, contexts and ports now and then, four calls at a time:
 
-  $ ctl reset; rttop -n 2 . > out; ctl calls Controller0 | sed 's/^[12] get_component_s/1 or 2 get_component_s/'; ctl highwater
+  $ ctl reset
+  $ rttop -n 2 . > out
+  $ ctl calls Controller0 | sed 's/^[12] get_component_s/1 or 2 get_component_s/'
   1 or 2 get_component_state
   1 get_owned_contexts
   1 get_participating_contexts
@@ -167,6 +176,7 @@ Asking is cheap: state twice a second, contexts and ports now and then, four cal
   1 get_ports
   1 get_rate
   1 is_running
+  $ ctl highwater
   1
   $ rttop -n 1 > /dev/full
   rttop: No space left on device

@@ -25,7 +25,9 @@ Of a level and a source; beside a component that is asked:
   $ soon "ctl observers Motor0 | grep Logger"
   $ fluent $port forward INFO Motor0 warm WARN Arm0 hot WARN Motor0 hot FATAL Motor0 broken
   $ soon 'grep broken out'
-  $ ctl log Motor0 ERROR motor "it is hot"; wait; plain out
+  $ ctl log Motor0 ERROR motor "it is hot"
+  $ wait
+  $ plain out
   {"level": "WARN", "logger": "Motor0", "message": "hot", "path": "robot1/manager", "time": T}
   {"level": "FATAL", "logger": "Motor0", "message": "broken", "path": "robot1/manager", "time": T}
   {"level": "ERROR", "logger": "motor", "message": "it is hot", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "time": T}
@@ -34,20 +36,37 @@ From some addresses only; what is no log is reported once, and the port goes on:
 
   $ rm told; rtvlog --listen 0.0.0.0:0 --from 127.0.0.2 -t 30 > out 2> told & log=$!
   $ listening
-  $ fluent $port message ERROR Motor0 hot; soon 'grep from told'; kill $log; wait $log; cat out; sed 1d told
+  $ fluent $port message ERROR Motor0 hot
+  $ soon 'grep from told'
+  $ kill $log; wait $log
+  [143]
+  $ cat out
+  $ sed 1d told
   rtvlog: 127.0.0.1: may not send (--from)
   $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening
   $ printf 'GET / HTTP/1.1\r\n\r\n' > request
-  $ for i in 1 2; do python3 -c "import socket, sys; socket.create_connection(('localhost', int(sys.argv[1]))).sendall(open('request', 'rb').read())" $port; done
-  $ fluent $port message ERROR Motor0 hot; wait; cat out; sed 1d told
+  $ for i in 1 2; do
+  >     python3 -c "import socket, sys; socket.create_connection(('localhost', int(sys.argv[1]))).sendall(open('request', 'rb').read())" $port
+  > done
+  $ fluent $port message ERROR Motor0 hot
+  $ wait
+  $ cat out
   [robot1/manager 1795247382.250000] ERROR <Motor0> hot
+  $ sed 1d told
   rtvlog: 127.0.0.1: does not send logs as fluentd takes them (not an event)
 
 Only this host can send, unless an address is given:
 
-  $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening; listens $port; fluent $port message ERROR Motor0 hot; wait
+  $ rm told; rtvlog --listen 0 -n 1 > out 2> told & listening
+  > listens $port
+  > fluent $port message ERROR Motor0 hot
+  > wait
   0100007F
-  $ rm told; rtvlog --listen 0.0.0.0:0 -n 1 > out 2> told & listening; python3 -c "import socket, sys; socket.create_connection(('127.0.0.3', int(sys.argv[1]))).close()" $port; fluent $port message ERROR Motor0 hot; wait; cut -d, -f1 told
+  $ rm told; rtvlog --listen 0.0.0.0:0 -n 1 > out 2> told & listening
+  > python3 -c "import socket, sys; socket.create_connection(('127.0.0.3', int(sys.argv[1]))).close()" $port
+  > fluent $port message ERROR Motor0 hot
+  > wait
+  > cut -d, -f1 told
   rtvlog: receiving logs at 0.0.0.0
 
 A gzip bomb (10 MB of values in 10 kB) ends its connection, not the command:
@@ -60,14 +79,21 @@ A gzip bomb (10 MB of values in 10 kB) ends its connection, not the command:
   > socket.create_connection(("127.0.0.1", int(sys.argv[1]))).sendall(octets)
   > .
   $ python3 bomb.py $port
-  $ soon 'grep values told'; fluent $port message ERROR Motor0 hot; wait; cat out; sed 1d told
+  $ soon 'grep values told'
+  $ fluent $port message ERROR Motor0 hot
+  $ wait
+  $ cat out
   [robot1/manager 1795247382.250000] ERROR <Motor0> hot
+  $ sed 1d told
   rtvlog: 127.0.0.1: does not send logs as fluentd takes them (more than 1000 values)
 
 rtlog records them beside the events:
 
-  $ rm told; rtlog --events --listen 0 -f a.mcap . 2> told & log=$!; listening
-  $ fluent $port message ERROR Motor0 hot; soon 'rtlog --json -q -f a.mcap | grep robot1'; kill $log; wait $log
+  $ rm told; rtlog --events --listen 0 -f a.mcap . 2> told & log=$!
+  $ listening
+  $ fluent $port message ERROR Motor0 hot
+  $ soon 'rtlog --json -q -f a.mcap | grep robot1'
+  $ kill $log; wait $log
   [143]
   $ rtlog --json -f a.mcap | grep robot1 | sed 's/.*"port": "\([^"]*\)".*"value": /\1 /'
   /logs {"level": "ERROR", "logger": "Motor0", "mark": "robot1/manager: hot", "message": "hot", "path": "robot1/manager", "time": 1795247382.25}}

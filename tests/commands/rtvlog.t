@@ -11,12 +11,17 @@ world: hung 1 --context hung.host_cxt/%n.rtc
 Records up to level NORMAL, or another; of all sources, or some. The level may be written small:
 
   $ rtvlog -n 2 Motor0.rtc > out & logged
-  $ ctl log Motor0 DEBUG motor secret; ctl log Motor0 ERROR motor "it is hot"; ctl log Motor0 INFO arm "it is warm"
+  $ ctl log Motor0 DEBUG motor secret
+  $ ctl log Motor0 ERROR motor "it is hot"
+  $ ctl log Motor0 INFO arm "it is warm"
   $ wait; plain out
   [Motor0.rtc T] ERROR <motor> it is hot
   [Motor0.rtc T] INFO <arm> it is warm
   $ rtvlog -n 2 -l debug -f arm -f hand Motor0.rtc > out & logged
-  $ ctl log Motor0 ERROR motor hot; ctl log Motor0 DEBUG arm cold; ctl log Motor0 TRACE arm cold; ctl log Motor0 WARN hand wet
+  $ ctl log Motor0 ERROR motor hot
+  $ ctl log Motor0 DEBUG arm cold
+  $ ctl log Motor0 TRACE arm cold
+  $ ctl log Motor0 WARN hand wet
   $ wait; plain out
   [Motor0.rtc T] DEBUG <arm> cold
   [Motor0.rtc T] WARN <hand> wet
@@ -24,16 +29,23 @@ Records up to level NORMAL, or another; of all sources, or some. The level may b
 A line is a line, and harms no terminal:
 
   $ rtvlog -n 1 Motor0.rtc > out & logged
-  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\')"; wait; plain out
+  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\')"
+  $ wait
+  $ plain out
   [Motor0.rtc T] WARN <a\x1b[2J> two\x09lines\\
   $ rtvlog --json -n 1 Motor0.rtc > out & logged
-  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\')"; wait; plain out
+  $ ctl log Motor0 WARN "$(printf 'a\033[2J')" "$(printf 'two\tlines\\')"
+  $ wait
+  $ plain out
   {"level": "WARN", "logger": "a\u001b[2J", "message": "two\tlines\\", "path": "/localhost:$PORT/test.host_cxt/Motor0.rtc", "time": T}
 
 Each is written at once, and what ends the command leaves nothing behind:
 
-  $ interrupt 1 rtvlog Motor0.rtc; echo $?; ctl observers Motor0
+  $ interrupt 1 rtvlog Motor0.rtc
+  [130]
+  $ echo $?
   130
+  $ ctl observers Motor0
   $ for signal in TERM HUP; do
   >     rtvlog Motor0.rtc > out <&- & log=$!; logged; ctl log Motor0 WARN motor hot; soon 'grep hot out'
   >     kill -$signal $log; wait $log; echo $?; ctl observers Motor0
@@ -74,7 +86,9 @@ A component that takes no loggers, as most do not; one beside it is not disturbe
 One that ends is reported on stderr:
 
   $ rtvlog Motor0.rtc > out 2> err & log=$!; logged
-  $ rtexit Motor0.rtc; soon 'grep exited err'; kill $log; wait $log
+  $ rtexit Motor0.rtc
+  $ soon 'grep exited err'
+  $ kill $log; wait $log
   [143]
   $ cat err
   rtvlog: /localhost:$PORT/test.host_cxt/Motor0.rtc: has exited

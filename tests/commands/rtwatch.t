@@ -116,7 +116,8 @@ When polling cannot show what is wanted, that is said:
 
 One that is gone, silent, missing or no component costs its own line:
 
-  $ rtwatch -n 1 -f HEARTBEAT --timeout 0.3 ConsoleIn0.rtc ../hung.host_cxt/Mock0.rtc ../gone.host_cxt/Mock0.rtc ConsolIn0.rtc .. > out 2> err
+  $ rtwatch -n 1 -f HEARTBEAT --timeout 0.3 ConsoleIn0.rtc ../hung.host_cxt/Mock0.rtc \
+  >     ../gone.host_cxt/Mock0.rtc ConsolIn0.rtc .. > out 2> err
   [5]
   $ plain out; sort err
   [ConsoleIn0.rtc T] HEARTBEAT
