@@ -1,26 +1,24 @@
 """Which of some components are there, and what changes about them, with as few questions as that takes.
 
 Components that take observers report what changes, but for their ports: a process that observes ports must
-not be killed (docs/protocol.md 5.4). Their connections, and everything of others, are asked for: each process
-gets one small question, or a few if it has many connections, every few seconds. A connection that a process
-drops shows its end at once. Absent components are looked for by their names.
+not be killed (docs/protocol.md 5.4). Their connections, and everything of others, are asked for (ask.py), a
+few small questions at a time. A connection that a process drops shows its end at once. Absent components are
+looked for by their names.
 
 Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its
 neighbours.
 """
 
 import collections
-import functools
 import math
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
-from rtshell_lite.live import hear, observer, times
+from rtshell_lite.live import ask, hear, observer, times
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, snapshot, tree
-from rtshell_lite.text import from_wire, to_wire
+from rtshell_lite.robot import snapshot, tree
 
-ROUND = 10  # turns, at most, until a process has been asked all questions of a kind
+MOST = 200  # questions of a kind that a process gets at a time
 
 KINDS = ("RTC_STATUS", "EC_EVENT", "CONFIG_EVENT")  # not PORT_EVENT
 
@@ -30,11 +28,12 @@ class Followed:
 
     path   its Path, `where` as text
     shown  its snapshot.Snapshot, None while it is absent; who follows it fills it
+    seen   the ask.Seen of what it is asked for, None while that is nothing
     error  why it is absent, or None
     """
 
     # as they are at first, here: an object with few attributes of its own takes a third of the memory
-    shown = subscription = error = None
+    shown = seen = subscription = error = None
     is_hung = is_ending = False
     is_sought = True  # where it is absent
     beat = times.BEAT  # seconds between the heartbeats of its observer
@@ -50,11 +49,6 @@ class Followed:
     def is_there(self):
         """Whether it has answered, and is not known to be gone."""
         return self.shown is not None
-
-    @property
-    def is_given_up(self):
-        """Whether nothing is done about it until something about it changes."""
-        return False
 
     @property
     def node(self):
@@ -81,15 +75,14 @@ class Followed:
         """It answers again."""
 
     def reported(self, event):
-        """It reports an observer.Event, no heartbeat."""
+        """It reports an observer.Event, no heartbeat; or an answer shows one."""
+
+    def missed(self, kind):
+        """Something of a kind of Event may have happened that it could not report, or that it refuses to say.
+        """
 
     def lives(self):
         """It has answered when asked whether it lives."""
-
-    def notice(self, part):
-        """A question has shown that its "state", "contexts" (rates), "configuration" (the active set) or
-        "ports" are not what `shown` has.
-        """
 
     async def observe(self):
         """Lend it an observer, if it takes one, by the profile in `shown`. Raises Unreachable."""
@@ -133,12 +126,16 @@ class Presence:
     look   seconds between questions to a process whose components report nothing
     """
 
+    # {kind of questions of ask.py: every how many `look`s a process is asked some of them}
+    asks = {}  # type: dict
+    share = 1  # which part of them
+
     def __init__(self, followed, look):
         self.followed = followed
         self.look = look
-        self._looked = {}  # {endpoint: when it was last asked}
-        # {endpoint: {kind of question: how many of these it was asked; None: of all}}
-        self._turns = collections.defaultdict(collections.Counter)  # type: dict
+        self._asked = collections.defaultdict(dict)  # type: dict  # {endpoint: {kind: when it was asked}}
+        self._counts = collections.defaultdict(collections.Counter)  # type: dict  # {endpoint: {kind: ...}}
+        self._asking = set()  # endpoints that are being asked questions
         self._suspected = set()  # endpoints that are being asked whether they live
         self._seek_at = 0.0  # when absent ones are looked for
         self._group = None
@@ -248,7 +245,7 @@ class Presence:
             seen = "has exited"
         each.forget()
         each.dead = orb.identity(each.shown.node.ref)
-        each.shown = None
+        each.shown = each.seen = None
         each.error = error
         each.is_hung = each.is_ending = False
         each.vanished(seen)
@@ -268,7 +265,7 @@ class Presence:
                 self.suspect(endpoint)
             for each in late:
                 self.lend_again(each)
-            self.ask_around(now)
+            self._ask_around(now)
             await loop.sleep(min(times.SEEK if absent else 1.0, self.look / 2))
 
     async def _seek(self, absent):
@@ -314,131 +311,78 @@ class Presence:
             await each.subscription.attach()
         except errors.Error:
             pass  # whether it lives is asked elsewhere
-        each.notice("state")
-        each.notice("ports")
+        each.missed("RTC_STATUS")
+        each.missed("PORT_EVENT")
 
     # ---- what nobody reports ----
 
-    def ask_around(self, now):
+    def _ask_around(self, now):
         """Ask for what is not reported."""
-        for endpoint in {each.endpoint: None for each in self.followed if _is_asked(each)}:
-            self._poll(endpoint, now)
+        processes = collections.defaultdict(list)
+        for each in self.followed:
+            if each.is_there and each.seen is not None and not each.is_hung:
+                processes[each.endpoint].append(each)
+        for endpoint, some in processes.items():
+            if endpoint not in self._asking:
+                questions = self._due(endpoint, some, now)
+                if questions:
+                    self._asking.add(endpoint)
+                    self.start(self._put_all(endpoint, questions), endpoint)
 
-    def _poll(self, endpoint, now):
-        """Ask a process a question, or a few of one kind if it has many to be asked, if it is time."""
-        if now - self._looked.get(endpoint, 0) < self.look:
-            return
-        self._looked[endpoint] = now
-        asked = [each for each in self.of_process(endpoint) if _is_asked(each)]
-        turns = self._turns[endpoint]
-        for _ in _ASKED:
-            kind = _ASKED[turns[None] % len(_ASKED)]
-            turns[None] += 1
-            if kind is _of_connections:
-                those = asked
-            else:
-                those = [each for each in asked if each.subscription is None]
-            questions = [(each, *question) for each in those for question in kind(each)]
-            if questions:
-                count = -(-len(questions) // ROUND)
-                first = turns[kind] % len(questions)
-                turns[kind] += count
-                self.start(self._put_all((2 * questions)[first : first + count]), endpoint)
-                return
+    def _due(self, endpoint, some, now):
+        """The questions, (Followed, kind of Event, coroutine function), that a process is to be asked."""
+        found = []
+        asked = self._asked[endpoint]
+        for kind, looks in self.asks.items():
+            if now - asked.get(kind, -math.inf) < looks * self.look:
+                continue
+            asked[kind] = now
+            of_kind = [question for each in some for question in _questions(each, kind, now)]
+            if of_kind:
+                count = min(-(-len(of_kind) // self.share), MOST)
+                first = self._counts[endpoint][kind] % len(of_kind)
+                self._counts[endpoint][kind] += count
+                found += (2 * of_kind)[first : first + count]
+        return found
 
-    async def _put_all(self, questions):
-        for question in questions:
-            await self._put(*question)
+    async def _put_all(self, endpoint, questions):
+        try:
+            for question in questions:
+                await self._put(*question)
+        finally:
+            self._asking.discard(endpoint)
 
-    async def _put(self, each, part, has_changed):
-        """Ask a component a question: whether a part of it is not what `shown` has."""
+    async def _put(self, each, kind, question):
+        """Ask a component a question, and report what its answer shows."""
         shown = each.shown
-        if shown is None:
+        if shown is None or each.is_hung:
             return
         try:
-            is_new = await has_changed(each.where, shown)
+            events = await question()
         except errors.Refused:
-            is_new = True
+            each.missed(kind)
+            return
         except errors.Error as e:
-            if part == "ports" and isinstance(e, errors.Silent):
+            if kind == "PORT_EVENT" and isinstance(e, errors.Silent):
                 each.patience.wait()
             await self.ask(each)
             return
-        if part == "ports":
+        if kind == "PORT_EVENT":
             each.wait_no_more()
-        if is_new and each.shown is shown:
-            each.notice(part)
+        if each.shown is shown:
+            for event in events:
+                each.reported(event)
 
 
-def _is_asked(each):
-    """Whether a component has been looked at, and answers."""
-    return each.is_there and each.shown.states and not each.is_hung
-
-
-# ---- the questions, (part, function), that a component is asked in turn ----
-
-
-def _of_state(each):
-    yield "state", _is_in_other_state
-
-
-def _of_settings(each):
-    if each.shown.owned:
-        yield "contexts", _has_other_rate
-    if each.shown.configuration is not None:
-        yield "configuration", _has_other_set
-
-
-def _of_connections(each):
-    """Ports with connections, which one end may have lost alone. Of one that is given up, all."""
-    if loop.now() < each.patience.until:
+def _questions(each, kind, now):
+    """Those of a kind that a component is asked, see `Presence._due`."""
+    shows = ask.SHOWS[kind]
+    if shows == "PORT_EVENT" and now < each.patience.until:
         return
-    for port in each.shown.ports:
-        if each.is_given_up:
-            yield "ports", functools.partial(_has_others, port)
-        elif port.connectors:
-            yield "ports", functools.partial(_has_lost, port)
-
-
-# Kinds of questions, in turn: Error is to be seen soonest.
-_ASKED = 3 * (_of_state, _of_state, _of_connections) + (_of_settings,)
-
-
-async def _is_in_other_state(where, shown):
-    contexts = shown.contexts[:1]
-    states = [await component.state_in(shown.node, context.ref) for context in contexts]
-    return any(state not in shown.states for state in states)
-
-
-async def _has_other_rate(where, shown):
-    context = shown.owned[0]
-    return await orb.call(where, context.ref, "get_rate") != context.rate
-
-
-async def _has_other_set(where, shown):
-    known = shown.configuration
-    active = await orb.call(where, known.ref, "get_active_configuration_set")
-    now = from_wire(active.id), dict(orb.properties(active.configuration_data))
-    values = {}
-    if known.active:
-        values = dict(known.set(known.active, True).values)
-    return now != (known.active, values)
-
-
-async def _has_lost(port, where, shown):
-    return not _known_ids(port) <= await _present_ids(port, where)
-
-
-async def _has_others(port, where, shown):
-    return _known_ids(port) != await _present_ids(port, where)
-
-
-def _known_ids(port):
-    return {to_wire(connector.id) for connector in port.connectors}
-
-
-async def _present_ids(port, where):
-    return {profile.connector_id for profile in await orb.call(where, port.ref, "get_connector_profiles")}
+    if shows != "PORT_EVENT" and each.subscription is not None:  # it reports that
+        return
+    for question in kind(each.seen):
+        yield each, shows, question
 
 
 async def _alive(each):

@@ -19,8 +19,6 @@ HURRY_SHOWN = 0.1  # for rtwatch, after Ctrl-C
 
 SEEK = 0.3  # between looks for the names of absent components; more where there are many
 AGAIN = 2.0  # between questions to a dead object whose name is still bound
-THOROUGH = 1.0  # between looks at what changes less often than states, where these are polled
-PORTS = 2.0  # between looks at the connections of ports; more where there are many
 LOST_ANSWER = 0.15  # until a question is repeated whose connection is lost: to a process that ends, as a rule
 LOST_ANSWERS = 5  # how often it is repeated
 

@@ -4,7 +4,7 @@ import collections
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
-from rtshell_lite.live import follow, hear, observer, polling, times
+from rtshell_lite.live import ask, follow, hear, observer, times
 from rtshell_lite.live.observer import Event
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, snapshot, tree
@@ -21,12 +21,29 @@ LIFE = "LIFE_EVENT"  # the kind of our own Events: DIED EXITED BACK NO_HEARTBEAT
 KINDS = list(observer.KINDS) + [LIFE]
 
 
-class Events:
-    """Watch for events of some of KINDS; `more` are further (property, value) for observers."""
+# {kind of questions: every how many looks they are asked}, of those that take no observer; and about ports
+_POLLED = {ask.contexts: 5, ask.states: 1, ask.configuration: 5}
+_ASKED_PORTS = {ask.which_ports: 10, ask.connections: 10}
 
-    def __init__(self, kinds, more=()):
+
+class Events:
+    """Watch for events of some of KINDS; `more` are further (property, value) for observers. `asks_ports`:
+    ports are asked what happens to them, those that `Watched.follow_ports` is given.
+    """
+
+    def __init__(self, kinds, more=(), asks_ports=False):
         self.kinds = set(kinds)
         self.more = more
+        self._observed = self.kinds - {LIFE}
+        self._polled = {
+            kind: looks
+            for kind, looks in _POLLED.items()
+            if kind is ask.contexts or ask.SHOWS[kind] in self.kinds
+        }
+        self.asks = dict(self._polled)
+        if asks_ports:
+            self._observed.discard("PORT_EVENT")
+            self.asks.update(_ASKED_PORTS)
 
     async def subscription(self, node, heard):
         """The observer to attach to a component, of the first kind that it takes, or None."""
@@ -38,21 +55,24 @@ class Events:
         offered = observer.taken(await observer.properties(node))
         for interface in kinds:
             if interface in offered:
-                return observer.observer(node, interface, self.kinds - {LIFE}, heard, more=self.more)
+                return observer.observer(node, interface, self._observed, heard, more=self.more)
         return None
 
-    async def poll(self, node):
-        """Begin to poll a component. Raises Refused if that shows none of the wanted events."""
-        if not self.kinds & (polling.SEEN | {LIFE}):
+    async def poll(self, seen):
+        """Have a first look at a component that is to be polled, into its ask.Seen. Raises Refused if polling
+        shows none of the wanted events.
+        """
+        if not self.kinds & ({ask.SHOWS[kind] for kind in _POLLED} | {LIFE}):
             wanted = ", ".join(sorted(self.kinds))
-            raise errors.Refused(str(node.path), f"offers no observer, and polling does not show {wanted}")
-        return await polling.begin(node, self.kinds)
+            raise errors.Refused(seen.where, f"offers no observer, and polling does not show {wanted}")
+        await seen.look(self._polled)
 
 
 class Records:
     """Watch for log records."""
 
     kinds = set()
+    asks = {}  # type: dict
 
     def __init__(self, level, names):
         self.level = level
@@ -82,9 +102,6 @@ class Watched(follow.Followed):
     """One component that is being watched."""
 
     beat = times.BEAT_SHOWN
-    poll = None  # its polling.Poll, where it has no observer
-    is_polling = False
-    polled = 0.0
     since = 0.0  # when it was given an observer, or last found to live without having called us
     is_begun = False  # whether it is watched: not as long as it does not take our observer
     is_attached_again = False
@@ -103,10 +120,10 @@ class Watched(follow.Followed):
         """Start to watch. Raises Refused, Unreachable."""
         self.heard = 0.0
         self.is_attached_again = False
-        self.reported_silence = self.poll = None
+        self.reported_silence = None
         subscription = self.subscription = await self._lendable()
         if subscription is None:
-            self.poll = await self.watch.what.poll(self.node)
+            await self._poll()
             self.note(f"offers no observer; it is polled ({RATE:g} Hz), which shows no connections")
         else:
             self.since = self.lived = loop.now()
@@ -135,26 +152,29 @@ class Watched(follow.Followed):
         self.heard = loop.now()
         if isinstance(item, Event) and item.event == "FINALIZE":
             self.is_ending = True
-        self.watch.put(self, item)
+        self.reported(item)
         if self.reported_silence == "NO_HEARTBEAT":
             self.answered()
 
-    async def ask_for_changes(self):
-        """Look for what it does not report itself."""
-        poll = self.poll
-        if poll is None:  # it has ended since this task was begun
-            return
-        self.polled = loop.now()
-        self.is_polling = True
-        try:
-            for item in await poll.changes():
-                self.watch.put(self, item)
-        except errors.Refused:
-            pass  # it lives; there will be another look
-        except errors.Error:
-            await self.watch.ask(self)
-        finally:
-            self.is_polling = False
+    async def _poll(self):
+        seen = self.seen or ask.Seen(self.node, self._asks_port)
+        await self.watch.what.poll(seen)
+        self.seen = seen
+
+    def follow_ports(self, listed):
+        """Ask its ports.Ports for their connections from now on."""
+        if self.seen is None:
+            self.seen = ask.Seen(self.node, self._asks_port)
+        self.seen.take_ports(listed)
+
+    def _asks_port(self, port):
+        """Whether a port is asked for its connections: a composite shows those of its members, which may be
+        watched, too.
+        """
+        if port.owner in (None, self.seen.identity):
+            return True
+        others = [other.seen for other in self.watch.followed if other is not self and other.seen is not None]
+        return not any(seen.identity == port.owner for seen in others)
 
     def is_heard(self):
         """Whether it has called us recently, or recently got an observer."""
@@ -162,6 +182,9 @@ class Watched(follow.Followed):
         return self.reported_silence is None and not is_late
 
     # ---- what is noticed ----
+
+    def reported(self, event):
+        self.watch.put(self, event)
 
     def appeared(self):
         self.is_sought = False
@@ -183,10 +206,9 @@ class Watched(follow.Followed):
         self.error = error
         if self.subscription is not None and self.subscription.reference is not None:
             self.watch.left.append(self.subscription)
-        self.subscription = self.shown = None
+        self.subscription = self.shown = self.seen = None
 
     def vanished(self, seen):
-        self.poll = None
         if self.is_begun:
             self.is_begun = self.is_sought = False
             self.watch.start(self._report_end(seen))
@@ -241,10 +263,9 @@ class Watched(follow.Followed):
                 self.is_attached_again = True
                 await subscription.attach()
                 return
-            poll = await polling.begin(self.node, self.watch.what.kinds)
+            await self._poll()
             if self.subscription is not subscription:  # it has ended meanwhile
                 return
-            self.poll = poll
             self.reported_silence = self.subscription = None
             self.note(f"cannot call us at {subscription.address}; it is polled from now on")
             self.watch.left.append(subscription)
@@ -279,6 +300,7 @@ class Watch(follow.Presence):
         """`what`: Events or Records. `note` is called with lines about anything but events."""
         super().__init__([], component.POLL)
         self.what = what
+        self.asks = what.asks
         self._note = note
         self._doors = []
         self.dropped = 0
@@ -314,12 +336,6 @@ class Watch(follow.Presence):
             if isinstance(watched, Watched) and names.count(watched.name) > 1:
                 watched.name = watched.where
         return results
-
-    def ask_around(self, now):
-        for each in self.followed:
-            is_due = each.poll is not None and not each.is_polling and now - each.polled >= self.look
-            if is_due and each.is_there and not each.is_hung:
-                self.start(each.ask_for_changes(), each.endpoint)
 
     def lend_again(self, each):
         """Nothing: see Watched.lives."""

@@ -1,15 +1,18 @@
 """What happens to a robot, as channels of JSON in a log: events, the components' logs, and the profile of the
 whole system.
 
-Events come as in rtwatch, but those of ports from live/connections.py; logs come as in rtvlog. The profile
-is an attachment, as rtcryo writes it, with another one for what details.py keeps: at the start, and after
-changes.
+Events come as in rtwatch, but ports are asked for their connections. Observers of ports would report these;
+but C++ 2.1 hangs for good if it drops connections while the process of such an observer is gone, and those
+that a recorder reads by are dropped as soon as it is killed (docs/protocol.md 5.4). Logs come as in rtvlog.
+The profile is an attachment, as rtcryo writes it, with another one for what details.py keeps: at the start,
+and after changes.
 """
 
 
 from rtshell_lite import errors, notes
+from rtshell_lite.corba import orb
 from rtshell_lite.datalog import schemas
-from rtshell_lite.live import connections, watch
+from rtshell_lite.live import watch
 from rtshell_lite.net import calendar, loop
 from rtshell_lite.xmlprofile import rtsprofile
 
@@ -48,15 +51,13 @@ class Journal:
         self._work = work
         self._events = work.channels.add_json("/events", schemas.of_events())
         self._logs = work.channels.add_json("/logs", _RECORDS)
-        kinds = set(watch.KINDS) - {"HEARTBEAT", "PORT_EVENT"}  # see live/connections.py
-        async with watch.Watch(watch.Events(kinds), self._note) as events:
+        wanted = watch.Events(set(watch.KINDS) - {"HEARTBEAT"}, asks_ports=True)
+        async with watch.Watch(wanted, self._note) as events:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
-                async with loop.Group() as others:
-                    others.start(connections.follow(flight.components, self._put_port))
-                    try:
-                        await self._follow(flight, events, logs)
-                    finally:
-                        _report_dropped(events.dropped + logs.dropped)
+                try:
+                    await self._follow(flight, events, logs)
+                finally:
+                    _report_dropped(events.dropped + logs.dropped)
 
     async def _follow(self, flight, events, logs):
         known = set()
@@ -67,6 +68,7 @@ class Journal:
             known |= {str(path) for path in new}
             if new:
                 await self._begin(new, events, logs)
+            _follow_ports(flight, events)
             self._take(events, logs)
             await self._describe()
             await loop.sleep(TICK)
@@ -92,9 +94,6 @@ class Journal:
             if record.level in ("ERROR", "FATAL"):
                 fields["mark"] = f"{watched.name}: {record.message[:80]}"
             self._work.put_json(self._logs, fields)
-
-    def _put_port(self, where, port, event):
-        self.put(where, "PORT_EVENT", port, event)
 
     def put(self, where, kind, subject, event):
         """Record an event of a component."""
@@ -125,6 +124,15 @@ class Journal:
         moment = int(loop.wall() * 1e9)
         self._work.attach(moment, "system-%d.rtsys" % self._number, "application/xml", profile)
         self._work.attach(moment, "components-%d.json" % self._number, "application/json", more)
+
+
+def _follow_ports(flight, events):
+    """Have the ports that a flight has found followed, as those of the components that are there."""
+    for watched in events.followed:
+        node, listed = flight.components[watched.where]
+        knows_them = not watched.is_there or watched.seen is not None and watched.seen.ports
+        if listed and not knows_them and orb.identity(node.ref) == orb.identity(watched.node.ref):
+            watched.follow_ports(listed)
 
 
 def _report_dropped(number):

@@ -12,7 +12,7 @@ import collections
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.live import follow, times
+from rtshell_lite.live import ask, follow, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
@@ -37,6 +37,10 @@ class Keeper(follow.Presence):
     on_event    called with each happening.Happening
     before  the Keeper of an earlier reading of the same file, which has ended, or None
     """
+
+    # states soonest, for Error; a small part of the questions at a time
+    asks = {ask.states: 1, ask.connections: 1, ask.contexts: 5, ask.configuration: 5}
+    share = 10
 
     def __init__(self, profile, planned, options, on_event, before=None):
         self.profile = profile
@@ -197,7 +201,7 @@ class Keeper(follow.Presence):
                     await self._not_shown(kept, answer)
             await self._restore([kept for kept in batch if kept.is_usable])
             if not self._is_ending:
-                await self._start([kept for kept in batch if kept.is_usable])
+                await self._start([kept for kept in batch if kept.is_usable and not kept.is_hung])
         finally:
             for kept in batch:
                 kept.is_busy = False
@@ -218,6 +222,9 @@ class Keeper(follow.Presence):
         if kept.shown is not shown:  # it has ended
             return
         kept.held_up.end()
+        if kept.seen is None:
+            kept.seen = ask.Seen(shown.node, kept.asks_port)
+        kept.seen.take(shown, parts)
         kept.placement.error = None
         kept.placement.found = capture.found_in(shown)
         await restore.presence(kept.placement)
@@ -225,9 +232,10 @@ class Keeper(follow.Presence):
             self.complain(kept, WHOLE, kept.placement.error)
             return
         kept.said.pop(WHOLE, None)
-        kept.become(component.merged(shown.states))
-        if kept.state == "Error":
-            kept.fail("in Error")
+        if STATE in parts or "contexts" in parts:  # else it may have changed since its states were asked for
+            kept.become(component.merged(shown.states))
+            if kept.state == "Error":
+                kept.fail("in Error")
 
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
@@ -470,7 +478,6 @@ class Keeper(follow.Presence):
             return
         if not failed:
             kept.become("Active")
-            kept.shown.states = ["Active"]
             kept.hands.pop(STATE, None)
             self._is_active(kept)
             self.happened(kept, "", "Active", begun)

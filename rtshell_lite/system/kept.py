@@ -237,6 +237,8 @@ class KeptComponent(follow.Followed):
         if event.event == "FINALIZE":
             self.keeper.suspect(self.endpoint)
             return
+        if event.event == "PORT_CONNECT" and not self.is_given_up:  # somebody's, or made by us
+            return
         if event.event == "ERROR":
             self.fail("in Error")
         elif event.kind != "RTC_STATUS":
@@ -247,6 +249,11 @@ class KeptComponent(follow.Followed):
                     other.change("contexts")
         self.change(PART_OF.get(event.kind, WHOLE))
 
-    def notice(self, part):
-        self.begin_again()
-        self.change(part)
+    def missed(self, kind):
+        self.change(PART_OF[kind])
+
+    def asks_port(self, port):
+        """Whether a port of its `seen` is asked for its connections: where it has some, one of its ends may
+        lose them alone; where something was given up, all may change that.
+        """
+        return bool(port.connections) or self.is_given_up

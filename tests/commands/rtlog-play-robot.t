@@ -100,7 +100,7 @@ What cannot be:
   $ rtlog -q -p --map Gone=There -f a.mcap .
   rtlog: --map Gone=There: nothing in the file is there (see --help)
   [2]
-  $ rtlog -q -f b.mcap -t 0.1 Left.rtc; rtlog -p -f b.mcap .
+  $ rtlog -q -f b.mcap -t 2 Left.rtc; rtlog -p -f b.mcap .
   rtlog: b.mcap: its connections are not in it: name ports, or record it with rtlog --events PATH
   [1]
   $ rtlog -p -f b.mcap One.rtc

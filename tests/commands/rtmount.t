@@ -266,6 +266,7 @@ Names that files cannot have are escaped as in our paths, slashes as \x2f; what 
   sp ace.rtc
   tab\x09new\x0aline.rtc
   ???*.rtc (glob)
+  $ soon '[ -f NotAComponent0.rtc ] && [ -L Gone0.rtc ]'  # a listing waits 0.2 s for what objects are
   $ for name in *.rtc; do [ -d "./$name" ] && cat "./$name/instance_name"; done
   $(id);'"*
   -l

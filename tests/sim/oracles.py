@@ -376,8 +376,6 @@ def is_kept(play, command):
         if not well.issuperset(pair):  # ports that ask far ends wait for those that hang
             well -= set(pair)
     changing = [each for each in play.commands if each.name not in LOOKING | {"rtkeep"}]
-    # of what has no observer, rtkeep asks for the state in one context: it does not see what a composite does
-    well -= {name for name in well if play.robot.lives[name][-1].component.shared}
     touched = {}
     if "--strict" not in command.line:
         is_early = any(each.begun < command.begun + QUICK for each in changing)
@@ -400,6 +398,21 @@ def is_kept(play, command):
             ends = command.connectors.get(f"{source}:out"), command.connectors.get(f"{target}:in")
             if not ends[0] & ends[1]:
                 return f"{source} is not connected with {target}"
+    return None
+
+
+def blames_people_alone(play, command):
+    """rtkeep calls only that the work of a person which a person has done."""
+    if command.name != "rtkeep":
+        return None
+    changing = [each for each in play.commands if each.name not in LOOKING]
+    if not FILE_ALONE.isdisjoint(each.name for each in changing):
+        return None
+    touched = {word for each in changing for word in re.findall(r"C\d+", each.line)}
+    touched |= {name for _, fault, name in play.scenario.faults if fault == "waver"}  # which looks like that
+    for name, what in re.findall(r"(C\d+)\.rtc: (.* by hand)", command.out):
+        if name not in touched:
+            return f"{name}: {what}"
     return None
 
 
@@ -548,6 +561,7 @@ ORACLES = {
     "changed is changed": changes_what_it_says,
     "agrees": agrees,
     "kept": is_kept,
+    "not by hand": blames_people_alone,
     "recorded": recordings.is_recorded,
     "true pages": watching.pages_are_true,
     "true events": watching.events_are_true,

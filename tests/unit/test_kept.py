@@ -7,7 +7,6 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.live import follow, times
 from rtshell_lite.net import loop
 from rtshell_lite.path import parse
 from rtshell_lite.system import keep, kept, policy
@@ -94,20 +93,14 @@ class Waiting(unittest.TestCase):
 
 
 class Connections(unittest.TestCase):
-    def test_ports_are_asked_at_both_ends_of_their_connections(self):
-        ports = [
-            types.SimpleNamespace(type=kind, connectors=connectors)
-            for kind, connectors in (("DataInPort", ["it"]), ("DataOutPort", ["it"]), ("DataInPort", []))
-        ]
-        component = types.SimpleNamespace(
-            patience=times.Patience(), is_given_up=False, shown=types.SimpleNamespace(ports=ports)
-        )
-
-        async def main():
-            return [(part, question.args) for part, question in follow._of_connections(component)]
-
-        asked = loop.run(main(), session=session.Session(1.0))
-        self.assertEqual(asked, [("ports", (port,)) for port in ports[:2]])
+    def test_ports_are_asked_where_they_have_connections_which_either_end_may_lose(self):
+        asks = kept.KeptComponent.asks_port
+        connected, idle = [types.SimpleNamespace(connections=each) for each in ({"it": ()}, {})]
+        component = types.SimpleNamespace(is_given_up=False)
+        self.assertTrue(asks(component, connected))
+        self.assertFalse(asks(component, idle))
+        component.is_given_up = True
+        self.assertTrue(asks(component, idle))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,237 @@
+"""What components are asked that they do not report, by all that follow them: small questions, each about one
+context, one set or one port, whose answers are Events.
+
+Only what a component answers at once, and without asking others: no profile of a component or of a known
+port, as these make it look after all its connections (docs/protocol.md 1.1). What it was like before is in a
+Seen. A reader of this, a follow.Presence, has a table `asks` of the kinds of questions that it puts to each
+process, and how often.
+"""
+
+import functools
+
+from rtshell_lite import errors
+from rtshell_lite.corba import orb
+from rtshell_lite.live.observer import Event
+from rtshell_lite.net import loop
+from rtshell_lite.robot import component, ports
+from rtshell_lite.text import from_wire
+
+
+class _Context:
+    """An execution context as it was last seen; None stands for what is not known."""
+
+    __slots__ = ("ref", "identity", "handle", "state", "rate", "running")
+
+    def __init__(self, ref, handle, state=None, rate=None, running=None):
+        self.ref = ref
+        self.identity = orb.identity(ref)
+        self.handle = handle
+        self.state = state
+        self.rate = rate
+        self.running = running
+
+
+class _Port:
+    """A port as it was last seen."""
+
+    __slots__ = ("ref", "identity", "name", "owner", "connections")
+
+    def __init__(self, port):
+        """`port`: a ports.Port."""
+        self.ref = port.ref
+        self.identity = orb.identity(port.ref)
+        self.name = port.name
+        self.owner = port.owner and orb.identity(port.owner)  # of its component, as far as that is known
+        self.connections = _connections(port.connectors)
+
+
+class Seen:
+    """What was last seen of a component.
+
+    node           its Node; `where` its path as text
+    asks_port      asks_port(port): whether one of its `ports` is to be asked for its connections
+    contexts       those that it owns, then those that it takes part in
+    set            (its active configuration set, {parameter: value}), None where that is not known;
+                   `has_sets`: whether it may have one
+    ports          its ports, as far as they are to be known
+    """
+
+    def __init__(self, node, asks_port):
+        self.node = node
+        self.where = str(node.path)
+        self.asks_port = asks_port
+        self.identity = orb.identity(node.ref)
+        self.contexts = []
+        self.set = None
+        self.has_sets = True
+        self.ports = []
+        self._configuration = None
+
+    def take(self, shown, parts):
+        """Take what a snapshot.Snapshot has been told of "contexts", "state", "configuration" or "ports"."""
+        if "contexts" in parts:
+            self.contexts = [
+                _Context(context.ref, str(context.handle), None, context.rate, context.running)
+                for context in shown.contexts
+            ]
+        if "contexts" in parts or "state" in parts:
+            for context, state in zip(self.contexts, shown.states):
+                context.state = state
+        if "configuration" in parts:
+            self._take_sets(shown.configuration)
+        if "ports" in parts:
+            self.take_ports(shown.ports)
+
+    def _take_sets(self, known):
+        self.has_sets = known is not None
+        if self.has_sets:
+            self._configuration = known.ref
+            values = known.set(known.active, True).values if known.active else {}
+            self.set = known.active, dict(values)
+
+    def take_ports(self, listed):
+        """Take its ports.Ports."""
+        self.ports = [_Port(port) for port in listed]
+
+    async def look(self, kinds):
+        """Put all questions of these kinds, for a first look. Raises what remote calls raise."""
+        for kind in kinds:
+            for question in kind(self):
+                await question()
+
+    # ---- the questions: each returns Events ----
+
+    async def _which_contexts(self):
+        known = {context.identity: context for context in self.contexts}
+        owned, participating = await component.context_refs(self.node)
+        news = []
+        now = []
+        for ref in owned + participating:
+            context = known.pop(orb.identity(ref), None)
+            if context is None:
+                context = _Context(ref, str(await self.node.call("get_context_handle", ref)))
+                news.append(_event("EC_EVENT", context.handle, "EC_ATTACHED"))
+            now.append(context)
+        self.contexts = now
+        return [_event("EC_EVENT", context.handle, "EC_DETACHED") for context in known.values()] + news
+
+    async def _state(self, context):
+        asked = component.state_in(self.node, context.ref)
+        state = await component.or_default(self.node, context.ref, asked, None)
+        if state in (None, context.state, "Created"):  # a context that it has just left answers that
+            return []
+        before = context.state
+        context.state = state
+        return [_event("RTC_STATUS", context.handle, state.upper())] if before else []
+
+    async def _rate(self, context):
+        asked = component.running(self.node, context.ref)
+        now = await component.or_default(self.node, context.ref, asked, None)
+        if now is None:
+            return []
+        before = context.rate, context.running
+        context.rate, context.running = now.rate, now.running
+        news = []
+        if None not in before and before[1] != now.running:
+            news.append("EC_STARTUP" if now.running else "EC_SHUTDOWN")
+        if None not in before and before[0] != now.rate:
+            news.append("EC_RATE_CHANGED")
+        return [_event("EC_EVENT", context.handle, word) for word in news]
+
+    async def _active_set(self):
+        try:
+            if self._configuration is None:
+                self._configuration = await self.node.call("get_configuration")
+            path = self.node.path
+            active = await orb.call(path, self._configuration, "get_active_configuration_set")
+        except errors.Refused:  # NotAvailable: somebody is about to activate one
+            return []
+        before = self.set
+        name, values = self.set = from_wire(active.id), dict(orb.properties(active.configuration_data))
+        if before is None:
+            return []
+        if before[0] != name:
+            return [_event("CONFIG_EVENT", name, "CFG_ACTIVATE_SET")]
+        changed = [parameter for parameter in values if values[parameter] != before[1].get(parameter)]
+        return [_event("CONFIG_EVENT", f"{name}.{parameter}", "CFG_UPDATE_PARAM") for parameter in changed]
+
+    async def _which_ports(self):
+        known = {port.identity: port for port in self.ports}
+        news = []
+        now = []
+        for ref in await ports.refs(self.node):
+            port = known.pop(orb.identity(ref), None)
+            if port is None:
+                port = _Port(await ports.port(self.node, ref))
+                news.append(_event("PORT_EVENT", port.name, "PORT_ADD"))
+            now.append(port)
+        self.ports = now
+        return [_event("PORT_EVENT", port.name, "PORT_REMOVE") for port in known.values()] + news
+
+    async def _connections_of(self, port):
+        path = self.node.path
+        profiles = await orb.call(path, port.ref, "get_connector_profiles")
+        now = _connections([ports.connector(profile, path) for profile in profiles[: ports.MOST_PARTS]])
+        before = port.connections
+        port.connections = now
+        lost = [connector_id for connector_id in before if now.get(connector_id) != before[connector_id]]
+        made = [connector_id for connector_id in now if now[connector_id] != before.get(connector_id)]
+        words = len(lost) * ["PORT_DISCONNECT"] + len(made) * ["PORT_CONNECT"]
+        return [_event("PORT_EVENT", port.name, word) for word in words]
+
+
+def _event(*words):
+    return Event(loop.wall(), *words)
+
+
+def _connections(connectors):
+    """{id of a connector: what differs where it is made again under that id}: its ends, and the references
+    of what was made to carry its data. Those of tools are no part of the system.
+    """
+    seen = {}
+    for connector in connectors:
+        if not ports.is_of_tool(connector):
+            ends = [orb.identity(end) for end in connector.ports if end is not None]
+            carriers = [value for _, value in connector.properties if value.startswith("IOR:")]
+            seen[connector.id] = ends, carriers
+    return seen
+
+
+# ---- the kinds of questions: functions that yield those to a component ----
+
+
+def states(seen):
+    """In which state it is, in each context."""
+    for context in seen.contexts:
+        yield functools.partial(seen._state, context)
+
+
+def contexts(seen):
+    """In which contexts it is, and how these run."""
+    yield seen._which_contexts
+    for context in seen.contexts:
+        yield functools.partial(seen._rate, context)
+
+
+def configuration(seen):
+    """Its active configuration set."""
+    if seen.has_sets:
+        yield seen._active_set
+
+
+def which_ports(seen):
+    """Which ports it has."""
+    yield seen._which_ports
+
+
+def connections(seen):
+    """What its ports are connected with."""
+    for port in filter(seen.asks_port, seen.ports):
+        yield functools.partial(seen._connections_of, port)
+
+
+# {kind of question: the kind of the Events that its answers show}
+SHOWS = {
+    states: "RTC_STATUS", contexts: "EC_EVENT", configuration: "CONFIG_EVENT", which_ports: "PORT_EVENT",
+    connections: "PORT_EVENT",
+}
