@@ -104,8 +104,8 @@ if real.SIGHUP is not None:
 
 
 def unwind_when_ended():
-    """Let SIGTERM and SIGHUP run the `finally` clauses of plain code, as Ctrl-C does; where peers are asked,
-    they do so anyway.
+    """Let SIGTERM and SIGHUP run the `finally` clauses of plain code, as Ctrl-C does. Within loop.run they do
+    without this.
 
     Only the first counts: a closing terminal and systemd send both.
     """

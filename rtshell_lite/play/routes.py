@@ -52,8 +52,8 @@ def chosen(found, choice, log):
 
 
 def _connections(profile, maps):
-    """(Path of the out port, Path of the in port) of the connections in a profile: that as it was, this after
-    the Maps.
+    """(Path of the out port, Path of the in port) of the connections in a profile: the first as it was when
+    recorded, the second as the Maps say.
     """
     locate = capture.locator(profile)
     found = []

@@ -226,8 +226,8 @@ class Server:
         self.loop.call_later(PAUSE, self._listen)
 
     def accept(self):
-        """Take a new connection; where there is no room, one that has called no servant gives its place,
-        or the new one.
+        """Take a new connection. Where there is no room, one that has called no servant is closed, or else
+        the new one.
         """
         now = loop.now()
         if now - self.second >= 1:
