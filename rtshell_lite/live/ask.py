@@ -50,7 +50,7 @@ class Seen:
 
     node           its Node; `where` its path as text
     asks_port      asks_port(port): whether one of its `ports` is to be asked for its connections
-    contexts       those that it owns, then those that it takes part in
+    owned          its execution contexts; `participating` those of others that it takes part in
     set            (its active configuration set, {parameter: value}), None where that is not known;
                    `has_sets`: whether it may have one
     ports          its ports, as far as they are to be known
@@ -61,19 +61,23 @@ class Seen:
         self.where = str(node.path)
         self.asks_port = asks_port
         self.identity = orb.identity(node.ref)
-        self.contexts = []
+        self.owned = []
+        self.participating = []
         self.set = None
         self.has_sets = True
         self.ports = []
         self._configuration = None
 
+    @property
+    def contexts(self):
+        """All, in the order of snapshot.Snapshot."""
+        return self.owned + self.participating
+
     def take(self, shown, parts):
         """Take what a snapshot.Snapshot has been told of "contexts", "state", "configuration" or "ports"."""
         if "contexts" in parts:
-            self.contexts = [
-                _Context(context.ref, str(context.handle), None, context.rate, context.running)
-                for context in shown.contexts
-            ]
+            self.owned = [_shown(context) for context in shown.owned]
+            self.participating = [_shown(context) for context in shown.participating]
         if "contexts" in parts or "state" in parts:
             for context, state in zip(self.contexts, shown.states):
                 context.state = state
@@ -101,42 +105,59 @@ class Seen:
 
     # ---- the questions: each returns Events ----
 
-    async def _which_contexts(self):
-        known = {context.identity: context for context in self.contexts}
-        owned, participating = await component.context_refs(self.node)
+    async def _which_owned(self):
+        self.owned, news = await self._which(self.owned, await component.owned_context_refs(self.node))
+        return news
+
+    async def _which_participating(self):
+        refs = await component.participating_context_refs(self.node)
+        self.participating, news = await self._which(self.participating, refs)
+        return news
+
+    async def _which(self, before, refs):
+        """(the contexts of these references, the Events of those that have come and gone)"""
+        known = {context.identity: context for context in before}
         news = []
         now = []
-        for ref in owned + participating:
+        for ref in refs:
             context = known.pop(orb.identity(ref), None)
             if context is None:
                 context = _Context(ref, str(await self.node.call("get_context_handle", ref)))
                 news.append(_event("EC_EVENT", context.handle, "EC_ATTACHED"))
             now.append(context)
-        self.contexts = now
-        return [_event("EC_EVENT", context.handle, "EC_DETACHED") for context in known.values()] + news
+        return now, [_event("EC_EVENT", gone.handle, "EC_DETACHED") for gone in known.values()] + news
 
     async def _state(self, context):
-        asked = component.state_in(self.node, context.ref)
-        state = await component.or_default(self.node, context.ref, asked, None)
-        if state in (None, context.state, "Created"):  # a context that it has just left answers that
-            return []
         before = context.state
+        state = await self._of_context(context, component.state_in(self.node, context.ref))
+        if state in (None, before, "Created"):  # a context that it has just left answers that
+            return []
         context.state = state
         return [_event("RTC_STATUS", context.handle, state.upper())] if before else []
 
     async def _rate(self, context):
-        asked = component.running(self.node, context.ref)
-        now = await component.or_default(self.node, context.ref, asked, None)
-        if now is None:
+        before = context.rate
+        rate = await self._of_context(context, orb.call(self.node.path, context.ref, "get_rate"))
+        if rate in (None, before):
             return []
-        before = context.rate, context.running
-        context.rate, context.running = now.rate, now.running
-        news = []
-        if None not in before and before[1] != now.running:
-            news.append("EC_STARTUP" if now.running else "EC_SHUTDOWN")
-        if None not in before and before[0] != now.rate:
-            news.append("EC_RATE_CHANGED")
-        return [_event("EC_EVENT", context.handle, word) for word in news]
+        context.rate = rate
+        if before is None:
+            return []
+        return [_event("EC_EVENT", context.handle, "EC_RATE_CHANGED")]
+
+    async def _runs(self, context):
+        before = context.running
+        runs = await self._of_context(context, component.is_running(self.node, context.ref))
+        if runs in (None, before):
+            return []
+        context.running = runs
+        if before is None:
+            return []
+        return [_event("EC_EVENT", context.handle, "EC_STARTUP" if runs else "EC_SHUTDOWN")]
+
+    async def _of_context(self, context, asked):
+        """The answer of a context, None where it is another process's, which does not answer."""
+        return await component.or_default(self.node, context.ref, asked, None)
 
     async def _active_set(self):
         try:
@@ -180,6 +201,10 @@ class Seen:
         return [_event("PORT_EVENT", port.name, word) for word in words]
 
 
+def _shown(context):
+    return _Context(context.ref, str(context.handle), None, context.rate, context.running)
+
+
 def _event(*words):
     return Event(loop.wall(), *words)
 
@@ -208,9 +233,11 @@ def states(seen):
 
 def contexts(seen):
     """In which contexts it is, and how these run."""
-    yield seen._which_contexts
+    yield seen._which_owned
+    yield seen._which_participating
     for context in seen.contexts:
         yield functools.partial(seen._rate, context)
+        yield functools.partial(seen._runs, context)
 
 
 def configuration(seen):

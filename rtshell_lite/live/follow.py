@@ -126,14 +126,16 @@ class Presence:
     look   seconds between questions to a process whose components report nothing
     """
 
-    # {kind of questions of ask.py: every how many `look`s a process is asked some of them}
+    # {kind of questions of ask.py: after how many `look`s a process is asked some of them again}; of one kind
+    # at a time, that which is most overdue
     asks = {}  # type: dict
-    share = 1  # which part of them
+    share = 1  # which part of the questions of a kind are put at a time: all, a half, a third …
 
     def __init__(self, followed, look):
         self.followed = followed
         self.look = look
-        self._asked = collections.defaultdict(dict)  # type: dict  # {endpoint: {kind: when it was asked}}
+        # {endpoint: {kind of question: when some were asked; None: of any kind}}
+        self._asked = collections.defaultdict(dict)  # type: dict
         self._counts = collections.defaultdict(collections.Counter)  # type: dict  # {endpoint: {kind: ...}}
         self._asking = set()  # endpoints that are being asked questions
         self._suspected = set()  # endpoints that are being asked whether they live
@@ -331,19 +333,21 @@ class Presence:
 
     def _due(self, endpoint, some, now):
         """The questions, (Followed, kind of Event, coroutine function), that a process is to be asked."""
-        found = []
         asked = self._asked[endpoint]
-        for kind, looks in self.asks.items():
-            if now - asked.get(kind, -math.inf) < looks * self.look:
-                continue
-            asked[kind] = now
+        if now - asked.get(None, -math.inf) < self.look:
+            return []
+        overdue = {kind: (now - asked.get(kind, -math.inf)) / looks for kind, looks in self.asks.items()}
+        for kind in sorted(overdue, key=overdue.get, reverse=True):
+            if overdue[kind] < self.look:
+                break
             of_kind = [question for each in some for question in _questions(each, kind, now)]
             if of_kind:
+                asked[kind] = asked[None] = now
                 count = min(-(-len(of_kind) // self.share), MOST)
                 first = self._counts[endpoint][kind] % len(of_kind)
                 self._counts[endpoint][kind] += count
-                found += (2 * of_kind)[first : first + count]
-        return found
+                return (2 * of_kind)[first : first + count]
+        return []
 
     async def _put_all(self, endpoint, questions):
         try:

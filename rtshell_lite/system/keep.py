@@ -38,7 +38,7 @@ class Keeper(follow.Presence):
     before  the Keeper of an earlier reading of the same file, which has ended, or None
     """
 
-    # states soonest, for Error; a small part of the questions at a time
+    # states soonest, for Error
     asks = {ask.states: 1, ask.connections: 1, ask.contexts: 5, ask.configuration: 5}
     share = 10
 

@@ -25,14 +25,17 @@ class Component:
     async def call(self, operation, ref):
         return list(self.contexts).index(ref)
 
-    async def refs(self, node):
-        return list(self.contexts), []
+    async def owned(self, node):
+        return [ref for ref in self.contexts if ref != "composite's"]
+
+    async def participating(self, node):
+        return [ref for ref in self.contexts if ref == "composite's"]
 
     async def state_in(self, node, ref):
         return self.contexts[ref][0]
 
-    async def running(self, node, ref):
-        return types.SimpleNamespace(rate=self.contexts[ref][1], running=self.contexts[ref][2])
+    async def runs(self, node, ref):
+        return self.contexts[ref][2]
 
     async def port_refs(self, node):
         return list(self.connectors)
@@ -40,7 +43,9 @@ class Component:
     async def port(self, node, ref):
         return types.SimpleNamespace(ref=ref, name=ref, owner=None, connectors=self.connectors[ref])
 
-    async def profiles(self, path, ref, operation):
+    async def called(self, path, ref, operation):
+        if operation == "get_rate":
+            return self.contexts[ref][1]
         assert operation == "get_connector_profiles"
         return self.connectors[ref]
 
@@ -50,8 +55,9 @@ class Answers(unittest.TestCase):
         self.patch(orb, "identity", lambda ref: ref)
         self.component = asked = Component()
         for module, name, function in (
-            (orb, "call", asked.profiles), (component, "running", asked.running),
-            (component, "context_refs", asked.refs), (component, "state_in", asked.state_in),
+            (orb, "call", asked.called), (component, "is_running", asked.runs),
+            (component, "owned_context_refs", asked.owned), (component, "state_in", asked.state_in),
+            (component, "participating_context_refs", asked.participating),
             (component, "or_default", lambda node, ref, it, none: it), (ports, "refs", asked.port_refs),
             (ports, "port", asked.port), (ports, "connector", lambda profile, path: profile),
             (ports, "is_of_tool", lambda connector: connector.id == "tool"),
@@ -93,7 +99,7 @@ class Answers(unittest.TestCase):
     def test_rates_and_stops(self):
         self.component.contexts["own"][1:] = [200.0, False]
         self.assertEqual(
-            self.look(ask.contexts), [("EC_EVENT", "0", "EC_SHUTDOWN"), ("EC_EVENT", "0", "EC_RATE_CHANGED")]
+            self.look(ask.contexts), [("EC_EVENT", "0", "EC_RATE_CHANGED"), ("EC_EVENT", "0", "EC_SHUTDOWN")]
         )
 
     def test_contexts_that_come_and_go(self):
