@@ -1,11 +1,7 @@
-"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page; the words
-of modules stay in the checkout.
-"""
+"""What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page."""
 import glob
-import io
 import os
 import sys
-import tokenize
 import zlib
 
 import setuptools
@@ -22,7 +18,6 @@ os.umask(0o022)
 zlib.Z_DEFAULT_COMPRESSION = zlib.Z_BEST_COMPRESSION  # what zipfile uses where no level is given
 sys.path.insert(0, os.getcwd())
 from rtshell_lite.shell import installation  # noqa: E402: the path first
-LIBRARY = [os.path.join("rtshell_lite", name) for name in ["api.py", "errors.py"]]
 COMMANDS = sorted(path for path in glob.glob("bin/rt*") if os.path.basename(path).isalnum())
 PAGES = {}
 for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
@@ -38,31 +33,6 @@ def overview():
     return "".join(line for line in beginning.splitlines(True) if not line.startswith("!["))
 
 
-def without_words(path, is_command=False):
-    """Blank the comments and docstrings of a module, which are a fifth of a wheel. Lines keep their numbers,
-    and commands the docstring that their --help prints.
-    """
-    with open(path, encoding="utf-8") as file:
-        source = file.read()
-    lines = source.splitlines(True)
-    tokens = list(tokenize.generate_tokens(io.StringIO(source).readline))
-    words = [token for token in tokens if token.type == tokenize.COMMENT and token.start != (1, 0)]
-    code = [token for token in tokens if token.type not in (tokenize.COMMENT, tokenize.NL)]
-    before = tokenize.NAME if is_command else tokenize.INDENT
-    for token, after, last in zip(code, code[1:], code[2:]):
-        is_statement = before == tokenize.INDENT and after.type == tokenize.NEWLINE
-        is_only_one = last.type == tokenize.DEDENT
-        if token.type == tokenize.STRING and is_statement and not is_only_one:
-            words.append(token)
-        before = token.type
-    for token in words:
-        first, last = token.start[0] - 1, token.end[0] - 1
-        lines[first] = lines[first][:token.start[1]].rstrip() + "\n"
-        lines[first + 1:last + 1] = ["\n"] * (last - first)
-    with open(path, "w", encoding="utf-8", newline="\n") as file:
-        file.write("".join(lines))
-
-
 class Modules(build_py):
     """Makes commands modules, whose bytecode Python keeps."""
 
@@ -73,13 +43,6 @@ class Modules(build_py):
         for path in COMMANDS:
             target = os.path.join(self.build_lib, "rtshell_lite", "commands", os.path.basename(path) + ".py")
             self.copy_file(path, target, preserve_mode=False)
-            without_words(target, True)
-
-    def build_module(self, module, module_file, package):
-        built = super().build_module(module, module_file, package)
-        if module_file not in LIBRARY:
-            without_words(built[0], module == "__main__")
-        return built
 
 
 class Starters(build_scripts):
