@@ -526,13 +526,16 @@ class _Limit:
 async def _walk(node, depth, managers, known, objects=()):
     limit = _Limit(node)
     found = []
-    if not await loop.race(_enter(node, depth, managers, known, objects, limit, found), limit.pass_by()):
+    entering = _enter(node, depth, managers, known, objects, limit, found, {})
+    if not await loop.race(entering, limit.pass_by()):
         limit.report()
     return found or [node]
 
 
-async def _enter(node, depth, managers, known, objects, limit, found):
-    """Append a Node, and all below it, to the list `found`; False where the limit was reached."""
+async def _enter(node, depth, managers, known, objects, limit, found, listed):
+    """Append a Node, and all below it, to the list `found`; False where the limit was reached. `listed`:
+    {Node of a manager: its children}, as far as they have been asked for.
+    """
     if not limit.takes(node):
         return False
     if node.kind == "unsure" and not node.path.names:
@@ -545,9 +548,10 @@ async def _enter(node, depth, managers, known, objects, limit, found):
     known.enter(node)
     below = []
     if managers or not node.path.names or node.kind != "manager":
-        below = await _below(node, objects)
+        below = listed[node] if node in listed else await _below(node, objects)
+    listed = await _below_managers(below, known) if managers and depth > 1 else {}
     for child in below:
-        if not await _enter(child, depth - 1, managers, known, objects, limit, found):
+        if not await _enter(child, depth - 1, managers, known, objects, limit, found, listed):
             return False
     return True
 
@@ -561,6 +565,18 @@ async def _below(node, objects):
     except errors.Error as e:
         node.error = e
         return []
+
+
+async def _below_managers(nodes, known):
+    """{Node: its children} of the managers among Nodes that have not been entered. All are asked at the same
+    time: one after the other, each that hangs would cost a timeout.
+    """
+    asked = {}
+    for node in nodes:
+        if node.kind == "manager" and await known.path(node) is None:
+            asked.setdefault(orb.identity(node.ref), node)
+    listed = await loop.each(asked.values(), _below_manager, lambda node: node.endpoint)
+    return dict(zip(asked.values(), listed))
 
 
 async def _below_manager(node):
