@@ -52,6 +52,7 @@ class Session:
                  component, does not cost one more
     stalled      the same for processes that answer, but not what needs the answers of others: only calls of
                  that kind (failures.asks_others) are not made
+    slow         {what, such as the name of a host: when it was found to be looked up slowly}; as `silent`
     turned_away  how many connections to this command were turned away
     endless      paths, as text, below which a walk did not end
     checks       {(what, endpoint): answer} of what rtdoctor has tried of endpoints, for one examination
@@ -68,6 +69,7 @@ class Session:
         self.turned_away = 0
         self.silent = {}
         self.stalled = {}
+        self.slow = {}
         self.endless = set()  # type: set
         self.checks = {}
         self.on_end = []
@@ -115,6 +117,10 @@ class Session:
         elif self.memory.answered.get(endpoint, 0) <= since:
             self.silent[endpoint] = loop.now(), why
 
+    def is_slow(self, where):
+        """Whether something has been looked up for too long a moment ago."""
+        return where in self.slow and loop.now() - self.slow[where] < self.timeout
+
     def ask_again(self, endpoint):
         """Have a process asked, though it was silent a moment ago."""
         self.silent.pop(endpoint, None)
@@ -133,6 +139,8 @@ class Session:
         for known in (self.silent, self.stalled):
             for endpoint in [each for each, found in known.items() if now - found[0] >= self.timeout]:
                 del known[endpoint]
+        for where in [each for each in self.slow if not self.is_slow(each)]:
+            del self.slow[where]
         for endpoint in sorted(answered, key=answered.__getitem__, reverse=True)[MOST_ANSWERED:]:
             del answered[endpoint]
 
@@ -192,7 +200,15 @@ def each(items, function, place=at_process):
 
 async def on_thread(where, function):
     """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name;
-    Silent where that takes too long.
+    Silent where that takes too long, and for the length of a timeout after it did.
     """
-    seconds = current().timeout
-    return await loop.within(seconds, loop.on_thread(function), errors.Silent(where, no_answer(seconds)))
+    here = current()
+    seconds = here.timeout
+    late = errors.Silent(where, no_answer(seconds))
+    if here.is_slow(where) or here.slow and here.is_over():
+        raise late
+    try:
+        return await loop.within(seconds, loop.on_thread(function), late)
+    except errors.Silent:
+        here.slow[where] = loop.now()
+        raise

@@ -1,5 +1,6 @@
 """What is made of calls that fail: if this fails, who reads the reason looks in the wrong place."""
 import sys
+import threading
 import unittest
 from unittest import mock
 
@@ -20,6 +21,30 @@ class Missing(unittest.TestCase):
         )}), \
                 self.assertRaises(errors.MissingOmniORB):
             orb.version()
+
+
+class LookUps(unittest.TestCase):
+    def test_what_is_looked_up_slowly_is_not_tried_again_at_once(self):
+        answered = threading.Event()
+        begun = []
+
+        def look_up():
+            begun.append(True)
+            if len(begun) == 1:
+                answered.wait()
+
+        async def main():
+            here = session.current()
+            with self.assertRaises(errors.Silent):
+                await session.on_thread("robot", look_up)
+            here.timeout = 1000.0  # a moment, on any machine
+            with self.assertRaises(errors.Silent):
+                await session.on_thread("robot", look_up)
+            self.assertEqual(await session.on_thread("arm", lambda: "10.0.0.2"), "10.0.0.2")
+
+        self.addCleanup(answered.set)
+        loop.run(main(), session=session.Session(0.01))
+        self.assertEqual(len(begun), 1)
 
 
 @unittest.skipUnless(omniORB, "needs omniORBpy")
