@@ -531,10 +531,10 @@ class Process:
         self.endpoint = None
 
     def start(self, host):
-        """Serve at this address, on the loop that runs here."""
+        """Serve at the address of this host, which may be given as its name, on the loop that runs here."""
         self.host = host
         self.loop = loop.current()
-        self.endpoint = f"{host}:{orb.listen(host, 0)}"
+        self.endpoint = f"{host}:{orb.listen(self.program.host.address, 0)}"
 
     def serve(self, servant, owner, exists=lambda: True, key=None):
         served = Served(self, servant, owner, exists)

@@ -4,11 +4,14 @@ what kind of word.
 
 import world as worlds
 
+from mock_components.port import RTC
+
 LONG = 5.0  # seconds that something lasts which ends by itself
 SLOW = 0.3
 MTU = 300  # octets, of a packet that still comes through
 LATE = 1.7
 WAVES = 50
+FOR_EVER = 1e9
 RARE = 0.1  # Hz of a context whose period is longer than people wait
 
 
@@ -111,13 +114,35 @@ def waver(robot, component):
 
 
 def refuse(robot, component):
-    """The ports of a component refuse whoever wants to connect something."""
+    """The ports of a component refuse whoever wants to connect or disconnect something."""
 
     def close(found):
         for port in found.ports:
             port.refusal = "RTC_ERROR"
+            port.disconnect = port.notify_disconnect = lambda connector_id: RTC.RTC_ERROR
+            port.disconnect_all = lambda: None
 
     robot.ask(component, close)
+
+
+def seize(robot, component):
+    """A component does not answer any more, while others of its process do."""
+    robot.seized[component] = robot.world.time
+    robot.ask(component, lambda found: found.process.ledger.hang(component, FOR_EVER))
+
+
+def tire(robot, process):
+    """A process closes connections that have been used, as ORBs do to have few: what is asked by one of them
+    at that moment is not begun, and it says so.
+    """
+    robot.programs[process].closes_often = True
+
+
+def doubt_names(robot, host):
+    """One of two servers that a host asks for the addresses of names does not answer: every other look-up
+    takes long.
+    """
+    robot.world.hosts[host].has_doubts = True
 
 
 def cut(robot, host):
@@ -263,6 +288,9 @@ FAULTS = {
     take: ("component", False),
     waver: ("component", False),
     refuse: ("component", False),
+    seize: ("component", True),
+    tire: ("process", False),
+    doubt_names: ("seat", False),
     cut: ("host", False),
     unplug: ("host", False),
     close_port: ("process", False),
@@ -286,9 +314,18 @@ ANSWERS = {
     halt: ("rtact --wait 3 {}", "rtdeact --wait 3 {}", "rtreset --wait 3 {}", "rtls -l"),
     slow_down: ("rtact --wait 3 {}", "rtdeact --wait 3 {}", "rtcat -l {}"),
     close_port: ("rtdel -z .", "rtdel -z {}", "rtls -l", "rtdoctor -q"),
-    kill: ("rtdel -z .", "rtls -l", "rtdoctor -q", "rtcat {}"),
+    kill: ("rtdel -z .", "rtls -l", "rtdoctor -q", "rtcat {}", "rtls"),
+    pause: ("rttop --json -n 16 -r 1", "rtls -l"),
+    seize: ("rtls -l", *(f"{name} robot.rtsys" for name in ("rtstart", "rtstop", "rtresurrect", "rtcheck"))),
+    refuse: ("rtdis {}", "rtdis {}:out", "rtdis {}:in", "rtteardown robot.rtsys"),
+    tire: (
+        "rtact --wait 3 {}", "rtdeact --wait 3 {}", "rtstop robot.rtsys",
+        "rtconf {} set gain 5", "rtdis {}:out",
+    ),
+    doubt_names: ("rtls -l", "rtprint -t 1 {}:out", "rtdoctor -q", "rtwatch -t 3 {}"),
     hang: ("rtls -l", "rtdoctor -q", "rtact --wait 3 {}", "rtdel -z {}"),
 }
 BY_NAME = {fault.__name__: fault for fault in FAULTS}
 OF_NETWORK = {"cut", "unplug", "slow_network", "close_port", "shut_port", "lose_one_way", "shrink_packets"}
-OF_NETWORK |= {"hide", "reboot", "lose_power", "lose_power_in_writing"}
+OF_NETWORK |= {"hide", "reboot", "lose_power", "lose_power_in_writing", "doubt_names"}
+HARMLESS = {"tire"}  # nobody is to notice

@@ -23,6 +23,8 @@ AT_ONCE = 0.5
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
 SOON = 0.2  # seconds after a change, with a period in which it has to last
+BLAMED = re.compile("its process gave no answer|as the process did not answer others")
+PAGES = re.compile(r"-n (\d+)")
 NOT_REACHED = re.compile("not (Active|Inactive) within")
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
@@ -31,7 +33,8 @@ LOOKING |= {"rtprint", "rtlog", "rtwatch", "rttop", "rtstodot", "rtcall", "rtfsm
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
 NETWORK = faults.OF_NETWORK | {"no_names", "empty_names"}
-SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble"}  # also those who wait for such a process
+# also those who wait for such a process
+SILENCING = NETWORK | {"hang", "pause", "lag", "tear", "garble", "seize"}
 # after these rtkeep cannot reach all that lives, or the file is about something else
 UNKEPT = NETWORK - {"unplug"} | {"halt", "slow_down", "refuse"}
 FILE_ALONE = {"rtteardown", "rtstop", "rtresurrect", "rtstart"}  # change whole systems
@@ -83,13 +86,14 @@ def ends(play, command):
     if "--profile" in command.line:
         limit += A_PROFILE * TIMEOUT
     if command.name == "rttop":
-        limit += A_PAGE
+        limit += A_PAGE * int(PAGES.search(command.line).group(1))
     if command.name == "rtmgr":  # a component is made, and deleted, in its manager's time
         limit += manager.CREATE_TIME
     if not command.is_over:
         return "does not end"
     if command.interrupted is not None:
-        if command.ended - command.interrupted > (CLEANING if play.scenario.faults else AT_ONCE):
+        limit = CLEANING * (1 + is_slow) if play.scenario.faults else AT_ONCE
+        if command.ended - command.interrupted > limit:
             return f"ends {command.ended - command.interrupted:.2f} s after a signal"
     elif command.ended - command.begun > limit:
         return f"takes {command.ended - command.begun:.2f} s of {limit}"
@@ -144,25 +148,29 @@ def _was_well(play, process, command):
 
 
 def lists_the_truth(play, command):
-    """What rtls -l shows was so at a moment while it ran."""
-    if command.name != "rtls" or "l" not in command.line.partition("-")[2] or not command.is_over:
+    """What rtls shows, and marks, was so at a moment while it ran."""
+    if command.name != "rtls" or not command.is_over:
         return None
+    is_long = "l" in command.line.partition("-")[2]
+    form = r"(\S+)\s.*?([*?~]?)(C\d+)\.rtc$" if is_long else r"()([*?~]?)(C\d+)\.rtc$"
     for line in command.out.splitlines():
-        found = re.match(r"(\S+)\s.*?([*?~]?)(C\d+)\.rtc$", line)
+        found = re.match(form, line)
         if not found:
             continue
         state, mark, name = found.groups()
-        words = _doubt_state(play, command, state, mark, name)
+        words = _doubt_state(play, command, state, mark, name, is_long)
         if words:
             return f"{line.strip()!r}: {words}"
     return None
 
 
-def _doubt_state(play, command, state, mark, name):
+def _doubt_state(play, command, state, mark, name, is_long):
     begun = command.begun - MARGIN
     if mark == "*" and not (play.robot.was_gone(name, begun, command.ended) or _is_refused(play)):
         return "it lives"
-    if (mark in ("?", "~") or state not in STATES) and _is_plain(play, command, name):
+    if not mark and not play.robot.was_alive(name, begun, command.ended):
+        return "it is gone"
+    if (mark in ("?", "~") or is_long and state not in STATES) and _is_plain(play, command, name):
         return "it could be asked"
     if mark != "*" and _is_surely_dead(play, command, name):
         return "it is gone"
@@ -229,6 +237,23 @@ def deletes_the_dead(play, command):
     for name in play.robot.lives:
         if name not in gone and _is_surely_dead(play, command, name):
             return f"status 0, and the name of {name} is left"
+    return None
+
+
+def blames_the_silent(play, command):
+    """A process is called silent, and not asked, which has not answered for so long, not one that has only
+    been asked what it cannot answer, or by an object that hangs, and has answered others meanwhile.
+    """
+    if command.interrupted is not None or command.line == "rtkeep status":
+        return None
+    for line in (command.error + command.out).splitlines():
+        for name in re.findall(r"C\d+", line) if BLAMED.search(line) else ():
+            if name not in play.robot.lives or not _is_plain(play, command, name):
+                continue
+            process = play.robot.lives[name][-1].program.name
+            silence = command.program.silences.get(process, 0)
+            if silence < TIMEOUT - MARGIN:
+                return f"{line}: {process} has answered within {silence:.3f} s"
     return None
 
 
@@ -332,13 +357,27 @@ def changes_what_it_says(play, command):
     joined = [command.connectors.get(end, set()) for end in ends if end[0] == "C"]
     if command.name == "rtcon" and not joined[0] & joined[1]:
         return "status 0, and no connector"
-    if command.name == "rtdis" and joined[0]:
-        return "status 0, and a connector is left"
+    if command.name == "rtdis":
+        return _doubt_parting(play, command, ends)
     if command.name in OF_FILES:
         return _doubt_system(play, command)
     if command.name == "rtconf" and "set" in ends:
         if command.gains.get(names[0]) != ends[-1]:
             return f"status 0, and gain is {command.gains.get(names[0])}"
+    return None
+
+
+def _doubt_parting(play, command, ends):
+    """What is left though rtdis of a component, or of a port of it, has ended with status 0."""
+    own = [end for end in command.connectors if end == ends[0] or end.startswith(ends[0] + ":")]
+    if any(command.connectors[end] for end in own):
+        return "status 0, and a connector is left"
+    lost = {each for end in own for each in play.before.get(end, ())}
+    refusing = {whom for _, fault, whom in play.scenario.faults if fault == "refuse"}
+    for end, connectors in command.connectors.items():
+        name, _, _ = end.partition(":")
+        if connectors & lost and name not in refusing and _is_plain(play, command, name):
+            return f"status 0, and {end} still has a connector"
     return None
 
 
@@ -552,6 +591,7 @@ ORACLES = {
     "true list": lists_the_truth,
     "true finding": doctor_is_right,
     "gone is gone": deletes_the_dead,
+    "silent is silent": blames_the_silent,
     "dead is dead": calls_the_dead_dead,
     "soon": waits_no_longer,
     "done is done": says_what_is_done,

@@ -45,14 +45,16 @@ class Life:
 class Robot:
     """The processes of a robot in a World.
 
+    named      hosts whose processes give their names, and not addresses
     special    {name of a component that is no ordinary part: (which of components.SPECS, its members)}
     lives      {name of a component: [Life]}
     removed    [(time, name, reference)] of the names that somebody has unbound
     troubles   [(time, line)] of what has gone wrong
     """
 
-    def __init__(self, world, name_server, special):
+    def __init__(self, world, name_server, special, named=()):
         self.world = world
+        self.named = named
         self.special = special
         self.server = f"{name_server.address}:{PORT}"
         self.home = name_server
@@ -62,6 +64,7 @@ class Robot:
         self.contexts = {}  # {address of an execution context: what is behind it}
         self.removed = []
         self.troubles = []  # (time, line) of what a fault has done
+        self.seized = {}  # {name: since when it does not answer, though its process does}
         self.bound = set()  # names of components that have been bound
         self.names = self.start_names()
 
@@ -99,7 +102,8 @@ class Robot:
     def start(self, name, host, flavour, members):
         """Start a process with these components."""
         parts = [(each, *self.special.get(each, ("part", ()))) for each in members]
-        main = components.serve(name, parts, flavour, host.address, self)
+        place = host.name if host.name in self.named else host.address
+        main = components.serve(name, parts, flavour, place, self)
         program = worlds.Program(host, name, main)
         for each in members:
             self._begin(each, program)
@@ -166,6 +170,8 @@ class Robot:
         if life.begun > begun - STARTING or not life.is_alive(ended) or life.leaves_by(ended):
             return False
         if life.program.lag or life.program.spoil is not None:
+            return False
+        if life.begun <= self.seized.get(name, life.begun - 1) <= ended:
             return False
         stops = life.program.stops
         last = begun - STARTING

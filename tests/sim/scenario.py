@@ -26,6 +26,8 @@ WRITING = ("rtlog", "rtcryo")
 OF_DISKS = ("fill_disk", "break_disk", "lose_power", "lose_power_in_writing")
 SPECIAL = ("composite", "provider", "machine")
 A_SPECIAL = 0.15  # of the worlds have one of each
+WITH_NAMES = 0.3  # of the worlds have hosts that are called by their names
+AMBIGUOUS = 0.5  # of those names lead to an address, too, at which nobody listens
 LAST = 400.0  # virtual seconds until all commands must have ended, whatever they promise
 
 
@@ -34,12 +36,14 @@ class Scenario:
     seat       the host on which commands are typed
     processes  [(name, host, flavour, [components])]
     special    {name of a component: (which of components.SPECS, its members)}
+    named      {host whose processes give its name: whether that leads to another address, too}
     connections, active
     faults     [(when, name of the fault, what it concerns)], seconds from the set-up's end
     commands   [(when, words, seconds until a signal, or None, the number of that)]
     """
 
     special = {}  # type: dict
+    named = {}  # type: dict
 
     def __init__(self, seed, only=()):
         draw = random.Random(seed)
@@ -59,6 +63,7 @@ class Scenario:
         pairs = {(draw.choice(names), draw.choice(targets)) for _ in range(draw.randrange(2 * len(names)))}
         self.connections = sorted(pair for pair in pairs if pair[0] != pair[1])
         self._draw_special(random.Random(f"{seed} special"), len(names))
+        self._draw_names(random.Random(f"{seed} names"))
         self.active = sorted(draw.choice(([], names + list(self.special))))
         managers = {
             name: members
@@ -94,6 +99,13 @@ class Scenario:
                 free = [each for each in members if each not in taken and each not in self.special]
                 self.special[name] = kind, free[:2] if kind == "composite" else []
                 members.append(name)
+
+    def _draw_names(self, draw):
+        """Hosts that are called by their names."""
+        self.named = {}
+        if draw.random() < WITH_NAMES:
+            wanted = draw.sample(self.hosts, draw.randint(1, len(self.hosts)))
+            self.named = {name: draw.random() < AMBIGUOUS for name in sorted(wanted)}
 
     def _draw_fault(self, draw, names, only):
         """A fault, and perhaps what somebody types who sees it."""
@@ -185,11 +197,13 @@ class Play:
         self.commands = []
         self.failures = []
         for number, name in enumerate(scenario.hosts + ["desk"], 1):
-            world.host(name, f"10.0.0.{number}")
+            host = world.host(name, f"10.0.0.{number}")
+            if scenario.named.get(name):
+                host.other_address = f"10.0.1.{number}"
         place = tempfile.mkdtemp(dir=os.curdir)
         os.chdir(place)
         try:
-            self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]], scenario.special)
+            self.robot = robots.Robot(world, world.hosts[scenario.hosts[0]], scenario.special, scenario.named)
             for name, host, flavour, members in scenario.processes:
                 self.robot.start(name, world.hosts[host], flavour, members)
             count = sum(len(members) for *_, members in scenario.processes)
@@ -232,7 +246,10 @@ class Play:
         return all(command.is_over for command in self.commands)
 
     def _break(self, name, whom):
-        self.robot.trouble(f"{name} {whom}")
+        if name in faults.HARMLESS:
+            self.world.tell(f"{name} {whom}")
+        else:
+            self.robot.trouble(f"{name} {whom}")
         faults.BY_NAME[name](self.robot, whom)
 
     def _type(self, seat, *typed):

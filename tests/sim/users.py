@@ -68,6 +68,7 @@ def draw(draw, names, managers, special, only=()):
         "rtdel -z .",
         f"rtcon {one}:out {other}:in",
         f"rtdis {one}:out",
+        f"rtdis {one}",
         f"rtconf {one} list",
         f"rtconf {one} set gain 5",
         "rtcryo -y .",

@@ -7,10 +7,12 @@ import faults
 
 STATES = {"INACTIVE": "Inactive", "ACTIVE": "Active", "ERROR": "Error"}
 SEEN = 0.7  # seconds that a state lasts that rtwatch, which looks five times a second, has seen
+UNKNOWN = ("Unknown", None)  # in a table, in JSON
 ROW = re.compile(r"(Inactive|Active|Error|Created) .*?([*?~]?)(C\d+)\.rtc$")
 RATE = re.compile(r"([\d.]+) Hz .*/(C\d+)\.rtc:out$")
 HERTZ = 17, 23  # of an out port that sends every 50 ms
 MARGIN = 0.05
+CATCHES_UP = 7.0  # seconds after which what was silent has been asked again
 EVENT = re.compile(r"^\[(?:(C\d+)\.rtc )?[\d.]+\] \S+ (\w+)$", re.M)  # one of a single component names none
 
 
@@ -21,12 +23,16 @@ def pages_are_true(play, command):
     for name, state, kind in _rows(command):
         states = play.robot.states(name, command.begun - MARGIN, command.ended)
         is_in_reach = play.robot.was_well(name, command.begun, command.ended) and not _is_far(play)
-        if state == "Unknown" and not is_in_reach:  # there was no answer in time
+        if state in UNKNOWN and not is_in_reach:  # there was no answer in time
             continue
         if kind == "component" and state not in states:
             return f"{name} is shown as {state}, and was {sorted(states)}"
         if kind == "zombie" and not play.robot.was_gone(name, command.begun, command.ended):
             return f"{name} lives"
+    for name, state in {name: state for name, state, _ in _rows(command)}.items():  # as seen last
+        is_well = play.robot.was_well(name, command.ended - CATCHES_UP, command.ended)
+        if state in UNKNOWN and is_well and not _is_far(play):
+            return f"{name} is still unknown"
     is_calm = not play.scenario.faults and len(play.commands) == 1 and play.scenario.active
     for rate, name in RATE.findall(command.out):
         if is_calm and command.interrupted is None and not HERTZ[0] <= float(rate) <= HERTZ[1]:

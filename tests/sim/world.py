@@ -33,17 +33,26 @@ ROOM = 1 << 18  # octets that wait in a socket at most
 BUSY = 1e-5  # seconds that a program takes before it looks again
 MOST_AT_ONCE = 200000  # turns of programs without any time passing: one of them never waits
 FIRST_FD = 100000  # beyond real ones
+MOST_VAIN = 10000  # polls that find something with which a program then does nothing: it spins
+LOOK_UP = 20.0  # seconds that one takes of which a name server has not answered
+NOBODY = 0  # a port at which nobody listens
 # of GIOP: octets of the head of a message, its kinds
 HEADER = 12
 BODY = 200  # in which the name of the operation is
 REQUEST = 0
 REPLY = 1
+CLOSE = b"GIOP\1\2\1\5\0\0\0\0"  # the whole message
+OFTEN = 0.6  # of the questions after the first come to one who closes connections
 LOOPBACK = "127.0.0.1"
 ASKING_OTHERS = [operation.encode() + b"\0" for operation in failures._ASKING_OTHERS]
 
 
 class Stuck(Exception):
-    """A program has something to do again and again, and no time passes."""
+    """A program has something to do again and again, and no time passes, or it does nothing about it."""
+
+
+class Blocked(BaseException):
+    """Raised by what is run on a thread, and waits longer."""
 
 
 class World:
@@ -77,7 +86,7 @@ class World:
 
     def host_at(self, address):
         for host in self.hosts.values():
-            if host.address == address:
+            if address in (host.address, host.other_address):
                 return host
         return None
 
@@ -94,7 +103,10 @@ class World:
                 self._turns += 1
                 if self._turns > MOST_AT_ONCE:
                     raise Stuck(f"{self.ready[0].name} never waits")
-                self.ready.popleft().take_turn()
+                program = self.ready.popleft()
+                program.take_turn()
+                if program.vain > MOST_VAIN:
+                    raise Stuck(f"{program.name} finds something to do again and again, and does not do it")
                 continue
             if not self._events or self._events[0][0] > until:
                 self.time = max(self.time, until)
@@ -145,7 +157,9 @@ REJECT = "reject"
 
 
 class Host:
-    """A computer with one address: `listeners` by port; `is_on`."""
+    """A computer with one address: `listeners` by port; `is_on`. Its name may lead to an `other_address` at
+    which nobody listens, too. `has_doubts`: of its look-ups of names, every other one takes long.
+    """
 
     def __init__(self, world, name, address):
         self.world = world
@@ -155,11 +169,22 @@ class Host:
         self.disk = disks.Disk(self)
         self.is_on = True
         self.ahead = 0.0  # seconds by which its clock is ahead
+        self.other_address = None
+        self.has_doubts = False
+        self._looked_up = 0
         self._port = 40000 + 2000 * len(world.hosts)  # a firewall knows a port by its number
 
     def free_port(self):
         self._port += 1
         return self._port
+
+    def look_up(self, name):
+        """The addresses of a host. Raises Blocked."""
+        self._looked_up += 1
+        if self.has_doubts and not self._looked_up % 2:
+            raise Blocked
+        found = self.world.hosts[name]
+        return [each for each in (found.other_address, found.address) if each]
 
     def lose_power(self):
         """All its programs end at once, and what is not on its disk is lost."""
@@ -190,6 +215,10 @@ class Program:
         self.looking_up = {}
         self.most_asked = {}  # {name of a program: how many requests it had to answer for us at a time}
         self.most_waiting = {}  # the same of those that may wait for others
+        # all others are to be answered by it alone
+        self.silences = {}  # {name: the longest time, in seconds, in which it has answered none of them}
+        self.unheard = {}  # {name: when it was asked the first of them since it has answered}
+        self.vain = 0  # polls that have found something, since something was done with a socket
         self.status = None
         self.is_over = False
         self.has_crashed = False
@@ -203,6 +232,7 @@ class Program:
         self.failure = None  # what main() has raised
         self.lag = 0.0  # seconds that its answers take longer
         self.spoil = None  # function(octets) that spoils its answers
+        self.closes_often = False  # whether it closes connections that have been used
         self.at_end = None  # function, called when it ends
         self._main = main
         self._is_killed = False
@@ -258,6 +288,8 @@ class Program:
             self._is_killed = True
             self.is_over = True
             self.ended = self.world.time
+            for name in list(self.unheard):
+                self.hear(name)
             self.close_all()
             if self.at_end is not None:
                 self.at_end()
@@ -275,6 +307,11 @@ class Program:
         self._turn.acquire()
         if self._is_killed:
             raise Killed
+
+    def hear(self, name):
+        """A program of this name has answered it, or does so no more."""
+        if name in self.unheard:
+            _raise_to(self.silences, name, self.world.time - self.unheard.pop(name))
 
     # ---- what is done to it ----
 
@@ -362,8 +399,23 @@ class Program:
 
     def _post(self, here, function, args):
         if not self.is_over:
-            here.post(function, *args)
+            here.post(self._do, here, function, args)
             self.wake()
+
+    def _do(self, here, function, args):
+        """What a function does on a thread; later, where it waits for a look-up."""
+        try:
+            if function is loop._end_with:  # which would take it for its end
+                wait, function, args = args
+                value, error = loop._outcome(function, args)
+                if isinstance(error, Blocked):
+                    function, args = loop._end_with, (wait, function, args)
+                    raise error
+                wait.end(value, error)
+            else:
+                function(*args)
+        except Blocked:
+            self.world.at(LOOK_UP, self._post, here, function, args)
 
     def stream(self, family, protocol=0):
         return Socket(self)
@@ -384,25 +436,25 @@ class Program:
         if isinstance(host, bytes):
             host = host.decode()
         if host is None:
-            address = "0.0.0.0"
+            found = ["0.0.0.0"]
         elif host == "localhost":
-            address = LOOPBACK
+            found = [LOOPBACK]
         elif not host.strip("0123456789."):
-            address = host
+            found = [host]
         elif host in self.world.hosts and not flags:
-            address = self.world.hosts[host].address
+            found = self.host.look_up(host)
         else:
             raise self.NoSuchHost(_socket.EAI_NONAME, "Name or service not known")
-        return [(_socket.AF_INET, _socket.SOCK_STREAM, 6, "", (address, port or 0))]
+        return [(_socket.AF_INET, _socket.SOCK_STREAM, 6, "", (each, port or 0)) for each in found]
 
     def host_name(self):
         return self.host.name
 
     def is_own(self, address):
-        return address in (LOOPBACK, self.host.address)
+        return address in (LOOPBACK, self.host.address, self.host.other_address)
 
     def own_address(self, host, port):
-        (*_, (address, _)), = self.resolve(host)
+        *_, (address, _) = self.resolve(host)[-1]
         if address == LOOPBACK:
             return LOOPBACK
         return self.host.address
@@ -453,6 +505,7 @@ class Poll:
         program = self._program
         program.loop = loop.current() or program.loop
         found = self._ready()
+        program.vain = program.vain + 1 if found else 0
         if found or milliseconds <= 0:
             program.wait(BUSY)
             return found or self._ready()
@@ -527,6 +580,8 @@ class Socket:
         self._is_repeating = False  # what was lost is sent again
         self.scan = Scan()
         self.asked = 0  # GIOP requests that have been sent here, and not been answered
+        self.has_answered = False
+        self.is_closing = False  # it takes no more requests
         self.waiting = set()  # those of them that may wait for other processes, by their numbers
 
     # ---- as _socket.socket ----
@@ -550,6 +605,7 @@ class Socket:
 
     def connect_ex(self, place):
         address, port = place
+        self.program.vain = 0
         self.address = place
         self.port = self.host.free_port()
         self.is_of_client = True
@@ -559,6 +615,8 @@ class Socket:
             other = self.world.host_at(address)
         if other is None:
             return errno.ENETUNREACH
+        if address == other.other_address:
+            port = NOBODY
         self._try(other, port, AGAIN, GIVEN_UP)
         return errno.EINPROGRESS
 
@@ -574,6 +632,7 @@ class Socket:
         if not self.backlog:
             raise BlockingIOError(errno.EAGAIN, "nobody")
         made = self.backlog.popleft()
+        self.program.vain = 0
         return made, made.address
 
     def send(self, data, flags=0):
@@ -583,6 +642,7 @@ class Socket:
         room = ROOM - self._under_way - len(self.peer.incoming)
         if room <= 0:
             raise BlockingIOError(errno.EAGAIN, "full")
+        self.program.vain = 0
         data = bytes(data[:room])
         self._count(data)
         if self.program.spoil is not None and not self.is_of_client:
@@ -602,6 +662,7 @@ class Socket:
         if self.incoming:
             data = bytes(self.incoming[:most])
             if not flags & _socket.MSG_PEEK:
+                self.program.vain = 0
                 del self.incoming[:most]
                 if self.peer is not None:
                     self.peer.program.wake()
@@ -625,6 +686,7 @@ class Socket:
         if self.is_closed:
             return
         self.is_closed = True
+        self.program.vain = 0
         self.program.sockets.pop(self.fd, None)
         if self.backlog is not None:
             if self.host.listeners.get(self.port) is self:
@@ -740,15 +802,19 @@ class Socket:
         for kind, number, head in self.scan.messages(data):
             if kind == REQUEST and self.is_of_client:
                 self.asked += 1
+                name = self.peer.program.name
                 if any(operation in head for operation in ASKING_OTHERS):
                     self.waiting.add(number)
+                else:
+                    self.program.unheard.setdefault(name, self.world.time)
                 there = [each for each in self.program.sockets.values() if each.address == self.address]
-                name = self.peer.program.name
                 _raise_to(self.program.most_asked, name, sum(each.asked for each in there))
                 _raise_to(self.program.most_waiting, name, sum(len(each.waiting) for each in there))
             elif kind == REPLY and not self.is_of_client:
+                self.has_answered = True
                 self.peer.asked -= 1
                 self.peer.waiting.discard(number)
+                self.peer.program.hear(self.program.name)
 
     def take(self, data):
         """Octets have arrived."""
@@ -757,8 +823,21 @@ class Socket:
             if not self.peer.is_closed:
                 self._travel(self.peer.break_off)
             return
+        if self.is_closing:
+            return
+        if self.program.closes_often and self._closes(data):
+            self.is_closing = True
+            self.send(CLOSE)
+            return self.come_to_end()
         self.incoming += data
         self.program.wake()
+
+    def _closes(self, data):
+        """Whether it closes instead of beginning what it is asked, with nothing else to do for this peer."""
+        begins = [kind for kind, *_ in Scan().messages(data)]
+        if not self.has_answered or self.incoming or begins != [REQUEST] * self.peer.asked:
+            return False
+        return self.world.random.random() < OFTEN
 
     def come_to_end(self):
         self.is_at_end = True
