@@ -23,7 +23,8 @@ AT_ONCE = 0.5
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
 SOON = 0.2  # seconds after a change, with a period in which it has to last
-BLAMED = re.compile("its process gave no answer|as the process did not answer others")
+# what has those in it whose process is called silent
+BLAMED = re.compile(r".*its process gave no answer.*|as the process did not answer others \(.*?\)")
 PAGES = re.compile(r"-n (\d+)")
 NOT_REACHED = re.compile("not (Active|Inactive) within")
 STATES = ("Inactive", "Active", "Error", "Created")
@@ -128,10 +129,12 @@ def waits_before_it_says_so(play, command):
 def is_polite(play, command):
     """A process has few questions to answer at a time, and few more that were given up."""
     for name, most in command.program.most_asked.items():
-        do_answer = not SILENCING & {fault for _, fault, _ in play.scenario.faults}
+        troubles = {fault for _, fault, _ in play.scenario.faults}
+        do_answer = not SILENCING & troubles
         do_answer = do_answer and "no answer" not in command.error + command.out
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
-        if command.name == "rtkeep" and play.robot.programs.get(name) and not _was_well(play, name, command):
+        is_in_doubt = NETWORK & troubles or not _was_well(play, name, command)
+        if command.name == "rtkeep" and is_in_doubt:
             limit += PROBES * (command.ended - command.begun)  # it asks whether it answers again
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
@@ -142,7 +145,9 @@ def is_polite(play, command):
 
 
 def _was_well(play, process, command):
-    """Whether a process has run, and was not stopped, while a command ran."""
+    """Whether a process, if it has components, has run, and was not stopped, while a command ran."""
+    if process not in play.robot.processes:
+        return True
     *_, members = play.robot.processes[process]
     return play.robot.was_well(members[0], command.begun, command.ended)
 
@@ -246,14 +251,14 @@ def blames_the_silent(play, command):
     """
     if command.interrupted is not None or command.line == "rtkeep status":
         return None
-    for line in (command.error + command.out).splitlines():
-        for name in re.findall(r"C\d+", line) if BLAMED.search(line) else ():
-            if name not in play.robot.lives or not _is_plain(play, command, name):
-                continue
-            process = play.robot.lives[name][-1].program.name
-            silence = command.program.silences.get(process, 0)
-            if silence < TIMEOUT - MARGIN:
-                return f"{line}: {process} has answered within {silence:.3f} s"
+    said = "\n".join(BLAMED.findall(command.error + command.out))
+    for name in re.findall(r"C\d+", said):
+        if name not in play.robot.lives or not _is_plain(play, command, name):
+            continue
+        process = play.robot.lives[name][-1].program.name
+        silence = command.program.silences.get(process, 0)
+        if silence < TIMEOUT - MARGIN:
+            return f"{process} has answered {name} within {silence:.3f} s: {said}"
     return None
 
 
@@ -372,7 +377,7 @@ def _doubt_parting(play, command, ends):
     own = [end for end in command.connectors if end == ends[0] or end.startswith(ends[0] + ":")]
     if any(command.connectors[end] for end in own):
         return "status 0, and a connector is left"
-    lost = {each for end in own for each in play.before.get(end, ())}
+    lost = {each for end in own for each in command.before.get(end, ())}
     refusing = {whom for _, fault, whom in play.scenario.faults if fault == "refuse"}
     for end, connectors in command.connectors.items():
         name, _, _ = end.partition(":")

@@ -167,7 +167,8 @@ class Robot:
     def was_well(self, name, begun, ended):
         """Whether it lived all the time between two moments, in a process that was not stopped."""
         life = self.lives[name][-1]
-        if life.begun > begun - STARTING or not life.is_alive(ended) or life.leaves_by(ended):
+        is_new = life.begun > max(0, begun - STARTING)  # the first ones have been waited for
+        if is_new or not life.is_alive(ended) or life.leaves_by(ended):
             return False
         if life.program.lag or life.program.spoil is not None:
             return False

@@ -161,6 +161,7 @@ class Command:
         self.interrupted = None  # when
         robot.world.tell(f"$ {line}")
         self._out = self._error = None
+        self.before = robot.connectors()
         self.connectors = {}  # of the robot, when it ends
         self.gains = {}  # and the values of a parameter
         self.program = worlds.Program(host, self.name, main, words, environment)
