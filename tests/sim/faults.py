@@ -121,6 +121,7 @@ def refuse(robot, component):
             port.refusal = "RTC_ERROR"
             port.disconnect = port.notify_disconnect = lambda connector_id: RTC.RTC_ERROR
             port.disconnect_all = lambda: None
+            port._dead_connections = list  # it looks for none, which it could not remove
 
     robot.ask(component, close)
 
