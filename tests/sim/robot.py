@@ -146,9 +146,11 @@ class Robot:
         return life.component if life.is_alive(self.world.time) else None
 
     def ask(self, name, function):
-        """Have its process call function(component) for the component with that name, if it lives."""
+        """Have its process call function(component) for the component with that name, if it lives; not where
+        a fault spoils what that process answers, itself among others.
+        """
         component = self.living(name)
-        if component is not None:
+        if component is not None and component.process.program.spoil is None:
             component.process.thread(function, component)
             component.process.program.wake()
 
