@@ -210,6 +210,14 @@ def serve(name, parts, kind, host, robot):
             arguments = {"conf.default.members": ",".join(members)} if members else {}
             here.add(SPECS[spec], part, arguments=arguments)
 
+    return living(host, set_up)
+
+
+def living(host, set_up):
+    """main() of a process at a host that lives until it is killed, of which set_up(process) makes the
+    objects.
+    """
+
     async def live(process):
         process.start(host)
         process.thread(set_up, process)

@@ -139,7 +139,6 @@ class Command:
         names = set(robot.lives)
         if self.name != "rtmgr":  # which knows components by their names alone
             words = [_spelt(word, names) for word in words]
-        module = _module(self.name)
         self.world = robot.world
         environment = {
             "RTCTREE_NAMESERVERS": robot.server,
@@ -149,14 +148,6 @@ class Command:
             "XDG_RUNTIME_DIR": os.getcwd(),
         }
 
-        def main():
-            try:
-                return cli.command(module.arguments, module.run, module.__doc__, words)
-            except KeyboardInterrupt:
-                return 130
-            except cli.Ended as e:
-                return e.args[0]
-
         self.begun = robot.world.time
         self.interrupted = None  # when
         robot.world.tell(f"$ {line}")
@@ -164,7 +155,7 @@ class Command:
         self.before = robot.connectors()
         self.connectors = {}  # of the robot, when it ends
         self.gains = {}  # and the values of a parameter
-        self.program = worlds.Program(host, self.name, main, words, environment)
+        self.program = worlds.Program(host, self.name, typed(self.name, words), words, environment)
         self.program.at_end = lambda: self._note(robot)
         if interrupted is not None:
             robot.world.at(interrupted, self._interrupt, number)
@@ -218,6 +209,21 @@ def _spelt(word, names):
     if name in names:
         return f"{name}.rtc{colon}{port}"
     return word
+
+
+def typed(name, words):
+    """main() of a command with these words."""
+    module = _module(name)
+
+    def main():
+        try:
+            return cli.command(module.arguments, module.run, module.__doc__, words)
+        except KeyboardInterrupt:
+            return 130
+        except cli.Ended as e:
+            return e.args[0]
+
+    return main
 
 
 def _module(name):

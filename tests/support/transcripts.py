@@ -182,6 +182,11 @@ def compare(path, text, items, results, problem, substitutions, accept):
     """What the results of the first steps of a transcript, and the problem that ended it, make of it."""
     outputs = [spell_step(*result, substitutions) for result in results]
     outputs = [merge(step.expected, actual) for step, actual in zip(steps(items), outputs)]
+    return judge(path, text, items, outputs, problem, accept)
+
+
+def judge(path, text, items, outputs, problem, accept):
+    """The same of lines as they would stand in it."""
     outputs += [["… not reached"]] * (len(steps(items)) - len(outputs))
     actual = render(items, outputs)
     if accept and not problem:
