@@ -21,7 +21,7 @@ A line `…` stands for any lines; one may end in (re) or (glob). What else is t
     show rtwatch                what it has printed since it began, or was shown
     wait rtwatch                the same, until it ends
     strike INT rtwatch          a signal
-    interrupt 0.5 rtls -l       a command, and Ctrl-C after 0.5 s
+    interrupt 0.5 rtls -l       a command, and Ctrl-C after 0.5 s; `terminate`: SIGTERM
     sleep 3
     hang many                   a fault of faults.py, and what it concerns: a process goes by the name of its
                                 world (many, many2 …), a host by its own; `wake many` ends this one
@@ -30,6 +30,7 @@ A line `…` stands for any lines; one may end in (re) or (glob). What else is t
                                 a mock is asked, or told, as in transcripts (one line each)
     mock these Mock:Late0       one more process
     cat FILE
+    insert ONE OTHER            write OTHER: what is in ONE, with the lines after `  > ` before its last one
     NAME=VALUE                  in the environment of all that follows
 
 There is no shell: a line has the words that shlex finds in it.
@@ -48,7 +49,7 @@ import traceback
 HERE = os.path.dirname(os.path.abspath(__file__))
 TESTS = os.path.dirname(HERE)
 STORIES = os.path.join(HERE, "stories")
-SETTINGS = {"PYTHONHASHSEED": "0", "PYTHONIOENCODING": "utf-8", "RTSHELL_ORB": "builtin", "LC_ALL": "C"}
+SETTINGS = {"PYTHONHASHSEED": "0", "PYTHONIOENCODING": "utf-8", "RTSHELL_ORB": "builtin", "LC_ALL": "C", "TZ": "UTC"}
 sys.path[:0] = [os.path.dirname(TESTS), HERE, os.path.join(TESTS, "support")]
 if __name__ == "__main__" and os.environ.get("PYTHONHASHSEED") != "0":  # sets of texts have one order then
     os.environ.update(SETTINGS)
@@ -191,9 +192,10 @@ class Player:
         for words in [words for kind, words in settings if kind == "world"]:
             self.robot.start_world(shlex.split(words))
 
-    def play(self, line):
-        """The lines that are seen after a line was typed. Raises Failed."""
+    def play(self, line, *more_lines):
+        """The lines that are seen after a line was typed, and those that it goes on in. Raises Failed."""
         words = shlex.split(line)
+        words += more_lines
         environment = dict(self.environment)
         while words and ASSIGNMENT.match(words[0]):
             name, _, value = words.pop(0).partition("=")
@@ -213,16 +215,19 @@ class Player:
 
     # ---- commands ----
 
-    def _run(self, words, environment, struck=None):
-        """`struck`: the seconds until Ctrl-C."""
+    def _run(self, words, environment, struck=None, number=signal.SIGINT):
+        """`struck`: the seconds until a signal."""
         goes_on = words[-1] == "&"
         command = self.commands[words[0]] = Command(self.seat, words[: len(words) - goes_on], environment)
         if struck is not None:
-            self.world.at(struck, command.program.strike, signal.SIGINT)
+            self.world.at(struck, command.program.strike, number)
         return () if goes_on else self.do_wait(words[0])
 
     def do_interrupt(self, seconds, *words):
         return self._run(words, self.environment, float(seconds))
+
+    def do_terminate(self, seconds, *words):
+        return self._run(words, self.environment, float(seconds), signal.SIGTERM)
 
     def do_wait(self, name):
         command = self.commands[name]
@@ -275,6 +280,12 @@ class Player:
     def do_cat(self, path):
         with open(path, encoding="utf-8") as file:
             return file.read().splitlines()
+
+    def do_insert(self, one, other, *lines):
+        *before, last = self.do_cat(one)
+        with open(other, "w", encoding="utf-8") as file:
+            file.writelines(line + "\n" for line in (*before, *lines, last))
+        return ()
 
     def end(self):
         """End the world. Raises what a process of mocks has failed by."""
@@ -335,7 +346,7 @@ def play(path, accept=False):
     try:
         player = Player(settings)
         for step in steps:
-            shown = map(spell, player.play("\n".join(step.command)))
+            shown = map(spell, player.play(*step.command))
             outputs.append(abridge(step.expected, list(shown)))
         player.end()
     except Exception as e:

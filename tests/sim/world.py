@@ -273,6 +273,7 @@ class Program:
         self._turn.release()
         self.world.wait_for_turn()
         self._settings = cli._quiet, cli._verbose
+        self.argv = sys.argv  # rtsh has another for each command
         sys.stdout, sys.stderr, sys.argv, os.environ, cli._quiet, cli._verbose, notes._left_out = before
 
     def _run(self):
