@@ -17,7 +17,7 @@ A story begins with what is there, at the margin, and goes on with what people d
 
 A line `…` stands for any lines; one may end in (re) or (glob). What else is typed:
 
-    rtwatch Mock0.rtc &         a command that goes on beside what follows
+    rtwatch Mock0.rtc &         a command that goes on beside what follows; the next one is rtwatch2 until that ends
     show rtwatch                what it has printed since it began, or was shown
     wait rtwatch                the same, until it ends
     strike INT rtwatch          a signal
@@ -188,7 +188,7 @@ class Player:
             "RTSHELL_ORB": "builtin",
             "XDG_RUNTIME_DIR": os.getcwd(),
         }
-        self.commands = {}  # {name: the Command of that name that was typed last}
+        self.commands = {}  # {name: Command} of those that go on: rtls, rtls2 …
         for words in [words for kind, words in settings if kind == "world"]:
             self.robot.start_world(shlex.split(words))
 
@@ -218,10 +218,18 @@ class Player:
     def _run(self, words, environment, struck=None, number=signal.SIGINT):
         """`struck`: the seconds until a signal."""
         goes_on = words[-1] == "&"
-        command = self.commands[words[0]] = Command(self.seat, words[: len(words) - goes_on], environment)
+        command = Command(self.seat, words[: len(words) - goes_on], environment)
         if struck is not None:
             self.world.at(struck, command.program.strike, number)
-        return () if goes_on else self.do_wait(words[0])
+        if not goes_on:
+            return self._end(command)
+        name = words[0]
+        count = 1
+        while name in self.commands:
+            count += 1
+            name = f"{words[0]}{count}"
+        self.commands[name] = command
+        return ()
 
     def do_interrupt(self, seconds, *words):
         return self._run(words, self.environment, float(seconds))
@@ -230,11 +238,14 @@ class Player:
         return self._run(words, self.environment, float(seconds), signal.SIGTERM)
 
     def do_wait(self, name):
-        command = self.commands[name]
+        return self._end(self.commands.pop(name))
+
+    def _end(self, command):
+        """Wait for the end of a command."""
         self.world.run(self.world.time + LONGEST, lambda: command.program.is_over)
         yield from command.told()
         if not command.program.is_over:
-            raise Failed(f"{name} has not ended after {LONGEST:.0f} s")
+            raise Failed(f"{command.program.name} has not ended after {LONGEST:.0f} s")
         yield from command.ended()
 
     def do_show(self, name):
