@@ -15,7 +15,8 @@ A story begins with what is there, at the margin, and goes on with what people d
       ! rtls: 1 of 1 did not answer
       [4] after 1.0 s
 
-A line `…` stands for any lines; one may end in (re) or (glob). What else is typed:
+A line `…` stands for any lines; one may end in (re) or (glob). Times since 1970 are shown as seconds since the
+world began. What else is typed:
 
     rtwatch Mock0.rtc &         a command that goes on beside what follows; the next one is rtwatch2 until that ends
     show rtwatch                what it has printed since it began, or was shown
@@ -70,6 +71,8 @@ SEED = 1
 LONGEST = 400.0  # seconds of the world that a command may take
 SETTING = re.compile(r"(hosts|seat|world): *(.*)$")
 UUID = re.compile(r"\b[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\b")
+PORT = re.compile(r"(?<=:)4[0-9]{4}\b")  # which nobody has chosen
+STAMP = re.compile(r"\b18000[0-9]{5}\.[0-9]+")  # seconds since 1970
 ANYTHING = "…"
 STATUS = re.compile(r"\[-?[0-9]+\]( after [0-9.]+ s)?$")
 ASSIGNMENT = re.compile(r"[A-Z_]+=")
@@ -311,7 +314,8 @@ class Player:
 
 def spell(line):
     """A line as a story shows it."""
-    line = UUID.sub("$UUID", line)
+    line = PORT.sub("$PORT", UUID.sub("$UUID", line))
+    line = STAMP.sub(lambda found: f"{float(found.group()) - worlds.BEGIN:.1f}", line)
     if line.isprintable() and line.rstrip() == line:
         return line
     return transcripts.spell(line.encode("utf-8", "surrogateescape"), [])

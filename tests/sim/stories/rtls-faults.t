@@ -206,11 +206,11 @@ What is no name server is told from one:
 
   $ rtcat -ll Mock0.rtc
   …
-      corba.endpoints                          10.0.0.1:40001
+      corba.endpoints                          10.0.0.1:$PORT
   …
   $ rtls /10.0.0.1:40001
-  ! rtls: /10.0.0.1:40001: not a name server (it is a CORBA process of another kind)
+  ! rtls: /10.0.0.1:$PORT: not a name server (it is a CORBA process of another kind)
   [3]
   $ rtls /10.0.0.1:40001/a.cxt
-  ! rtls: /10.0.0.1:40001: not a name server (it is a CORBA process of another kind)
+  ! rtls: /10.0.0.1:$PORT: not a name server (it is a CORBA process of another kind)
   [3]

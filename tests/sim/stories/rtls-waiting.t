@@ -128,11 +128,11 @@ with -v. (From the same host it sees for whom the process waits: tests/commands/
 
   $ rtdoctor -q --timeout 1 /robot/near.host_cxt /robot/far.host_cxt
   fail  /robot/near.host_cxt/In0.rtc: hangs when asked for the profile of its port 1, maybe waiting for a far end that does not answer; this explains 9 more findings (-v shows them); try: mend /robot/far.host_cxt/Out0.rtc first
-  fail  /robot/far.host_cxt/Out0.rtc: hung: 10.0.0.1:40003 accepts TCP, but no answer within 1s; try: restart it; netstat -ltnp | grep :40003 there names its process
+  fail  /robot/far.host_cxt/Out0.rtc: hung: 10.0.0.1:$PORT accepts TCP, but no answer within 1s; try: restart it; netstat -ltnp | grep :$PORT there names its process
   fail  /robot/near.host_cxt/In9.rtc: in Error; try: rtreset /robot/near.host_cxt/In9.rtc
   [1] after 2.4 s
   $ rtdoctor -qv --timeout 1 /robot/near.host_cxt /robot/far.host_cxt
-  fail  /robot/far.host_cxt/Out0.rtc: hung: 10.0.0.1:40003 accepts TCP, but no answer within 1s; try: restart it; netstat -ltnp | grep :40003 there names its process
+  fail  /robot/far.host_cxt/Out0.rtc: hung: 10.0.0.1:$PORT accepts TCP, but no answer within 1s; try: restart it; netstat -ltnp | grep :$PORT there names its process
   fail  /robot/near.host_cxt/In0.rtc: hangs when asked for the profile of its port 1, maybe waiting for a far end that does not answer; try: mend /robot/far.host_cxt/Out0.rtc first
   fail  /robot/near.host_cxt/In1.rtc: hangs when asked for the profile of its port 1, maybe waiting for a far end that does not answer; try: mend /robot/far.host_cxt/Out0.rtc first
   fail  /robot/near.host_cxt/In9.rtc: in Error; try: rtreset /robot/near.host_cxt/In9.rtc
