@@ -1,4 +1,5 @@
-rtkeep leaves a system as it is when it is ended; it ends what it has started. A person's work is left alone.
+rtkeep leaves a system as it is when its terminal is closed, and ends what it has started. (What signals and people do besides:
+tests/sim/stories/rtkeep-ends.t.)
 
 world: these ConsoleIn ConsoleOut Motor --flavour cpp2
 world: sources 1 100 8
@@ -6,32 +7,6 @@ world: sources 1 100 8
   $ states() { rtls -l | awk '{print $1, $2, $6}'; }
   $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcryo --all -o a.xml localhost:$PORT
-
-SIGTERM, and Ctrl-C, change nothing:
-
-  $ for signal in TERM INT; do rtkeep a.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; kill -$signal $keep; wait $keep; echo $?; rtcheck a.xml; ls rtkeep; done
-  0
-  0
-
-With --stop-at-end, and at `rtkeep stop`, all components are deactivated, as by rtstop; not with --leave.
-
-  $ rtkeep --stop-at-end a.xml > out 2>&1 & keep=$!
-  $ soon 'rtkeep status | grep ";.all.is"'; kill $keep
-  $ wait $keep; states
-  Inactive 1/1 ConsoleIn0.rtc
-  Inactive 1/1 ConsoleOut0.rtc
-  Inactive 2/0 Motor0.rtc
-  Inactive 2/0 Source0.rtc
-  $ rtkeep a.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'
-  $ rtkeep stop; wait $keep
-  $ states
-  Inactive 1/1 ConsoleIn0.rtc
-  Inactive 1/1 ConsoleOut0.rtc
-  Inactive 2/0 Motor0.rtc
-  Inactive 2/0 Source0.rtc
-  $ rtkeep --leave --stop-at-end a.xml
-  rtkeep: --leave is not for --stop-at-end, nor for --teardown (see --help)
-  [2]
 
 A closed terminal ends rtkeep; the shell and the kernel may both say that it is closed.
 
@@ -93,43 +68,3 @@ With --processes it ends what it has started: its components are deactivated by 
   Active 2/0 Motor0.rtc
   Active 2/0 Source0.rtc
   $ rtdel -z
-
-Without a terminal SIGHUP means `reload`: even twice, that is no restart, and what is there stays there meanwhile.
-
-  $ rtkeep a.xml >> log 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'
-  $ kill -HUP $keep; kill -HUP $keep
-  $ rtkeep reload; rtkeep reload
-  $ rtkeep status | grep absent
-  [1]
-  $ soon 'rtkeep status | grep ";.all.is"'
-  $ rtkeep status --json | grep -c '"restarts": 0.*"Active"'
-  4
-  $ rtkeep status --json | grep -c '"restarts": [1-9]'
-  0
-  [1]
-
-What was made Inactive by hand stays Inactive after an Error, also while the file is read again; it is reset only.
-
-  $ : > log; rtdeact Motor0.rtc
-  $ soon 'grep by.hand log'; ctl error Motor0
-  $ soon 'grep Error:.reset log'; rtkeep reload
-  $ soon 'rtkeep status | grep ";.all.is.*left.alone"'; ctl error Motor0
-  $ soon '[ $(grep -c Error:.reset log) = 2 ]'; soon 'rtkeep status | grep ";.all.is"'
-  $ ctl state Motor0
-  INACTIVE
-  $ said log
-  Motor0.rtc: was made Inactive by hand: left alone
-  Motor0.rtc: in Error: reset
-  Motor0.rtc: in Error: reset
-  $ rtkeep status --json | grep -o '"by_hand": .".*hand"'
-  "by_hand": ["was made Inactive by hand"
-
-A person activates it again:
-
-  $ : > log; rtact --wait Motor0.rtc
-  $ soon 'grep again log'; ctl error Motor0
-  $ soon 'rtcheck a.xml && grep Motor0.rtc:.Active log'; said log
-  Motor0.rtc: is Active again
-  Motor0.rtc: in Error: reset
-  Motor0.rtc: Active
-  $ kill $keep; wait $keep
