@@ -161,6 +161,7 @@ class Flavour:
     def but(self, **changes):
         """The same flavour with some rows changed."""
         other = Flavour(self.name)
+        vars(other).update(vars(self))
         for row, value in changes.items():
             assert row in TABLE, row
             setattr(other, row, value)
