@@ -261,6 +261,8 @@ FAILURES = (
     "BAD_PARAM",
     "COMM_FAILURE",
     "MARSHAL",
+    "NO_IMPLEMENT",
+    "NO_PERMISSION",
     "OBJECT_NOT_EXIST",
     "TIMEOUT",
     "TRANSIENT",

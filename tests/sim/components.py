@@ -14,11 +14,14 @@ PATIENT = 1e9  # seconds that a component waits for others, as it knows no deadl
 RATE = 20.0  # Hz
 FOR_EVER = 1e9
 BINDING = 0.5  # seconds until it tries to bind its name again
-# implementations of OpenRTM, as far as our own ORB carries them: it writes texts only into properties
-FLAVOURS = {
-    name: flavour.Flavour(name).but(reference="never", data_value=False, integer_pid=False)
-    for name in ("cpp11", "cpp12", "cpp2", "py2", "java")
-}
+
+
+def of_bottle(name):
+    """An implementation of OpenRTM, as far as our own ORB carries it: it writes texts only into properties."""
+    return flavour.Flavour(name).but(reference="never", data_value=False, integer_pid=False)
+
+
+FLAVOURS = {name: of_bottle(name) for name in ("cpp11", "cpp12", "cpp2", "py2", "java")}
 OPTIONS = Options(
     context="robot.host_cxt/%n.rtc",
     rate=RATE,

@@ -118,7 +118,7 @@ class Robot(robots.Robot):
             made = stage.Stage(
                 process,
                 components.Naming(process, self.server),
-                components.FLAVOURS[given.flavour],
+                components.of_bottle(given.flavour),
                 options.but(sync=given.sync, robot=self),
             )
             casts.WORLDS[given.world](made, *given.arguments)
@@ -144,6 +144,8 @@ class Robot(robots.Robot):
         self.world.run(self.world.time + LONGEST, lambda: strand.is_over)
         if not strand.is_over:
             raise Failed("the process does not answer")
+        if strand.error is not None:
+            raise Failed(f"it fails: {made.process.program.failure!r}")
         return strand.own.get("found")
 
 
