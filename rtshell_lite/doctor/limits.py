@@ -48,27 +48,17 @@ def starved():
     """Seconds for which this thread could have run, but its host was too busy to let it;
     0.0 if the kernel does not report that.
     """
-    return _scheduled()[1]
+    return loop.world().scheduled()[1]
 
 
 def slowdown():
     """How many times longer than on an idle host this thread has taken so far, 1.0 if the kernel does not
     report that.
     """
-    ran, waited = _scheduled()
+    ran, waited = loop.world().scheduled()
     if not ran:
         return 1.0
     return 1 + waited / ran
-
-
-def _scheduled():
-    """Seconds for which this thread has run, and for which it waited for a processor."""
-    try:
-        with open("/proc/thread-self/schedstat") as file:  # Documentation/scheduler/sched-stats.rst of Linux
-            ran, waited = file.read().split()[:2]
-        return int(ran) / 1e9, int(waited) / 1e9
-    except (OSError, ValueError):
-        return 0.0, 0.0
 
 
 def late(check, where):

@@ -148,6 +148,18 @@ def resolve(host, port=None, family=0, flags=0):
     return _socket.getaddrinfo(host, port, family, _socket.SOCK_STREAM, 0, flags)
 
 
+def scheduled():
+    """Seconds for which this thread has run, and for which it waited for a processor; zeros if the kernel does
+    not report that.
+    """
+    try:
+        with open("/proc/thread-self/schedstat") as file:  # Documentation/scheduler/sched-stats.rst of Linux
+            ran, waited = file.read().split()[:2]
+        return int(ran) / 1e9, int(waited) / 1e9
+    except (OSError, ValueError):
+        return 0.0, 0.0
+
+
 def host_name():
     """The name of this host."""
     return _socket.gethostname()

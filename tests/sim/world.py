@@ -448,6 +448,10 @@ class Program:
             raise self.NoSuchHost(_socket.EAI_NONAME, "Name or service not known")
         return [(_socket.AF_INET, _socket.SOCK_STREAM, 6, "", (each, port or 0)) for each in found]
 
+    def scheduled(self):
+        """Nobody waits for a processor."""
+        return 0.0, 0.0
+
     def host_name(self):
         return self.host.name
 
