@@ -30,7 +30,7 @@ world began. What else is typed:
     ctl @many fail get_ports 1 HANG; calls @many Mock0
                                 a mock is asked, or told, as in transcripts (one line each)
     mock these Mock:Late0       one more process
-    cat FILE
+    cat FILE, ls a*.mcap
     insert ONE OTHER            write OTHER: what is in ONE, with the lines after `  > ` before its last one
     NAME=VALUE                  in the environment of all that follows
 
@@ -40,6 +40,7 @@ There is no shell: a line has the words that shlex finds in it.
 import argparse
 import contextlib
 import gc
+import glob
 import io
 import os
 import re
@@ -300,6 +301,9 @@ class Player:
         with open(path, encoding="utf-8") as file:
             return file.read().splitlines()
 
+    def do_ls(self, pattern):
+        return sorted(glob.glob(pattern))
+
     def do_insert(self, one, other, *lines):
         *before, last = self.do_cat(one)
         with open(other, "w", encoding="utf-8") as file:
@@ -339,16 +343,32 @@ def _parted(lines):
 
 
 def _abridged(wanted, seen):
-    if ANYTHING not in wanted:
-        return transcripts.merge(wanted, seen)
-    at = wanted.index(ANYTHING)
-    after = wanted[at + 1 :]
-    head = transcripts.merge(wanted[:at], seen[:at])
-    for begin in range(at, len(seen) + 1):
-        rest = _abridged(after, seen[begin:])
-        if rest == after:
-            return head + [ANYTHING] + rest
-    return head + seen[at:]
+    """Each `…` stands for as few lines as it can; the last one, at the end, for all."""
+    chunks = [[]]
+    for line in wanted:
+        if line == ANYTHING:
+            chunks.append([])
+        else:
+            chunks[-1].append(line)
+    first, *later = chunks
+    if not later:
+        return transcripts.merge(first, seen)
+    found = transcripts.merge(first, seen[: len(first)])
+    at = len(first)
+    for chunk in later:
+        begins = range(at, len(seen) - len(chunk) + 1)
+        if chunk is later[-1]:
+            begins = begins[-1:]
+        fits = [begin for begin in begins if _fits(chunk, seen[begin:])]
+        if not fits:
+            return found + seen[at:]
+        found += [ANYTHING] + chunk
+        at = fits[0] + len(chunk)
+    return found
+
+
+def _fits(chunk, seen):
+    return all(map(transcripts.matches, chunk, seen))
 
 
 def play(path, accept=False):
