@@ -22,6 +22,7 @@ world began. What else is typed:
     show rtwatch                what it has printed since it began, or was shown
     wait rtwatch                the same, until it ends
     strike INT rtwatch          a signal
+    stop rtwatch, wake rtwatch  it does nothing until then, as if its host were busy
     interrupt 0.5 rtls -l       a command, and Ctrl-C after 0.5 s; `terminate`: SIGTERM
     sleep 3
     hang many                   a fault of faults.py, and what it concerns: a process goes by the name of its
@@ -274,8 +275,13 @@ class Player:
         faults.BY_NAME[fault](self.robot, *(whom or [""]))
         return ()
 
-    def do_wake(self, process):
-        self.robot.programs[process].go_on()
+    def do_stop(self, name):
+        self.commands[name].program.stop()
+        return ()
+
+    def do_wake(self, name):
+        program = self.commands[name].program if name in self.commands else self.robot.programs[name]
+        program.go_on()
         return ()
 
     def do_later(self, seconds, *words):
