@@ -149,8 +149,8 @@ def resolve(host, port=None, family=0, flags=0):
 
 
 def scheduled():
-    """Seconds for which this thread has run, and for which it waited for a processor; zeros if the kernel does
-    not report that.
+    """Seconds for which this thread has run, and for which it waited for a processor; zeros if the kernel
+    does not report that.
     """
     try:
         with open("/proc/thread-self/schedstat") as file:  # Documentation/scheduler/sched-stats.rst of Linux

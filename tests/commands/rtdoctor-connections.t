@@ -13,7 +13,7 @@ both: each ORB tells what is dead in its own way
 
 The kind of finding is in the JSON:
 
-  $ rtdoctor --json . | grep connection | grep -o '"check": "[^"]*"' | sort -u
+  $ rtdoctor --json . | grep 'data types differ' | grep -o '"check": "[^"]*"'
   "check": "connection"
 
 A far end that is dead; a component of C++ 2.1 does not die of being asked:

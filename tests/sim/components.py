@@ -17,7 +17,9 @@ BINDING = 0.5  # seconds until it tries to bind its name again
 
 
 def of_bottle(name):
-    """An implementation of OpenRTM, as far as our own ORB carries it: it writes texts only into properties."""
+    """An implementation of OpenRTM, as far as our own ORB carries it, which writes only texts into
+    properties.
+    """
     return flavour.Flavour(name).but(reference="never", data_value=False, integer_pid=False)
 
 

@@ -55,7 +55,8 @@ import traceback
 HERE = os.path.dirname(os.path.abspath(__file__))
 TESTS = os.path.dirname(HERE)
 STORIES = os.path.join(HERE, "stories")
-SETTINGS = {"PYTHONHASHSEED": "0", "PYTHONIOENCODING": "utf-8", "RTSHELL_ORB": "builtin", "LC_ALL": "C", "TZ": "UTC"}
+SETTINGS = {"PYTHONHASHSEED": "0", "PYTHONIOENCODING": "utf-8", "RTSHELL_ORB": "builtin"}
+SETTINGS.update(LC_ALL="C", TZ="UTC")
 sys.path[:0] = [os.path.dirname(TESTS), HERE, os.path.join(TESTS, "support")]
 if __name__ == "__main__" and os.environ.get("PYTHONHASHSEED") != "0":  # sets of texts have one order then
     os.environ.update(SETTINGS)
