@@ -10,6 +10,7 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 ONCE = "a story is the same on every Python"
+LONG = "all of them take a minute"
 
 
 class Stories(unittest.TestCase):
