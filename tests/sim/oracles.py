@@ -22,7 +22,7 @@ CLEANING = 6.0  # seconds after a signal
 AT_ONCE = 0.5
 STATUSES = {0, 1, 3, 4, 5, 6}  # none is typed wrongly
 STRUCK = STATUSES | {130, 143}  # by a signal
-SOON = 0.2  # seconds after a change, with a period in which it has to last
+SOON = 0.3  # seconds after a change, with a period in which it has to last
 # what has those in it whose process is called silent
 BLAMED = re.compile(r".*its process gave no answer.*|as the process did not answer others \(.*?\)")
 PAGES = re.compile(r"-n (\d+)")
