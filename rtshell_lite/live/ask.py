@@ -7,10 +7,12 @@ Seen. A reader of this, a follow.Presence, has a table `asks` of the kinds of qu
 process, and how often.
 """
 
+import collections
 import functools
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.live import times
 from rtshell_lite.live.observer import Event
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
@@ -34,7 +36,7 @@ class _Context:
 class _Port:
     """A port as it was last seen."""
 
-    __slots__ = ("ref", "identity", "name", "owner", "connections")
+    __slots__ = ("ref", "identity", "name", "owner", "connections", "patience")
 
     def __init__(self, port):
         """`port`: a ports.Port."""
@@ -43,6 +45,7 @@ class _Port:
         self.name = port.name
         self.owner = port.owner and orb.identity(port.owner)  # of its component, as far as that is known
         self.connections = _connections(port.connectors)
+        self.patience = times.Patience()
 
 
 class Seen:
@@ -50,10 +53,11 @@ class Seen:
 
     node           its Node; `where` its path as text
     asks_port      asks_port(port): whether one of its `ports` is to be asked for its connections
-    owned          its execution contexts; `participating` those of others that it takes part in
+    owned          its execution contexts, None where these are not known; `participating`: those of others
+                   that it takes part in
     set            (its active configuration set, {parameter: value}), None where that is not known;
                    `has_sets`: whether it may have one
-    ports          its ports, as far as they are to be known
+    ports          its ports, None where these are not to be known
     """
 
     def __init__(self, node, asks_port):
@@ -61,26 +65,28 @@ class Seen:
         self.where = str(node.path)
         self.asks_port = asks_port
         self.identity = orb.identity(node.ref)
-        self.owned = []
-        self.participating = []
+        self.owned = self.participating = None  # type: list
         self.set = None
         self.has_sets = True
-        self.ports = []
+        self.ports = None  # type: list
         self._configuration = None
 
     @property
     def contexts(self):
-        """All, in the order of snapshot.Snapshot."""
-        return self.owned + self.participating
+        """All, each once: one may be in both lists."""
+        return list(collections.OrderedDict.fromkeys([*(self.owned or ()), *(self.participating or ())]))
 
     def take(self, shown, parts):
         """Take what a snapshot.Snapshot has been told of "contexts", "state", "configuration" or "ports"."""
         if "contexts" in parts:
-            self.owned = [_shown(context) for context in shown.owned]
-            self.participating = [_shown(context) for context in shown.participating]
+            known = {}  # type: dict
+            self.owned = [_shown(context, known) for context in shown.owned]
+            self.participating = [_shown(context, known) for context in shown.participating]
         if "contexts" in parts or "state" in parts:
-            for context, state in zip(self.contexts, shown.states):
-                context.state = state
+            states = zip(shown.contexts, shown.states)
+            state_in = {orb.identity(context.ref): state for context, state in states}
+            for context in self.contexts:
+                context.state = state_in.get(context.identity, context.state)
         if "configuration" in parts:
             self._take_sets(shown.configuration)
         if "ports" in parts:
@@ -88,14 +94,28 @@ class Seen:
 
     def _take_sets(self, known):
         self.has_sets = known is not None
-        if self.has_sets:
-            self._configuration = known.ref
-            values = known.set(known.active, True).values if known.active else {}
-            self.set = known.active, dict(values)
+        self.set = None
+        if not self.has_sets:
+            return
+        self._configuration = known.ref
+        if not known.active:
+            self.set = "", {}
+        elif known.active in known.raw:  # else it has been made since they were listed
+            self.set = known.active, known.set(known.active, True).values
 
     def take_ports(self, listed):
         """Take its ports.Ports."""
         self.ports = [_Port(port) for port in listed]
+
+    def expect(self, state):
+        """It was brought to this state: where it is in another one, that is an Event."""
+        for context in self.contexts:
+            context.state = state
+
+    def wait_no_more(self):
+        """What held up its ports may be over."""
+        for port in self.ports or ():
+            port.patience.end()
 
     async def look(self, kinds):
         """Put all questions of these kinds, for a first look. Raises what remote calls raise."""
@@ -116,16 +136,19 @@ class Seen:
 
     async def _which(self, before, refs):
         """(the contexts of these references, the Events of those that have come and gone)"""
-        known = {context.identity: context for context in before}
+        known = {context.identity: context for context in self.contexts}
         news = []
         now = []
         for ref in refs:
-            context = known.pop(orb.identity(ref), None)
+            context = known.get(orb.identity(ref))
             if context is None:
                 context = _Context(ref, str(await self.node.call("get_context_handle", ref)))
                 news.append(_event("EC_EVENT", context.handle, "EC_ATTACHED"))
             now.append(context)
-        return now, [_event("EC_EVENT", gone.handle, "EC_DETACHED") for gone in known.values()] + news
+        if before is None:
+            return now, []
+        gone = [context for context in before if context not in now]
+        return now, [_event("EC_EVENT", context.handle, "EC_DETACHED") for context in gone] + news
 
     async def _state(self, context):
         before = context.state
@@ -165,7 +188,9 @@ class Seen:
                 self._configuration = await self.node.call("get_configuration")
             path = self.node.path
             active = await orb.call(path, self._configuration, "get_active_configuration_set")
-        except errors.Refused:  # NotAvailable: somebody is about to activate one
+        except errors.Refused:  # NotAvailable: somebody is about to activate one, or has forgotten to
+            if self.set is not None and self.set[0]:
+                raise
             return []
         before = self.set
         name, values = self.set = from_wire(active.id), dict(orb.properties(active.configuration_data))
@@ -191,7 +216,12 @@ class Seen:
 
     async def _connections_of(self, port):
         path = self.node.path
-        profiles = await orb.call(path, port.ref, "get_connector_profiles")
+        try:
+            profiles = await orb.call(path, port.ref, "get_connector_profiles")
+        except errors.Silent:
+            port.patience.wait()
+            raise
+        port.patience.end()
         now = _connections([ports.connector(profile, path) for profile in profiles[: ports.MOST_PARTS]])
         before = port.connections
         port.connections = now
@@ -201,8 +231,12 @@ class Seen:
         return [_event("PORT_EVENT", port.name, word) for word in words]
 
 
-def _shown(context):
-    return _Context(context.ref, str(context.handle), None, context.rate, context.running)
+def _shown(context, known):
+    """The _Context of a component.Context; `known`: those of others, by identity, and this one then."""
+    identity = orb.identity(context.ref)
+    if identity not in known:
+        known[identity] = _Context(context.ref, str(context.handle), None, context.rate, context.running)
+    return known[identity]
 
 
 def _event(*words):
@@ -248,13 +282,16 @@ def configuration(seen):
 
 def which_ports(seen):
     """Which ports it has."""
-    yield seen._which_ports
+    if seen.ports is not None:
+        yield seen._which_ports
 
 
 def connections(seen):
     """What its ports are connected with."""
-    for port in filter(seen.asks_port, seen.ports):
-        yield functools.partial(seen._connections_of, port)
+    now = loop.now()
+    for port in filter(seen.asks_port, seen.ports or ()):
+        if now >= port.patience.until:
+            yield functools.partial(seen._connections_of, port)
 
 
 # {kind of question: the kind of the Events that its answers show}

@@ -18,7 +18,7 @@ from rtshell_lite.live import ask, hear, observer, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot, tree
 
-MOST = 200  # questions of a kind that a process gets at a time
+MOST = 200  # questions of a kind that are put to a process, or a component, at a time
 
 KINDS = ("RTC_STATUS", "EC_EVENT", "CONFIG_EVENT")  # not PORT_EVENT
 
@@ -49,6 +49,11 @@ class Followed:
     def is_there(self):
         """Whether it has answered, and is not known to be gone."""
         return self.shown is not None
+
+    @property
+    def reports(self):
+        """Whether it is not asked what an observer of ours would report."""
+        return self.subscription is not None
 
     @property
     def node(self):
@@ -126,18 +131,18 @@ class Presence:
     look   seconds between questions to a process whose components report nothing
     """
 
-    # {kind of questions of ask.py: after how many `look`s a process is asked some of them again}; of one kind
-    # at a time, that which is most overdue
+    # {kind of questions of ask.py: after how many `look`s some of them are put again}; of one kind at a time,
+    # that which is most overdue
     asks = {}  # type: dict
-    share = 1  # which part of the questions of a kind are put at a time: all, a half, a third …
 
     def __init__(self, followed, look):
         self.followed = followed
         self.look = look
-        # {endpoint: {kind of question: when some were asked; None: of any kind}}
+        # by what is asked one question after the other, see `queue_of`: {kind: when some were asked; None: of
+        # any kind}, {kind: how many questions}, and those that are being asked
         self._asked = collections.defaultdict(dict)  # type: dict
-        self._counts = collections.defaultdict(collections.Counter)  # type: dict  # {endpoint: {kind: ...}}
-        self._asking = set()  # endpoints that are being asked questions
+        self._counts = collections.defaultdict(collections.Counter)  # type: dict
+        self._asking = set()  # type: set
         self._suspected = set()  # endpoints that are being asked whether they live
         self._seek_at = 0.0  # when absent ones are looked for
         self._group = None
@@ -221,6 +226,8 @@ class Presence:
         """A far end that may have held up others does so no more."""
         for other in self.followed:
             other.wait_no_more()
+            if other.seen is not None:
+                other.seen.wait_no_more()
 
     def failed(self, each, error):
         """A question to a component has failed: it is gone; or its process refuses connections, and all its
@@ -267,7 +274,7 @@ class Presence:
                 self.suspect(endpoint)
             for each in late:
                 self.lend_again(each)
-            self._ask_around(now)
+            self.ask_around(now)
             await loop.sleep(min(times.SEEK if absent else 1.0, self.look / 2))
 
     async def _seek(self, absent):
@@ -318,22 +325,30 @@ class Presence:
 
     # ---- what nobody reports ----
 
-    def _ask_around(self, now):
+    def queue_of(self, each):
+        """What is asked one question after the other: a process."""
+        return each.endpoint
+
+    def at_a_time(self, kind, number):
+        """How many of `number` questions of a kind are put at a time, MOST at most."""
+        return number
+
+    def ask_around(self, now):
         """Ask for what is not reported."""
-        processes = collections.defaultdict(list)
+        queues = collections.defaultdict(list)
         for each in self.followed:
             if each.is_there and each.seen is not None and not each.is_hung:
-                processes[each.endpoint].append(each)
-        for endpoint, some in processes.items():
-            if endpoint not in self._asking:
-                questions = self._due(endpoint, some, now)
+                queues[self.queue_of(each)].append(each)
+        for queue, some in queues.items():
+            if queue not in self._asking:
+                questions = self._due(queue, some, now)
                 if questions:
-                    self._asking.add(endpoint)
-                    self.start(self._put_all(endpoint, questions), endpoint)
+                    self._asking.add(queue)
+                    self.start(self._put_all(queue, questions), some[0].endpoint)
 
-    def _due(self, endpoint, some, now):
-        """The questions, (Followed, kind of Event, coroutine function), that a process is to be asked."""
-        asked = self._asked[endpoint]
+    def _due(self, queue, some, now):
+        """The questions, (Followed, kind of Event, coroutine function), that these are to be asked."""
+        asked = self._asked[queue]
         if now - asked.get(None, -math.inf) < self.look:
             return []
         overdue = {kind: (now - asked.get(kind, -math.inf)) / looks for kind, looks in self.asks.items()}
@@ -343,18 +358,18 @@ class Presence:
             of_kind = [question for each in some for question in _questions(each, kind, now)]
             if of_kind:
                 asked[kind] = asked[None] = now
-                count = min(-(-len(of_kind) // self.share), MOST)
-                first = self._counts[endpoint][kind] % len(of_kind)
-                self._counts[endpoint][kind] += count
+                count = min(self.at_a_time(kind, len(of_kind)), MOST)
+                first = self._counts[queue][kind] % len(of_kind)
+                self._counts[queue][kind] += count
                 return (2 * of_kind)[first : first + count]
         return []
 
-    async def _put_all(self, endpoint, questions):
+    async def _put_all(self, queue, questions):
         try:
             for question in questions:
                 await self._put(*question)
         finally:
-            self._asking.discard(endpoint)
+            self._asking.discard(queue)
 
     async def _put(self, each, kind, question):
         """Ask a component a question, and report what its answer shows."""
@@ -383,7 +398,7 @@ def _questions(each, kind, now):
     shows = ask.SHOWS[kind]
     if shows == "PORT_EVENT" and now < each.patience.until:
         return
-    if shows != "PORT_EVENT" and each.subscription is not None:  # it reports that
+    if shows != "PORT_EVENT" and each.reports:
         return
     for question in kind(each.seen):
         yield each, shows, question

@@ -24,6 +24,7 @@ KINDS = list(observer.KINDS) + [LIFE]
 # {kind of questions: every how many looks they are asked}, of those that take no observer; and about ports
 _POLLED = {ask.contexts: 5, ask.states: 1, ask.configuration: 5}
 _ASKED_PORTS = {ask.which_ports: 10, ask.connections: 10}
+MOST_PORTS = 100  # that are asked for their connections in a second
 
 
 class Events:
@@ -41,6 +42,7 @@ class Events:
             if kind is ask.contexts or ask.SHOWS[kind] in self.kinds
         }
         self.asks = dict(self._polled)
+        self.asks_ports = asks_ports
         if asks_ports:
             self._observed.discard("PORT_EVENT")
             self.asks.update(_ASKED_PORTS)
@@ -73,6 +75,7 @@ class Records:
 
     kinds = set()
     asks = {}  # type: dict
+    asks_ports = False
 
     def __init__(self, level, names):
         self.level = level
@@ -106,6 +109,7 @@ class Watched(follow.Followed):
     is_begun = False  # whether it is watched: not as long as it does not take our observer
     is_attached_again = False
     is_sought = False  # not by two tasks at a time
+    is_refusing = False  # to be watched: its ports alone are followed
     reported_silence = None  # NO_ANSWER or NO_HEARTBEAT
 
     def __init__(self, watch, node):
@@ -115,6 +119,10 @@ class Watched(follow.Followed):
         self.name = str(self.path)  # in lines; its path if two have the same
         if self.path.names:
             self.name = str(self.path.names[-1])
+
+    @property
+    def reports(self):
+        return self.subscription is not None or not self.is_begun
 
     async def begin(self):
         """Start to watch. Raises Refused, Unreachable."""
@@ -157,9 +165,11 @@ class Watched(follow.Followed):
             self.answered()
 
     async def _poll(self):
+        shown = self.shown
         seen = self.seen or ask.Seen(self.node, self._asks_port)
         await self.watch.what.poll(seen)
-        self.seen = seen
+        if self.shown is shown:  # not another one that has come meanwhile
+            self.seen = seen
 
     def follow_ports(self, listed):
         """Ask its ports.Ports for their connections from now on."""
@@ -206,12 +216,18 @@ class Watched(follow.Followed):
         self.error = error
         if self.subscription is not None and self.subscription.reference is not None:
             self.watch.left.append(self.subscription)
-        self.subscription = self.shown = self.seen = None
+        self.subscription = None
+        self.is_refusing = self.watch.what.asks_ports and isinstance(error, errors.Refused)
+        if not self.is_refusing:
+            self.shown = self.seen = None
 
     def vanished(self, seen):
         if self.is_begun:
             self.is_begun = self.is_sought = False
             self.watch.start(self._report_end(seen))
+        elif self.is_refusing:
+            self.is_refusing = False
+            self.is_sought = True
 
     async def _report_end(self, seen):
         """Those that exit take their names with them; the others are dead, or cannot be reached."""
@@ -300,7 +316,7 @@ class Watch(follow.Presence):
         """`what`: Events or Records. `note` is called with lines about anything but events."""
         super().__init__([], component.POLL)
         self.what = what
-        self.asks = what.asks
+        self.asks = dict(what.asks)
         self._note = note
         self._doors = []
         self.dropped = 0
@@ -317,7 +333,9 @@ class Watch(follow.Presence):
         await super().__aexit__(kind, error, traceback)
 
     async def add(self, paths):
-        """Watch the component at each path, too; an errors.Error or a Watched for each."""
+        """Watch the component at each path, too; an errors.Error or a Watched for each. One that asks ports
+        follows those that cannot be watched yet, all the same.
+        """
 
         async def begin(node):
             watched = Watched(self, node)
@@ -326,7 +344,9 @@ class Watch(follow.Presence):
                 await watched.begin()
             except errors.Error as e:
                 watched.leave(e)
-                self.followed.remove(watched)
+                watched.is_sought = self.what.asks_ports and not watched.is_refusing
+                if not self.what.asks_ports:
+                    self.followed.remove(watched)
                 raise
             return watched
 
@@ -336,6 +356,16 @@ class Watch(follow.Presence):
             if isinstance(watched, Watched) and names.count(watched.name) > 1:
                 watched.name = watched.where
         return results
+
+    def queue_of(self, each):
+        """Each alone: one that is slow to answer does not delay what others show."""
+        return each.where
+
+    def ask_around(self, now):
+        count = sum(len(each.seen.ports or ()) for each in self.followed if each.seen is not None)
+        for kind in _ASKED_PORTS.keys() & self.asks.keys():
+            self.asks[kind] = max(_ASKED_PORTS[kind], count / MOST_PORTS / self.look)
+        super().ask_around(now)
 
     def lend_again(self, each):
         """Nothing: see Watched.lives."""

@@ -130,8 +130,8 @@ def _follow_ports(flight, events):
     """Have the ports that a flight has found followed, as those of the components that are there."""
     for watched in events.followed:
         node, listed = flight.components[watched.where]
-        knows_them = not watched.is_there or watched.seen is not None and watched.seen.ports
-        if listed and not knows_them and orb.identity(node.ref) == orb.identity(watched.node.ref):
+        knows_them = watched.seen is not None and watched.seen.ports is not None
+        if watched.is_there and not knows_them and orb.identity(node.ref) == orb.identity(watched.node.ref):
             watched.follow_ports(listed)
 
 

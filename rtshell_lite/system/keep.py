@@ -24,6 +24,8 @@ TICK = 0.1  # seconds between looks whether all is done
 WAIT = 1.0  # seconds until a look that failed is taken again; where nothing was answered, ever more
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
+ROUND = 10  # turns, at most, until a process has been asked all questions of a kind
+STATES = 5  # that a process is asked for at a time: what a person does is to be seen before an Error hides it
 
 # `create`, `manager` and `strict_path` as in restore.Options. `strict`: undo what a person did, too; `look`:
 # see follow.Presence; `watch`: whether changes are to be noticed later; `policy` for components without
@@ -39,8 +41,7 @@ class Keeper(follow.Presence):
     """
 
     # states soonest, for Error
-    asks = {ask.states: 1, ask.connections: 1, ask.contexts: 5, ask.configuration: 5}
-    share = 10
+    asks = {ask.states: 1, ask.connections: 2, ask.contexts: 10, ask.configuration: 10}
 
     def __init__(self, profile, planned, options, on_event, before=None):
         self.profile = profile
@@ -68,6 +69,9 @@ class Keeper(follow.Presence):
                 other.drivers.append(kept)
             if kept.where in earlier:
                 kept.go_on_from(earlier[kept.where])
+
+    def at_a_time(self, kind, number):
+        return max(-(-number // ROUND), min(number, STATES if kind is ask.states else 1))
 
     async def __aenter__(self):
         await super().__aenter__()
@@ -439,7 +443,7 @@ class Keeper(follow.Presence):
     @staticmethod
     async def _change(kept, transition):
         await transitions.change(kept.node, transition, None, session.current().timeout)
-        kept.become(transition.target)
+        kept.reach(transition.target)
 
     async def _activate(self, todo):
         """Activate components by the actions of the plan."""
@@ -477,7 +481,7 @@ class Keeper(follow.Presence):
         if not kept.is_usable:
             return
         if not failed:
-            kept.become("Active")
+            kept.reach("Active")
             kept.hands.pop(STATE, None)
             self._is_active(kept)
             self.happened(kept, "", "Active", begun)

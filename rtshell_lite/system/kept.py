@@ -119,6 +119,12 @@ class KeptComponent(follow.Followed):
             self.state = state
             self.since = loop.wall()
 
+    def reach(self, state):
+        """Note the state that it was brought to."""
+        self.become(state)
+        if self.seen is not None:
+            self.seen.expect(state)
+
     def change(self, *parts):
         """Have parts of it looked at again."""
         self.changed = self.changed.union(parts)

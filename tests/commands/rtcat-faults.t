@@ -24,7 +24,9 @@ A zombie, a hung component, a component whose process has lost it, names of some
   $ RTSHELL_TIMEOUT=0.3 within 0.3-0.8 rtcat -l HungMock0.rtc:in
   rtcat: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
   [4]
-  $ within 0.3-0.8 rtcat --timeout 0.3 --json HungMock0.rtc HungMock0.rtc:in DeadMock0.rtc ConsoleIn0.rtc:out | cut -c 1-40
+  $ within 0.3-0.8 rtcat --timeout 0.3 --json HungMock0.rtc HungMock0.rtc:in DeadMock0.rtc \
+  >     ConsoleIn0.rtc:out |
+  >     cut -c 1-40
   rtcat: /localhost:$PORT/test.host_cxt/HungMock0.rtc: no answer within 0.3s
   rtcat: /localhost:$PORT/test.host_cxt/DeadMock0.rtc: connection refused; its process is gone (zombie)
   {"connectors": [], "interfaces": [], "na
@@ -137,7 +139,9 @@ A component that fails to answer something. A failure that says that it is passi
 
   $ ctl fail get_port_profile 1 TRANSIENT; rtcat ConsoleIn0.rtc:out
   +DataOutPort: out
-  $ ctl fail get_port_profile 1 TRANSIENT; ctl fail get_port_profile 2 TRANSIENT; rtcat ConsoleIn0.rtc:out
+  $ ctl fail get_port_profile 1 TRANSIENT
+  $ ctl fail get_port_profile 2 TRANSIENT
+  $ rtcat ConsoleIn0.rtc:out
   rtcat: /localhost:\$PORT/test.host_cxt/ConsoleIn0.rtc: (connection refused|cannot be reached now \(TRANSIENT_ConnectFailed\)) (re)
   [4]
   $ ctl fail get_component_profile 1 COMM_FAILURE; rtcat ConsoleIn0.rtc | head -n 1

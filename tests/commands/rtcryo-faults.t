@@ -52,7 +52,9 @@ Hostile names and values come through both forms:
   $ rtcryo -q --timeout 0.5 -y localhost:$PORT/test.host_cxt -o h.yaml
   $ grep -o 'pathUri="[^"]*"' h.xml
   pathUri="localhost:$PORT/test.host_cxt/Hostile0.rtc"
-  $ rtcheck -s inactive h.xml; rtcheck -s inactive h.yaml; rtstodot h.xml | grep -c -e '->'
+  $ rtcheck -s inactive h.xml
+  $ rtcheck -s inactive h.yaml
+  $ rtstodot h.xml | grep -c -e '->'
   1
   $ grep -c 'Configuration' h.xml
   25
@@ -63,8 +65,10 @@ A composite is saved with its members, as soon as one of them is connected:
   rtcryo: 3 components and 1 composite without connections left out; --all saves them, too
   0
   [1]
-  $ rtcon /localhost:$PORT2/test.host_cxt/composite0.rtc:Motor0.out /localhost:$PORT2/test.host_cxt/Sensor0.rtc:in
-  $ rtcryo localhost:$PORT2 | grep -o -E 'pathUri="[^"]*"|<rts:Participant.*|compositeType="P[^"]*"|portName="[^"]*"|DataPorts.*name="[^"]*"'
+  $ rtcon /localhost:$PORT2/test.host_cxt/composite0.rtc:Motor0.out \
+  >     /localhost:$PORT2/test.host_cxt/Sensor0.rtc:in
+  $ rtcryo localhost:$PORT2 |
+  >     grep -o -E 'pathUri="[^"]*"|<rts:Participant.*|compositeType="P[^"]*"|portName="[^"]*"|DataPorts.*name="[^"]*"'
   pathUri="localhost:$PORT2/test.host_cxt/Controller0.rtc"
   DataPorts xsi:type="rtsExt:dataport_ext" rts:name="in"
   DataPorts xsi:type="rtsExt:dataport_ext" rts:name="out"

@@ -16,7 +16,9 @@ The commands that it prints do the same as itself:
 
 Nothing is left to do; of the living it has asked one question each:
 
-  $ ctl reset; rtdel -z; calls
+  $ ctl reset
+  $ rtdel -z
+  $ calls
   2 _non_existent
 
 Who dies or comes back in the meantime: the first answer is not enough.

@@ -118,7 +118,8 @@ Name servers:
   $ within 0.3-0.8 rtfind --timeout 0.3 /localhost:$SILENT
   rtfind: /localhost:$SILENT: no answer within 0.3s
   [4]
-  $ RTCTREE_NAMESERVERS="127.0.0.1:$PORT;localhost:$SILENT;localhost:1" within 0.3-0.8 rtfind --timeout 0.3 / -n 'Console*'
+  $ RTCTREE_NAMESERVERS="127.0.0.1:$PORT;localhost:$SILENT;localhost:1" within 0.3-0.8 rtfind \
+  >     --timeout 0.3 / -n 'Console*'
   /127.0.0.1:$PORT/test.host_cxt/ConsoleIn0.rtc
   /127.0.0.1:$PORT/test.host_cxt/ConsoleOut0.rtc
   rtfind: /localhost:1: connection refused; is the name server running?

@@ -49,13 +49,16 @@ A closed terminal ends rtkeep; the shell and the kernel may both say that it is 
 
 With --processes it ends what it has started: its components are deactivated by the plan first. Others stay as they are.
 
-  $ mocks() { echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/own.control'"; }
+  $ mocks() {
+  >     echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/own.control'"
+  > }
   $ mkfifo fifo; echo "own: $(mocks Sensor Controller)" > Procfile
   $ echo "own.ready: /localhost:$PORT/test.host_cxt/Controller0.rtc" >> Procfile
   $ rtkeep --processes Procfile > out 2>&1 & keep=$!; soon 'grep own:.*ready out'
   $ rtcryo --all -o b.xml localhost:$PORT; kill $keep
   $ wait $keep
-  $ for how in '' --leave; do rtkeep $how --processes Procfile b.xml > out 2>&1 & keep=$!; soon 'rtkeep status | grep ";.all.is"'; kill $keep; wait $keep; said out |
+  $ for how in '' --leave; do rtkeep $how --processes Procfile b.xml > out 2>&1 & keep=$!; \
+  >     soon 'rtkeep status | grep ";.all.is"'; kill $keep; wait $keep; said out |
   > grep 'Inactive$' | sort; states; done
   Controller0.rtc: Inactive
   Sensor0.rtc: Inactive

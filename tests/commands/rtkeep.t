@@ -79,6 +79,11 @@ What a person does is reported, and left alone.
   Motor0.rtc: rate of execution context 0 was changed by hand: left alone
   Motor0.rtc: was made Inactive by hand: left alone
 
+Who reports nothing is seen to fail again as soon as it is Active.
+
+  $ : > out; ctl @these3 error Plain0; soon 'grep Plain0.*Active out'
+  $ ctl @these3 error Plain0; soon '[ $(grep -c Plain0.*Active out) = 2 ]'
+
 At rest, who reports by himself is asked for connections only, which no observer of ours reports (protocol.md 5.4), and others all
 else: a question each --look seconds (the mock asks its far ends whether they exist then). At the end no observer stays.
 

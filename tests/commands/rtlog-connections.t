@@ -29,3 +29,28 @@ alone: kills
   PORT_CONNECT Sink0.rtc Sink0.in
   PORT_DISCONNECT Fine0.rtc Fine0.out
   PORT_DISCONNECT Sink0.rtc Sink0.in
+
+Ports that a composite shows come and go, also where it shows no other:
+
+  $ rtcomp -q -a Sink0.rtc $(rtfind /localhost:$PORT -t m | head -n 1):Arm; rm a.mcap
+  $ rtlog -q --events -f a.mcap . 2> nul & pid=$!
+  $ soon 'rtlog -d -f a.mcap | grep system-1'
+  $ rtcomp -q -a Sink0.rtc:in Arm.rtc; soon 'events | grep ADD.Arm'
+  $ for n in 1 2; do rtcomp -q -r Sink0.rtc:in Arm.rtc; soon "[ \$(events | grep -c REMOVE.Arm) = $n ]"
+  >     rtcomp -q -a Sink0.rtc:in Arm.rtc; soon "[ \$(events | grep -c ADD.Arm) = $((n + 1)) ]"
+  > done
+  $ kill $pid; wait $pid
+  [143]
+  $ events | grep Arm | sort | uniq -c | sed 's/^ *//'
+  3 PORT_ADD Arm.rtc Sink0.in
+  2 PORT_REMOVE Arm.rtc Sink0.in
+
+One that refuses our observer is asked for its connections all the same:
+
+  $ rm a.mcap; ctl fail add_service_profile 1 UNKNOWN
+  $ rtlog -q --events -f a.mcap . 2> nul & pid=$!
+  $ soon 'rtlog -d -f a.mcap | grep system-1'
+  $ [ $(for name in Fine0 Sink0; do ctl observers $name; done | grep -c Observer) = 1 ] || echo both
+  $ rtdis -q Fine0.rtc:out Sink0.rtc:in; soon '[ $(events | grep -c "_DISCONNECT \(Fine0\|Sink0\)") = 2 ]'
+  $ kill $pid; wait $pid
+  [143]

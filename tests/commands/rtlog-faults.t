@@ -39,7 +39,8 @@ It leaves nothing that can hang a component when it drops these connections. (An
 
   $ cd() { RTCSH_CWD=/localhost:$PORT/$1; export RTCSH_CWD; }
   $ observed() { ctl @sources observers Source0 | grep -c Observer; }
-  $ cd cpp2.host_cxt; rtlog -q -f o.mcap --events . & pid=$!; soon '[ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number'
+  $ cd cpp2.host_cxt; rtlog -q -f o.mcap --events . & pid=$!
+  $ soon '[ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number'
   $ kill -KILL $pid; wait $pid 2>/dev/null
   [137]
   $ soon '[ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]'
@@ -81,7 +82,10 @@ Files that cannot be written:
 
 A pipe is no place for a log to be read from, but one to write to:
 
-  $ mkfifo pipe; cat pipe > copy & rtlog -q -i -e 3 -f pipe Source0.rtc:number; wait; rtlog --json -f copy | wc -l
+  $ mkfifo pipe
+  > cat pipe > copy & rtlog -q -i -e 3 -f pipe Source0.rtc:number
+  > wait
+  > rtlog --json -f copy | wc -l
   3
   $ rtlog --json -f pipe
   rtlog: pipe: a pipe; logs are read from files
@@ -89,7 +93,8 @@ A pipe is no place for a log to be read from, but one to write to:
 
 A component that hangs is reported, and does not hold up the others, or the end:
 
-  $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out 2> told & soon 'rtlog --json -f g.rtlog 2>/dev/null | grep -q number'
+  $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out 2> told &
+  >     soon 'rtlog --json -f g.rtlog 2>/dev/null | grep -q number'
   $ hang senders; wait $!
   [5]
   $ cat told

@@ -8,11 +8,19 @@ both: each ORB receives and sends values in its own way
 
 Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times:
 
-  $ rtlog -q -f a.rtlog Source0.rtc:block.blocks & pid=$!; soon '[ "$(wc -c 2>/dev/null <a.rtlog || echo 0)" -gt 10000 ]'
-  $ for i in 1 2 3 4; do kill -STOP $pid; sleep 0.2; kill -CONT $pid; sleep 0.3; done; kill $pid; wait $pid
+  $ rtlog -q -f a.rtlog Source0.rtc:block.blocks & pid=$!
+  $ soon '[ "$(wc -c 2>/dev/null <a.rtlog || echo 0)" -gt 10000 ]'
+  $ for i in 1 2 3 4; do
+  >     kill -STOP $pid
+  >     sleep 0.2
+  >     kill -CONT $pid
+  >     sleep 0.3
+  > done
+  $ kill $pid; wait $pid
   [143]
   $ rtlog --json -f a.rtlog | python3 -c 'import base64, json, sys
-  > numbers = [int.from_bytes(base64.b64decode(json.loads(line)["value"]["data"])[:8], "little") for line in sys.stdin]
+  > numbers = [int.from_bytes(base64.b64decode(json.loads(line)["value"]["data"])[:8], "little") for line \
+  >     in sys.stdin]
   > print(len(numbers) > 800, [n for n, m in zip(numbers, numbers[1:]) if m != n + 1])'
   True []
 
@@ -31,14 +39,19 @@ without one:
 
   $ entries() { rtlog --json -f $1 2>nul | grep -c "\"port\".*$2"; }
   $ numbers() { rtlog --json -f $1 | python3 -c 'import json, sys
-  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if entry["port"].endswith(":number")]
+  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if \
+  >     entry["port"].endswith(":number")]
   > print([(n, m) for n, m in zip(numbers, numbers[1:]) if m != n + 1])'; }
-  $ rtlog -q -f c.mcap Source0.rtc & pid=$!; soon '[ $(entries c.mcap :number) -gt 100 ]'; kill -STOP $pid; sleep 3; kill -CONT $pid
+  $ rtlog -q -f c.mcap Source0.rtc & pid=$!
+  $ soon '[ $(entries c.mcap :number) -gt 100 ]'
+  $ kill -STOP $pid; sleep 3
+  $ kill -CONT $pid
   $ soon 'rtcat --json Source0.rtc:number | grep "subscription_type.: .new"'
   $ before=$(entries c.mcap :number)
   $ soon '[ $(entries c.mcap :number) -gt $((before + 1000)) ]'
-  $ ctl connectors Source0:number | wc -l; kill $pid; wait $pid
+  $ ctl connectors Source0:number | wc -l
   1
+  $ kill $pid; wait $pid
   [143]
   $ numbers c.mcap; rtlog -d -f c.mcap | grep Missing
   []
@@ -46,14 +59,18 @@ without one:
 
 What the buffer of a port could not hold meanwhile is missing, which is in the log (about how much, only the component knows), and told at the end:
 
-  $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!; soon '[ $(entries d.mcap :number) -gt 8000 ]'; kill -STOP $pid
+  $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!
+  $ soon '[ $(entries d.mcap :number) -gt 8000 ]'
+  $ kill -STOP $pid
   $ before=$(ctl @senders3 sent Source0:number)
   $ soon '[ $(ctl @senders3 sent Source0:number) -gt $((before + 8000)) ]'
   $ kill -CONT $pid
-  $ soon 'rtlog --json -f d.mcap | grep MISSING.*number'; kill $pid; wait $pid
+  $ soon 'rtlog --json -f d.mcap | grep MISSING.*number'
+  $ kill $pid; wait $pid
   [143]
   $ cat told; rtlog -d --json -f d.mcap > info; rtlog --json -f d.mcap 2> nul | python3 -c 'import json, sys
-  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if entry["port"].endswith(":number")]
+  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if \
+  >     entry["port"].endswith(":number")]
   > lost = sum(m - n - 1 for n, m in zip(numbers, numbers[1:]))
   > told = sum(count for gap in json.load(open("info"))["gaps"] for name, count in gap["counts"].items() if name.endswith(":number"))
   > print(lost > 1000, told > 0)'

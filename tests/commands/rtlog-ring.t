@@ -6,13 +6,16 @@ world: senders 100 100
 alone: time
 
   $ rtlog --ring 4 --after 0.5 --trigger error --then 'echo complete:' -f a.mcap . > said 2> told & pid=$!
-  $ soon 'ctl observers ConsoleIn0 | grep Observer'; rtact ConsoleIn0.rtc; ctl error ConsoleIn0
+  $ soon 'ctl observers ConsoleIn0 | grep Observer'
+  $ rtact ConsoleIn0.rtc
+  $ ctl error ConsoleIn0
   $ soon 'grep complete said'
   $ sed 's/20[0-9]*-[0-9]*/DATE/' said
   complete: a-DATE-error-ConsoleIn0.rtc.mcap
   $ rtlog -d --json -f a-2*error* | grep -o 'attachments": ."system-'
   attachments": ["system-
-  $ kill -USR1 $pid; soon '[ $(grep -c complete said) = 2 ]'; kill $pid; wait $pid
+  $ kill -USR1 $pid; soon '[ $(grep -c complete said) = 2 ]'
+  $ kill $pid; wait $pid
   [143]
   $ grep -o 'trigger: .*' told
   trigger: error ConsoleIn0.rtc

@@ -6,7 +6,9 @@ world: senders 100 100
 
   $ entries() { rtlog -d --json -f $1 2>/dev/null |
   > python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
-  $ rtlog -q -f a.mcap --events . & pid=$!; soon '[ $(entries a.mcap :number) -gt 20 ]'; kill $pid; wait $pid
+  $ rtlog -q -f a.mcap --events . & pid=$!
+  > soon '[ $(entries a.mcap :number) -gt 20 ]'
+  > kill $pid; wait $pid
   [143]
 
 A channel says at which rate its component is executed, for others:
@@ -41,7 +43,9 @@ A component that may send more than 1,000 values a second does not call us in it
   [143]
 
   $ kill-mock senders; mock senders 2000 8
-  $ rtlog -q -f g.mcap Source0.rtc & pid=$!; soon '[ $(entries g.mcap :number) -gt 1 ]'; rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
+  $ rtlog -q -f g.mcap Source0.rtc & pid=$!
+  > soon '[ $(entries g.mcap :number) -gt 1 ]'
+  > rtcat --json Source0.rtc:number | grep -o 'subscription_type": "[a-z]*"' | tail -n 1
   subscription_type": "new"
   $ kill $pid; wait $pid
   [143]

@@ -12,7 +12,10 @@ both: each ORB receives and sends values in its own way
 
 SIGHUP where it is ignored:
 
-  $ start nohup rtprint -q -t 3 Quiet0.rtc:out; kill -HUP $pid; wait $pid; echo $?; none
+  $ start nohup rtprint -q -t 3 Quiet0.rtc:out
+  > kill -HUP $pid; wait $pid
+  > echo $?
+  > none
   0
 
 Without stdin, without stdout, without a terminal, as in cron:

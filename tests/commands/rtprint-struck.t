@@ -8,6 +8,8 @@ While the reader of the output takes nothing:
   $ mkfifo pipe; sleep 30 < pipe & reader=$!
   $ rtprint --json Source0.rtc:number > pipe & pid=$!
   $ soon '[ -n "$(ctl connectors Source0:number)" ]'; n=$(ctl sent Source0:number)
-  $ soon '[ $(ctl sent Source0:number) -gt $((n + 999)) ]'; kill $pid; within 0-9 tail --pid=$pid -f /dev/null; wait $pid
+  $ soon '[ $(ctl sent Source0:number) -gt $((n + 999)) ]'
+  $ kill $pid; within 0-9 tail --pid=$pid -f /dev/null
+  $ wait $pid
   [143]
   $ kill $reader; ctl connectors Source0:number

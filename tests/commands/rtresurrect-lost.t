@@ -14,19 +14,23 @@ The file has the address of each component, when it was saved:
 
 A slave is killed: the names of its components are still bound, which does not matter. The manager makes them again:
 
-  $ kill -9 $(ctl slave 1 pid); rtls; rtresurrect --create a.xml; rtls; rtcheck -s inactive a.xml
+  $ kill -9 $(ctl slave 1 pid); rtls
   ConsoleOut0.rtc
   *Motor0.rtc
   *Sensor0.rtc
   manager.mgr/
+  $ rtresurrect --create a.xml
+  $ rtls
   ConsoleOut0.rtc
   Motor0.rtc
   Sensor0.rtc
   manager.mgr/
+  $ rtcheck -s inactive a.xml
 
 So does rtkeep:
 
-  $ export XDG_RUNTIME_DIR=$PWD; rtcryo --all > a.xml; rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
+  $ export XDG_RUNTIME_DIR=$PWD; rtcryo --all > a.xml
+  $ rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
   $ soon 'rtcheck a.xml'; kill -9 $(ctl slave 2 pid)
   $ soon 'grep Motor0.*created out'; soon 'grep Sensor0.*created out'
   $ soon 'rtcheck a.xml'
@@ -34,7 +38,9 @@ So does rtkeep:
 
 The name server is started again, empty (here: the names are deleted): what lives is not made again, as its manager has it, or its address answers:
 
-  $ rtcryo --all > a.xml; rtdel -f Sensor0.rtc Motor0.rtc ConsoleOut0.rtc; rtls
+  $ rtcryo --all > a.xml
+  $ rtdel -f Sensor0.rtc Motor0.rtc ConsoleOut0.rtc
+  $ rtls
   manager.mgr/
   $ rtresurrect --create a.xml
   rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: is not there, and nothing names a manager to create it (see --manager)

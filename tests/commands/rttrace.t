@@ -47,7 +47,8 @@ Plotted, each port on the way, on equal axes:
 
 On a recording, with the connections that it had:
 
-  $ rtlog -q --events -t 1 -f chain.mcap .; rttrace --from chain.mcap --plot Link1.rtc:out --to Link2.rtc:in > out
+  $ rtlog -q --events -t 1 -f chain.mcap .
+  $ rttrace --from chain.mcap --plot Link1.rtc:out --to Link2.rtc:in > out
   $ grep -c '^⠤⠤ rate  min [0-9]' out
   2
   $ grep -c '^0 is 20' out

@@ -453,7 +453,8 @@ def blames_people_alone(play, command):
     if not FILE_ALONE.isdisjoint(each.name for each in changing):
         return None
     touched = {word for each in changing for word in re.findall(r"C\d+", each.line)}
-    touched |= {name for _, fault, name in play.scenario.faults if fault == "waver"}  # which looks like that
+    looking_so = ("waver", "slow_down")  # faults that look like that
+    touched |= {name for _, fault, name in play.scenario.faults if fault in looking_so}
     for name, what in re.findall(r"(C\d+)\.rtc: (.* by hand)", command.out):
         if name not in touched:
             return f"{name}: {what}"

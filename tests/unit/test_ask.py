@@ -5,10 +5,11 @@ import types
 import unittest
 from unittest import mock
 
+from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
-from rtshell_lite.live import ask
+from rtshell_lite.live import ask, times, watch
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component, ports
+from rtshell_lite.robot import component, configuration, ports
 
 
 class Component:
@@ -19,6 +20,7 @@ class Component:
     def __init__(self):
         self.contexts = {"own": ["Inactive", 100.0, True], "composite's": ["Inactive", 50.0, True]}
         self.connectors = {"in": [], "out": []}
+        self.also_in = []
         self.node = types.SimpleNamespace(path="/a:1/x.rtc", ref="x", call=self.call)
         self.seen = ask.Seen(self.node, lambda port: True)
 
@@ -29,7 +31,7 @@ class Component:
         return [ref for ref in self.contexts if ref != "composite's"]
 
     async def participating(self, node):
-        return [ref for ref in self.contexts if ref == "composite's"]
+        return [ref for ref in self.contexts if ref == "composite's"] + self.also_in
 
     async def state_in(self, node, ref):
         return self.contexts[ref][0]
@@ -63,6 +65,7 @@ class Answers(unittest.TestCase):
             (ports, "is_of_tool", lambda connector: connector.id == "tool"),
         ):
             self.patch(module, name, function)
+        self.component.seen.take_ports([])
         self.look(ask.contexts, ask.states, ask.which_ports, ask.connections)
 
     def patch(self, module, name, function):
@@ -92,6 +95,13 @@ class Answers(unittest.TestCase):
         self.assertEqual(self.look(ask.states), [("RTC_STATUS", "1", "ERROR")])
         self.assertEqual(self.look(ask.states), [])
 
+    def test_a_state_that_it_has_again_after_it_was_brought_to_another(self):
+        self.component.contexts["own"][0] = "Error"
+        self.look(ask.states)
+        self.component.seen.expect("Active")
+        self.component.contexts["composite's"][0] = "Active"
+        self.assertEqual(self.look(ask.states), [("RTC_STATUS", "0", "ERROR")])
+
     def test_no_state_of_a_context_that_it_has_just_left(self):
         self.component.contexts["own"][0] = "Created"
         self.assertEqual(self.look(ask.states), [])
@@ -108,6 +118,28 @@ class Answers(unittest.TestCase):
         del self.component.contexts["own"]
         self.assertEqual(self.look(ask.contexts), [("EC_EVENT", "0", "EC_DETACHED")])
 
+    def test_a_context_that_is_both_its_own_and_not(self):
+        self.component.also_in = ["own"]
+        self.assertEqual(self.look(ask.contexts), [])
+        self.assertEqual(self.look(ask.contexts), [])
+
+    def test_it_refuses_to_say_that_no_set_is_active_any_more(self):
+        def refuse(*words):
+            raise errors.Refused("x", "NotAvailable")
+        seen = self.component.seen
+        found = configuration.Configuration(self.component.node, "c", [], "")
+        seen.take(types.SimpleNamespace(configuration=found), {"configuration"})
+        with mock.patch.object(orb, "call", refuse):
+            self.assertEqual(self.look(ask.configuration), [])
+            seen.set = "mode1", {}
+            with self.assertRaises(errors.Refused):
+                self.look(ask.configuration)
+
+    def test_a_set_that_was_made_after_they_were_listed(self):
+        found = configuration.Configuration(self.component.node, "c", [], "new")
+        self.component.seen.take(types.SimpleNamespace(configuration=found), {"configuration"})
+        self.assertIsNone(self.component.seen.set)
+
     def test_connections_that_are_made_and_lost_and_made_again_by_the_same_id(self):
         self.connect("out", "it", "there")
         self.assertEqual(self.look(ask.connections), [("PORT_EVENT", "out", "PORT_CONNECT")])
@@ -121,11 +153,71 @@ class Answers(unittest.TestCase):
         self.connect("out", "tool", "there")
         self.assertEqual(self.look(ask.connections), [])
 
+    def test_a_port_that_does_not_answer_is_asked_ever_later_and_hides_no_other(self):
+        async def silent(path, ref, operation):
+            raise errors.Silent("x", "no answer")
+        seen = self.component.seen
+        (asked,) = [question for question in ask.connections(seen) if question.args[0].name == "in"]
+        with mock.patch.object(orb, "call", silent), self.assertRaises(errors.Silent):
+            loop.run(asked(), session=session.Session(1.0))
+        self.assertEqual([question.args[0].name for question in ask.connections(seen)], ["out"])
+        seen.wait_no_more()
+        self.assertEqual(len(list(ask.connections(seen))), 2)
+
+    def test_what_was_not_known_before_is_no_event(self):
+        self.component.seen = ask.Seen(self.component.node, lambda port: True)
+        self.assertEqual(self.look(ask.contexts, ask.states, ask.which_ports, ask.connections), [])
+        self.assertIsNone(self.component.seen.ports)
+
+    def test_all_ports_may_go(self):
+        self.component.connectors.clear()
+        self.assertEqual(len(self.look(ask.which_ports)), 2)
+        self.assertEqual(self.component.seen.ports, [])
+
     def test_ports_that_come_and_go(self):
         self.component.connectors["new"] = []
         self.assertEqual(self.look(ask.which_ports), [("PORT_EVENT", "new", "PORT_ADD")])
         del self.component.connectors["in"]
         self.assertEqual(self.look(ask.which_ports), [("PORT_EVENT", "in", "PORT_REMOVE")])
+
+
+class Queues(unittest.TestCase):
+    """Whom a Watch asks at a time."""
+
+    def setUp(self):
+        self.watch = watch.Watch(watch.Events(watch.KINDS, asks_ports=True))
+        self.begun = []
+        self.watch.start = lambda work, place=None: self.begun.append(work)
+
+    def tearDown(self):
+        for work in self.begun:
+            work.close()
+
+    def follow(self, number, count):
+        """Follow components of one process, with `count` ports each."""
+        self.watch.followed = [
+            types.SimpleNamespace(
+                is_there=True, is_hung=False, endpoint=("a", 1), where=str(each), reports=False,
+                patience=times.Patience(), seen=types.SimpleNamespace(
+                    contexts=(), has_sets=False, ports=count * [None], _which_owned=None,
+                    _which_participating=None, _which_ports=None, asks_port=lambda port: False,
+                ),
+            )
+            for each in range(number)
+        ]
+
+    def test_one_that_is_slow_delays_no_other_of_its_process(self):
+        self.follow(3, 0)
+        self.watch.ask_around(0.0)
+        self.assertEqual(len(self.begun), 3)
+        self.watch.ask_around(10.0)  # none has answered
+        self.assertEqual(len(self.begun), 3)
+
+    def test_many_ports_are_asked_more_rarely(self):
+        for count, seconds in ((5, 2), (100, 10)):
+            self.follow(10, count)
+            self.watch.ask_around(0.0)
+            self.assertEqual(self.watch.asks[ask.connections] * self.watch.look, seconds)
 
 
 if __name__ == "__main__":

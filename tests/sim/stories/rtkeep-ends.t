@@ -103,11 +103,11 @@ What was made Inactive by hand stays Inactive after an Error, also while the fil
   $ rtdeact Motor0.rtc
   $ sleep 5
   $ show rtkeep
-  [08:00:31] /robot/test.host_cxt/Motor0.rtc: was made Inactive by hand: left alone
+  [08:00:33] /robot/test.host_cxt/Motor0.rtc: was made Inactive by hand: left alone
   $ ctl error Motor0
   $ sleep 5
   $ show rtkeep
-  [08:00:39] /robot/test.host_cxt/Motor0.rtc: in Error: reset
+  [08:00:37] /robot/test.host_cxt/Motor0.rtc: in Error: reset
   $ rtkeep reload
   $ sleep 5
   $ ctl error Motor0
@@ -115,12 +115,12 @@ What was made Inactive by hand stays Inactive after an Error, also while the fil
   $ ctl state Motor0
   INACTIVE
   $ show rtkeep
-  [08:00:46] /robot/test.host_cxt/Motor0.rtc: in Error: reset
+  [08:00:48] /robot/test.host_cxt/Motor0.rtc: in Error: reset
   $ rtkeep status --json
   {"kind": "rtkeep", "object": "a.xml", "pid": 18, "settled": true, "since": 20.1}
   {"by_hand": [], "given_up": false, "kind": "component", "last": "Active", "object": "/robot/test.host_cxt/ConsoleIn0.rtc", "restarts": 0, "since": 20.3, "state": "Active", "wanted": "Active"}
   {"by_hand": [], "given_up": false, "kind": "component", "last": "Active", "object": "/robot/test.host_cxt/ConsoleOut0.rtc", "restarts": 0, "since": 20.3, "state": "Active", "wanted": "Active"}
-  {"by_hand": ["was made Inactive by hand"], "given_up": false, "kind": "component", "last": "in Error: reset", "object": "/robot/test.host_cxt/Motor0.rtc", "restarts": 0, "since": 46.5, "state": "Inactive", "wanted": "Active"}
+  {"by_hand": ["was made Inactive by hand"], "given_up": false, "kind": "component", "last": "in Error: reset", "object": "/robot/test.host_cxt/Motor0.rtc", "restarts": 0, "since": 48.5, "state": "Inactive", "wanted": "Active"}
   {"by_hand": [], "given_up": false, "kind": "component", "last": "Active", "object": "/robot/test.host_cxt/Source0.rtc", "restarts": 0, "since": 20.3, "state": "Active", "wanted": "Active"}
 
 A person activates it again:
@@ -128,12 +128,12 @@ A person activates it again:
   $ rtact --wait Motor0.rtc
   $ sleep 20
   $ show rtkeep
-  [08:01:06] /robot/test.host_cxt/Motor0.rtc: is Active again
+  [08:00:58] /robot/test.host_cxt/Motor0.rtc: is Active again
   $ ctl error Motor0
   $ sleep 20
   $ rtcheck a.xml
   $ strike TERM rtkeep
   $ wait rtkeep
-  [08:01:27] /robot/test.host_cxt/Motor0.rtc: in Error: reset
-  [08:01:27] /robot/test.host_cxt/Motor0.rtc: Active
+  [08:01:17] /robot/test.host_cxt/Motor0.rtc: in Error: reset
+  [08:01:17] /robot/test.host_cxt/Motor0.rtc: Active
   [0] after 75.1 s
