@@ -1092,8 +1092,8 @@ def manager(path):
 
 
 def log(name, idl=()):
-    """Yield the entries of a log (MCAP, or of rtshell's rtlog), dicts as `rtlog --json` prints them: number,
-    received (seconds since 1970), port, type, value. Raises OSError, errors.Failed.
+    """Yield the entries of a log (MCAP, or of rtshell's rtlog), dicts as `rtlog export --json` prints them:
+    number, received (seconds since 1970), port, type, value. Raises OSError, errors.Failed.
     """
     from rtshell_lite.data import datatypes
     from rtshell_lite.datalog import decode, logfile

@@ -24,13 +24,18 @@ EXIT_STATUSES = """exit status:
 # ---- reading it ----
 
 
-class Parser(argparse.ArgumentParser):
-    """argparse with options anywhere, negative numbers as arguments, no abbreviations, and our errors."""
+class Words:
+    """The words of a command line: its options, which may be anywhere, and the others.
+
+    A subclass has `add_argument` and `_option_string_actions` as of argparse.
+    """
 
     # {a word of another tool: the option that is meant}
     synonyms = {}  # type: dict
     # {an option of rtshell up to 3.0, which later ones do not have: what is written instead}
     former = {}  # type: dict
+    # a function that says of an option that is not ours to which verbs it belongs, see verbs.py
+    whose = None
 
     def option(self, spelling, help, **more):
         """Declare an option or an argument, spelt as in a manual. `more` is for add_argument.
@@ -69,39 +74,6 @@ class Parser(argparse.ArgumentParser):
         message = message.replace("invalid float value", "not a number")
         raise errors.Usage(message.replace(": -- ", ": "))
 
-    def parse_args(self, argv):  # type: ignore[override]
-        options, words = self._sorted(argv)
-        options.sort(key=lambda word: word == "--version")  # it ends the program, and -v adds to it
-        return super().parse_args(options + ["--"] + words if words else options)
-
-    # argparse counts words with regular expressions, which take an eighth of the time of a command to import.
-    # `pattern` has an A for each word that is no option, - for `--` and O for an option. What does not fit is
-    # still its own affair.
-
-    def _match_argument(self, action, pattern):
-        """How many words an option takes."""
-        there = len(pattern) - len(pattern.lstrip("A"))
-        least, most = _counts(action)
-        if not action.option_strings or there < least:
-            return super()._match_argument(action, pattern)
-        return min(there, most)
-
-    def _match_arguments_partial(self, actions, pattern):
-        """How many words each positional argument takes, as many as there are for the first ones."""
-        there = len(pattern.lstrip("-"))
-        counts = [_counts(action) for action in actions]
-        spare = there - sum(least for least, _ in counts)
-        if spare < 0 or "A" * there != pattern[-there:] and there:
-            return super()._match_arguments_partial(actions, pattern)
-        found = []
-        for least, most in counts:
-            more = min(spare, most - least)
-            spare -= more
-            found.append(least + more)
-        if found:
-            found[0] += len(pattern) - there  # the `--` before them
-        return found
-
     def unfinished(self, words):
         """Where the first words of a command line lead, for completion.
 
@@ -125,7 +97,7 @@ class Parser(argparse.ArgumentParser):
                 return positional, action, False
         return positional, None, False
 
-    def _sorted(self, argv):
+    def sort(self, argv):
         """Separate options with their values from the other words;
         argparse itself cannot mix them on all Pythons.
         """
@@ -186,7 +158,8 @@ class Parser(argparse.ArgumentParser):
         if name in self.former:
             self.error(f"{name} is an option of old versions; now: {self.former[name]}")
         if name not in self._option_string_actions:
-            self.error("unrecognized arguments: " + text.printable(word))
+            why = self.whose and self.whose(name)
+            self.error(why or "unrecognized arguments: " + text.printable(word))
         return self._option_string_actions[name]
 
     @staticmethod
@@ -207,6 +180,60 @@ class Parser(argparse.ArgumentParser):
         if value.startswith("-"):
             return [word + glue + value]
         return [word, value]
+
+
+class Parser(Words, argparse.ArgumentParser):
+    """argparse with options anywhere, negative numbers as arguments, no abbreviations, and our errors."""
+
+    verbs = None  # a verbs.Verbs
+
+    def parse_args(self, argv):  # type: ignore[override]
+        if self.verbs is not None:
+            parser, argv = self.verbs.choose(argv)
+            if parser is None:
+                self.print_help()
+                self.exit()
+            return parser.parse_args(argv)
+        options, words = self.sort(argv)
+        options.sort(key=lambda word: word == "--version")  # it ends the program, and -v adds to it
+        return super().parse_args(options + ["--"] + words if words else options)
+
+    def format_help(self):
+        if self.verbs is None:
+            return super().format_help()
+        formatter = self._get_formatter()
+        formatter.add_usage("%(prog)s VERB ...", (), ())
+        for words in self.description, self.verbs.summaries(), self.epilog:
+            formatter.add_text(words)
+        return formatter.format_help()
+
+    # argparse counts words with regular expressions, which take an eighth of the time of a command to import.
+    # `pattern` has an A for each word that is no option, - for `--` and O for an option. What does not fit is
+    # still its own affair.
+
+    def _match_argument(self, action, pattern):
+        """How many words an option takes."""
+        there = len(pattern) - len(pattern.lstrip("A"))
+        least, most = _counts(action)
+        if not action.option_strings or there < least:
+            return super()._match_argument(action, pattern)
+        return min(there, most)
+
+    def _match_arguments_partial(self, actions, pattern):
+        """How many words each positional argument takes, as many as there are for the first ones."""
+        there = len(pattern.lstrip("-"))
+        counts = [_counts(action) for action in actions]
+        spare = there - sum(least for least, _ in counts)
+        if spare < 0 or "A" * there != pattern[-there:] and there:
+            return super()._match_arguments_partial(actions, pattern)
+        found = []
+        for least, most in counts:
+            more = min(spare, most - least)
+            spare -= more
+            found.append(least + more)
+        if found:
+            found[0] += len(pattern) - there  # the `--` before them
+        return found
 
 
 def _counts(action):
@@ -234,13 +261,18 @@ def parser(arguments, doc, prog):
     under PYTHONOPTIMIZE=2.
     """
     summary, _, details = (doc or "").strip().partition("\n\n")
-    if details:
-        details += "\n\n"
     parser = Parser(
-        prog=prog, description=summary, add_help=False, epilog=details + EXIT_STATUSES,
-        formatter_class=_formatter,
+        prog=prog, description=summary, add_help=False, epilog=details, formatter_class=_formatter
     )
     arguments(parser)
+    if parser.verbs is None:  # else each verb has them
+        parser.epilog = "\n\n".join(filter(None, [details, EXIT_STATUSES]))
+        common(parser)
+    return parser
+
+
+def common(parser):
+    """The options of all commands, for an instance of Words."""
     taken = parser._option_string_actions  # rtcryo has a -v of its own
     parser.add_argument(
         *[o for o in ("-v", "--verbose") if o not in taken], action="store_true", dest="verbose",
@@ -259,7 +291,6 @@ def parser(arguments, doc, prog):
         help="show the version, with -v also those of Python and the ORB, and exit",
     )
     parser.add_argument("-h", "--help", action="help", help="show this help and exit")
-    return parser
 
 
 class _Version(argparse.Action):

@@ -19,10 +19,17 @@ def text():
     parts = [HEAD, _part("every command", common, common._actions)]
     for name, path in sorted(installation.commands().items()):
         module = installation.load(path, "rtshell_lite command")
-        parser = options.parser(module.arguments, module.__doc__, name)
-        own = [action for action in parser._actions if (action.dest, action.help) not in known]
-        parts.append(_part(name, parser, own))
+        for parser in parsers(options.parser(module.arguments, module.__doc__, name)):
+            own = [action for action in parser._actions if (action.dest, action.help) not in known]
+            parts.append(_part(parser.prog, parser, own))
     return "\n".join(parts)
+
+
+def parsers(parser):
+    """The Parsers of the verbs of a command; without verbs, its own."""
+    if parser.verbs is None:
+        return [parser]
+    return [parser.verbs.parser(name) for name in parser.verbs.known]
 
 
 def _part(title, parser, actions):

@@ -54,35 +54,55 @@ def sections(markdown):
 def _command_page(name, path, date):
     module = installation.load(path, "rtshell_lite command")
     parser = options.parser(module.arguments, module.__doc__, name)
-    shown = [action for action in parser._actions if action.help is not argparse.SUPPRESS]
     summary, _, rest = module.__doc__.strip().partition("\n\n")
-    details, _, examples = ("\n" + rest).partition("\nexamples:\n")
-    details, _, fields = details.partition("\nJSON:\n")
     lines = [
         _header(name, 1, date),
         ".SH NAME",
         "%s \\- %s" % (name, _text(summary.rstrip(".").replace("\n", " "))),
         ".SH SYNOPSIS",
-        ".B " + name,
-        " ".join(
-            ["[\\fIoption\\fR ...]"] + [_argument(action) for action in shown if not action.option_strings]
-        ),
     ]
+    for number, one in enumerate(command_line.parsers(parser)):
+        lines += [".br"] * (number > 0) + _synopsis(one)
+    if parser.verbs is None:
+        lines += _parts(parser, rest, ".SH")
+    else:
+        description, _, examples = rest.partition("\nexamples:\n")
+        lines += [".SH DESCRIPTION"] + _paragraphs(description.strip("\n"))
+        for verb, one in parser.verbs.known.items():
+            lines += [f".SH {name.upper()} {verb.upper()}", ".PP"]
+            summary, _, rest = one.doc.strip().partition("\n\n")
+            lines += [_text(summary)] + _parts(parser.verbs.parser(verb), rest, ".SS")
+        lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
+    lines += [
+        ".SH SEE ALSO", ".BR rtshell_lite (7):", "options of all commands, paths, exit statuses, environment"
+    ]
+    return _page(lines)
+
+
+def _synopsis(parser):
+    arguments = [_argument(action) for action in parser._actions if not action.option_strings]
+    return [".B " + parser.prog, " ".join(["[\\fIoption\\fR ...]"] + arguments)]
+
+
+def _parts(parser, doc, heading):
+    """What the page says of a command or a verb: description, options, JSON and examples; `doc` is its help
+    without the summary, `heading` is .SH or .SS.
+    """
+    details, _, examples = ("\n" + doc).partition("\nexamples:\n")
+    details, _, fields = details.partition("\nJSON:\n")
+    lines = []
     if details.strip():
-        lines += [".SH DESCRIPTION"] + _paragraphs(details.strip("\n"))
-    lines += [".SH OPTIONS"]
-    common = {(action.dest, action.help) for action in options.parser(lambda parser: None, "", name)._actions}
+        lines += [heading + " DESCRIPTION"] + _paragraphs(details.strip("\n"))
+    lines += [heading + " OPTIONS"]
+    shown = [action for action in parser._actions if action.help is not argparse.SUPPRESS]
+    common = {(action.dest, action.help) for action in options.parser(lambda parser: None, "", "")._actions}
     for action in sorted(shown, key=lambda action: bool(action.option_strings)):
         if (action.dest, action.help) in common:
             continue  # rtshell_lite(7) has them
         lines += [".TP", _label(action), _text(parser._get_formatter()._expand_help(action))]
     if fields:
-        lines += [".SH JSON"] + _entries(fields)
-    lines += [".SH EXAMPLES"] + _literal(examples.rstrip().split("\n"))
-    lines += [
-        ".SH SEE ALSO", ".BR rtshell_lite (7):", "options of all commands, paths, exit statuses, environment"
-    ]
-    return _page(lines)
+        lines += [heading + " JSON"] + _entries(fields)
+    return lines + [heading + " EXAMPLES"] + _literal(examples.rstrip().split("\n"))
 
 
 def _page(lines):
@@ -93,7 +113,7 @@ def _page(lines):
     literal = False
     for line in lines:
         literal = line == ".nf" or literal and line != ".fi"
-        if line == ".PP" and page[-1].startswith(".SH "):
+        if line == ".PP" and page[-1].startswith((".SH ", ".SS ")):
             continue
         if literal or line.startswith(".") or page[-1] == ".TP":
             page.append(line)

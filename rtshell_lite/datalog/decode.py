@@ -57,7 +57,7 @@ class Decoder:
         """What is wrong with the log, in words."""
         yield from notes(self.log)
         if self.log.gaps:
-            yield "values are missing in it (intervals: %d); rtlog -d shows when" % len(self.log.gaps)
+            yield "values are missing in it (intervals: %d); rtlog show says when" % len(self.log.gaps)
         if self.unreadable:
             yield "%d entries are not what their type says, and shown as bytes" % self.unreadable
 
@@ -189,7 +189,7 @@ def notes(log):
     """What is wrong with a log, in words, and what helps."""
     yield from log.notes()
     if not log.closed and log.form == "mcap":
-        yield "other readers may refuse it; rtlog --mend makes a copy that they open"
+        yield "other readers may refuse it; rtlog mend makes a copy that they open"
 
 
 def summary(log):

@@ -155,8 +155,8 @@ class Hook:
 
 
 class Mailbox:
-    """A file beside a log, NAME.trigger, in which `rtlog --trigger-now NAME` leaves a word; it is ours while
-    we record. A file of that name that does not begin with HEAD is the user's.
+    """A file beside a log, NAME.trigger, in which `rtlog ring --trigger-now NAME` leaves a word; it is ours
+    while we record. A file of that name that does not begin with HEAD is the user's.
     """
 
     def __init__(self, name):

@@ -220,7 +220,7 @@ class _Recording:
             notes.fail(f"{dropped} of {dropped + work.count} messages dropped")
             self._tally.fail(errors.Partial())
         if work.gaps:
-            notes.fail(f"values are missing (intervals: {work.gaps}); rtlog -d shows when")
+            notes.fail(f"values are missing (intervals: {work.gaps}); rtlog show says when")
             self._tally.fail(errors.Partial())
         if work.repeated:
             notes.note(

@@ -38,7 +38,7 @@ def _profile(log):
         except errors.BadProfile:
             continue
     raise errors.Failed(
-        log.where, "no profile of the system is in this log: record it with rtlog --events PATH"
+        log.where, "no profile of the system is in this log: record it with rtlog record --events PATH"
     )
 
 

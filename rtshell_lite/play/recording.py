@@ -1,6 +1,6 @@
 """What a log says of a robot: its components, what is connected, and what changed when.
 
-Logs of `rtlog --events` have profiles of the system (system-N.rtsys) and details of its components
+Logs of `rtlog record --events` have profiles of the system (system-N.rtsys) and details of its components
 (components-N.json); other logs show the out ports that were recorded, and nothing else.
 """
 
@@ -42,7 +42,8 @@ class Recording:
         self.scenes = _scenes(log) or [Scene(log.started, model.RtsProfile(), {})]
         self._shorten_sources()
         if not self.paths() and not self.channels:
-            raise errors.Failed(log.where, "no component is in this log: record it with rtlog --events PATH")
+            why = "no component is in this log: record it with rtlog record --events PATH"
+            raise errors.Failed(log.where, why)
 
     def _add_source(self, number, channel):
         try:

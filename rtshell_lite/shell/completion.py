@@ -72,6 +72,16 @@ async def _arguments(command, before, word):
         return []
     module = installation.load(known[command], "rtshell_lite command")
     parser = options.parser(module.arguments, module.__doc__, command)
+    if parser.verbs is None:
+        return await _words(parser, module.__doc__, before, word)
+    first = parser.verbs.first_words() if not before else {}
+    found = [Candidate(name, True, help) for name, help in first.items() if word or not name.startswith("-")]
+    parser, before = parser.verbs.choose(before)
+    return found + (await _words(parser, "", before, word) if parser else [])
+
+
+async def _words(parser, doc, before, word):
+    """What may follow the words `before` of a command, or of a verb of it, whose Parser this is."""
     positional, option, ended = parser.unfinished(before)
     positional = Positional(positional)
     positional.line = before
@@ -79,10 +89,10 @@ async def _arguments(command, before, word):
         found = await _for_action(option, word, positional)
         if found or option.nargs != "?":
             return found
-        return await _positional(parser, module.__doc__, positional, word)
+        return await _positional(parser, doc, positional, word)
     if word.startswith("-") and not ended:
         return await _options(parser, word, positional)
-    return await _positional(parser, module.__doc__, positional, word)
+    return await _positional(parser, doc, positional, word)
 
 
 class Positional(list):
@@ -346,6 +356,12 @@ def _listed(word):
     return found
 
 
+async def _logs(word, positional):
+    """LOG of rtlog; with -f, what follows it."""
+    is_named = any(name in positional.line for name in ("-f", "--filename"))
+    return await (KINDS["PATH[:PORT]"] if is_named else _files)(word, positional)
+
+
 async def _directories(word, positional):
     return [candidate for candidate in await _files(word, positional) if not candidate.final]
 
@@ -380,6 +396,7 @@ KINDS = {
     "SET": _sets,
     "PARAM": _parameters,
     "FILE": _files,
+    "LOG": _logs,
     "DIR": _directories,
     "KEY=VALUE": _properties,
 }

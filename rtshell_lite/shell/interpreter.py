@@ -141,7 +141,7 @@ class Interpreter:
 
     def _help(self, words):
         if words:
-            return self.run(words[:1] + ["--help"])
+            return self.run(words + ["--help"])
         self.show(
             "\n".join(
                 ["commands, with or without rt; help COMMAND says more:"]

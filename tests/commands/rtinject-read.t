@@ -60,5 +60,5 @@ Wrong usage:
   rtinject: argument --linger: not a number of seconds above 0: -1 (see --help)
   [2]
   $ rtlog -f a.rtlog --anyway ConsoleIn0.rtc:out
-  rtlog: --linger and --anyway are for playing to ports (see --help)
+  rtlog: --anyway is for rtlog play, not for rtlog record (see --help)
   [2]

@@ -26,7 +26,7 @@ kill -9 costs what was on its way; the file can be read, played, appended to:
   [137]
   $ [ $(rtlog --json -f k.rtlog | wc -l) -gt 20 ]
   rtlog: k.rtlog: recording has not ended regularly, or goes on
-  rtlog: k.rtlog: other readers may refuse it; rtlog --mend makes a copy that they open
+  rtlog: k.rtlog: other readers may refuse it; rtlog mend makes a copy that they open
   $ rtlog -q -i -e 1 --append -f k.rtlog Source0.rtc:number; rtlog -d -f k.rtlog | grep Channel
   Channel 1
   $ rtlog --csv -f k.rtlog | sed 1d | cut -d, -f1 > numbers; seq 0 $(tail -n 1 numbers) | cmp - numbers
@@ -70,7 +70,7 @@ Files that cannot be written:
   [1]
   $ rtlog -d --json -f full.rtlog | grep -o '"closed.*damaged": 0\|"torn.*'
   rtlog: full.rtlog: recording has not ended regularly, or goes on
-  rtlog: full.rtlog: other readers may refuse it; rtlog --mend makes a copy that they open
+  rtlog: full.rtlog: other readers may refuse it; rtlog mend makes a copy that they open
   "closed": false, "damaged": 0
   "torn": 0}
   $ (ulimit -f 1; rtlog --mend full.rtlog -f m.rtlog; rtlog -q --csv tables -f full.rtlog) 2>&1 | cat

@@ -43,7 +43,7 @@ A log that rtshell's rtlog wrote (simpkl, Python 3.7), and one of Python 2 whose
   $ rtlog -p --csv old.rtlog | wc -l
   4
   $ rtlog old.rtlog
-  rtlog: old.rtlog: a log; -d shows what is in it, -p plays it, -f names what is recorded to (see --help)
+  rtlog: old.rtlog: a log; show, play and export read it, -f names what is recorded to (see --help)
   [2]
   $ TZ=Asia/Tokyo rtlog -d -f python2.rtlog
   Name: python2.rtlog
@@ -144,7 +144,7 @@ MCAP that somebody else wrote, with a type in the words of ROS, and with message
   number,time,port,mode,legs[0],legs[1]
   6,1000000007000000000,/state,walk,1,2
   $ rtlog --csv a b -f other.mcap
-  rtlog: --json and --csv exclude each other, and ports (see --help)
+  rtlog: one DIRECTORY at a time: b (see --help)
   [2]
   $ rtlog --csv -f other.mcap | head -n 2
   number,time,port,tm,data,mode,legs[0],legs[1]
@@ -153,7 +153,7 @@ MCAP that somebody else wrote, with a type in the words of ROS, and with message
   Name: torn.mcap
   State: INCOMPLETE, whole up to octet 952
   rtlog: torn.mcap: the last 48 octets are not a whole record and are left out
-  rtlog: torn.mcap: other readers may refuse it; rtlog --mend makes a copy that they open
+  rtlog: torn.mcap: other readers may refuse it; rtlog mend makes a copy that they open
 
 For others it is made whole in a copy, or in place:
 
@@ -171,13 +171,11 @@ For others it is made whole in a copy, or in place:
   rtlog: old.rtlog: a log of rtshell; only MCAP can be mended
   [1]
   $ rtlog --mend torn.mcap -d
-  rtlog: --mend takes only -f OUT or --in-place (see --help)
+  rtlog: -d is for rtlog show, not for rtlog mend (see --help)
   [2]
-  $ rtlog --mend --in-place torn.mcap
-  rtlog: --mend --in-place: the log comes first: --mend FILE --in-place (see --help)
-  [2]
+  $ head -c 1000 other.mcap > torn.mcap; rtlog -q --mend --in-place torn.mcap; cmp out.mcap torn.mcap
   $ rtlog --in-place -d -f torn.mcap
-  rtlog: --in-place is for --mend (see --help)
+  rtlog: --in-place is for rtlog mend, not for rtlog show (see --help)
   [2]
 
 Compressed by somebody else: read by those Pythons that can, zstd from 3.14 on; else refused, with what to do:
@@ -248,14 +246,14 @@ Wrong usage:
   rtlog: no log file specified (see --help)
   [2]
   $ rtlog -d -p -f old.rtlog
-  rtlog: -p and -d exclude each other (see --help)
+  rtlog: -d is for rtlog show, not for rtlog play (see --help)
   [2]
   $ rtlog -d --csv -f old.rtlog
-  rtlog: -d takes neither ports nor --csv (see --help)
+  rtlog: --csv is for rtlog play and export, not for rtlog show (see --help)
   [2]
   $ rtlog -d -f old.rtlog a.rtc:b
-  rtlog: -d takes neither ports nor --csv (see --help)
+  rtlog: one log at a time: a.rtc:b (see --help)
   [2]
   $ rtlog --csv --json -f old.rtlog
-  rtlog: --json and --csv exclude each other, and ports (see --help)
+  rtlog: --json and --csv exclude each other (see --help)
   [2]

@@ -74,5 +74,5 @@ What the buffer of a port could not hold meanwhile is missing, which is in the l
   > lost = sum(m - n - 1 for n, m in zip(numbers, numbers[1:]))
   > told = sum(count for gap in json.load(open("info"))["gaps"] for name, count in gap["counts"].items() if name.endswith(":number"))
   > print(lost > 1000, told > 0)'
-  rtlog: values are missing (intervals: *); rtlog -d shows when (glob)
+  rtlog: values are missing (intervals: *); rtlog show says when (glob)
   True True

@@ -100,8 +100,8 @@ What cannot be:
   $ rtlog -q -p --map Gone=There -f a.mcap .
   rtlog: --map Gone=There: nothing in the file is there (see --help)
   [2]
-  $ rtlog -q -f b.mcap -t 2 Left.rtc; rtlog -p -f b.mcap .
-  rtlog: b.mcap: its connections are not in it: name ports, or record it with rtlog --events PATH
+  $ rtlog -q -f b.mcap -t 1 Left.rtc; rtlog -p -f b.mcap .
+  rtlog: b.mcap: its connections are not in it: name ports, or record it with rtlog record --events PATH
   [1]
   $ rtlog -p -f b.mcap One.rtc
   rtlog: /localhost:$PORT/test.host_cxt/One.rtc: no port specified; it has /localhost:$PORT/test.host_cxt/One.rtc:in (see --help)
@@ -113,17 +113,17 @@ What cannot be:
   rtlog: --only, --not and --map need a PATH without a port (see --help)
   [2]
   $ rtlog --json --only x -f a.mcap
-  rtlog: --only and --not need a PATH without a port (see --help)
+  rtlog: --only is for rtlog record, ring, play and serve, not for rtlog export (see --help)
   [2]
   $ rtlog -p --not x -f a.mcap
-  rtlog: --only and --not need a PATH without a port (see --help)
+  rtlog: --only, --not and --map need a PATH without a port (see --help)
   [2]
   $ rtlog -d --every 2 -f a.mcap
-  rtlog: --every, --at-most and --events are for recording (see --help)
+  rtlog: --every is for rtlog record and ring, not for rtlog show (see --help)
   [2]
   $ rtlog --map a=b -f c.mcap .
-  rtlog: --map is for playing to a PATH (see --help)
+  rtlog: --map is for rtlog play, not for rtlog record (see --help)
   [2]
   $ rtlog -p --as-components --map a=b -f a.mcap
-  rtlog: --map is for playing to a PATH (see --help)
+  rtlog: --map is for rtlog play, not for rtlog serve (see --help)
   [2]

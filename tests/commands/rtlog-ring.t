@@ -65,7 +65,7 @@ kill -9 leaves what can be read:
 Wrong usage:
 
   $ rtlog --trigger error -f x Source0.rtc:number
-  rtlog: --trigger, --then and --in-memory need --ring (see --help)
+  rtlog: --trigger is for rtlog ring, not for rtlog record (see --help)
   [2]
   $ rtlog --ring 5 --trigger error -f x Source0.rtc:number
   rtlog: --events and such triggers need a PATH without a port (see --help)
@@ -76,14 +76,14 @@ Wrong usage:
   rtlog: --trigger something: not error, death, disconnect, silent PATH:PORT SECONDS, or PATH:PORT.FIELD OP VALUE (see --help)
   [2]
   $ rtlog --ring 5 --rotate 5 -f x .
-  rtlog: --ring takes neither --rotate nor --append; --keep needs --rotate (see --help)
+  rtlog: --rotate is for rtlog record, not for rtlog ring (see --help)
   [2]
   $ rtlog --ring x -f x .
-  rtlog: argument --ring: not a number of seconds above 0: x (see --help)
+  rtlog: argument --last/--ring: not a number of seconds above 0: x (see --help)
   [2]
   $ rtlog --ring-size x -f x .
-  rtlog: argument --ring-size: not a size such as 500M: x (see --help)
+  rtlog: argument --size/--ring-size: not a size such as 500M: x (see --help)
   [2]
   $ rtlog --ring 5 -p -f x
-  rtlog: --ring, --rotate and what belongs to them are for recording (see --help)
+  rtlog: --ring is for rtlog ring, not for rtlog play (see --help)
   [2]

@@ -23,7 +23,7 @@ The profile of the system can be taken out:
   rtlog: a.mcap: no such attachment: other (there are: *) (glob)
   [3]
   $ rtlog --attachment x -d -f a.mcap
-  rtlog: --attachment takes only -f FILE (see --help)
+  rtlog: --attachment is for rtlog export, not for rtlog show (see --help)
   [2]
 
 Some ports, and some of their values:

@@ -85,10 +85,10 @@ Only this host can ask, unless an address is given:
 What cannot be:
 
   $ rtlog -f a.mcap --as-components
-  rtlog: --loop and --as-components are for playing (see --help)
+  rtlog: --as-components is for rtlog serve, not for rtlog record (see --help)
   [2]
   $ rtlog -p -f a.mcap --serve 1
-  rtlog: --nameserver, --serve and --when-connected need --as-components (see --help)
+  rtlog: --serve is for rtlog serve, not for rtlog play (see --help)
   [2]
   $ rtlog -p -f a.mcap --as-components --serve x
   rtlog: argument --serve: not [HOST:]PORT: x (see --help)

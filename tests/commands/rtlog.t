@@ -125,7 +125,7 @@ A file that was cut off is read up to its last whole record, and can be appended
   $ rtlog -d --json -f cut.rtlog 2>&1 | sed 's/.*closed/closed/; s/[0-9][0-9.]\{1,\}/N/g'
   closed": false, "damaged": 0, "entries": 3, "file": "cut.rtlog", "first": N, "form": "mcap", "gaps": [], "last": N, "size": N, "started": N, "torn": N}
   rtlog: cut.rtlog: the last N octets are not a whole record and are left out
-  rtlog: cut.rtlog: other readers may refuse it; rtlog --mend makes a copy that they open
+  rtlog: cut.rtlog: other readers may refuse it; rtlog mend makes a copy that they open
   $ rtlog -q -i -e 1 --append -f cut.rtlog Source0.rtc:number.numbers
   $ rtlog -d --json -f cut.rtlog | grep -o '"closed": [a-z]*\|"torn": [0-9]*'
   "closed": true
@@ -185,7 +185,7 @@ Fetched instead of pushed; with properties of the connection, as in rtcon:
 Wrong usage:
 
   $ rtlog
-  rtlog: nothing to record: no port specified; -d shows what is in a log, -p plays it (see --help)
+  rtlog: nothing to record: no port specified; rtlog show prints what is in a log (see --help)
   [2]
   $ rtlog Source0.rtc:number -e -5 -i
   rtlog: end time/index out of bounds (see --help)
@@ -197,7 +197,7 @@ Wrong usage:
   rtlog: end time/index out of bounds (see --help)
   [2]
   $ rtlog Source0.rtc:number -s 5 -i
-  rtlog: -s is for playing (see --help)
+  rtlog: -s is for rtlog play, serve and export, not for rtlog record (see --help)
   [2]
   $ rtlog Source0.rtc:number -l foo
   rtlog: argument -l/--logger: not one of mcap, simpkl, text: foo (see --help)
@@ -209,7 +209,7 @@ Wrong usage:
   rtlog: not KEY=VALUE: x (see --help)
   [2]
   $ rtlog Source0.rtc:number --json -f x
-  rtlog: --json and --csv exclude each other, and ports (see --help)
+  rtlog: not a DIRECTORY for --csv: Source0.rtc:number (see --help)
   [2]
   $ rtlog -q Source0.rtc:number -i -t 0.1 -f x
   $ rtlog Source0.rtc:number -i -t 0.1 -f x
@@ -242,7 +242,7 @@ invocation: -p -f LOG A:in
 invocation: -p --anyway -f LOG A:in
 lasting: -f OUT A:out
 prepared: rtec Source0.rtc rate 40; rtact Source0.rtc ConsoleOut0.rtc
-example: rtlog -p -f robot.mcap --map robot=localhost --only '*Image*' /localhost <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
-example: rtlog -p -f robot.mcap --as-components --serve 2809 --loop <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
-example: rtlog -p -f robot.mcap --as-components --when-connected replay.host_cxt <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
-example: rtlog --json -f run.mcap | grep force <- rtlog -f run.mcap -t 1 Source0.rtc:number.force
+example: rtlog play robot.mcap --map robot=localhost --only '*Image*' /localhost <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
+example: rtlog serve robot.mcap --serve 2809 --loop <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
+example: rtlog serve robot.mcap --when-connected replay.host_cxt <- rtcon --ensure ConsoleIn0.rtc:out ConsoleOut0.rtc:in; rtlog -q --events -t 3 -f robot.mcap .
+example: rtlog export run.mcap --json | grep force <- rtlog -f run.mcap -t 1 Source0.rtc:number.force

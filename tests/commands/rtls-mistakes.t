@@ -87,7 +87,7 @@ Options:
   $ rtprint -n 0 ConsoleIn0.rtc:out
   rtprint: -n 0: no values are printed; without -n there is no end
   $ rtlog -f F -i
-  rtlog: nothing to record: no port specified; -d shows what is in a log, -p plays it (see --help)
+  rtlog: nothing to record: no port specified; rtlog show prints what is in a log (see --help)
   [2]
   $ RTCTREE_NAMESERVERS="localhost:$PORT,localhost:1" rtls /
   rtls: localhost:$PORT,localhost:1: several name servers are separated by semicolons

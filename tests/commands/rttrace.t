@@ -47,7 +47,28 @@ Plotted, each port on the way, on equal axes:
 
 On a recording, with the connections that it had:
 
-  $ rtlog -q --events -t 1 -f chain.mcap .
+  $ trace_log() { rttrace --from chain.mcap "$@" | sed -n '/^-/s/.* yes  .*host_cxt//p; /^no stage/p'; }
+  $ rtlog -q --events -t 4 -f chain.mcap .
+  $ trace_log Link0.rtc:out
+  /Link0.rtc:out
+  /Link1.rtc:out
+  /Link2.rtc:out
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link3.rtc takes what comes to it cannot be seen
+  $ trace_log -u Link2.rtc:in
+  /Link0.rtc:out
+  /Link1.rtc:out
+  no stage stops, holds, thins, delays or disorders the values; whether /localhost:$PORT/test.host_cxt/Link2.rtc takes what comes to it cannot be seen
+  $ trace_log Link0.rtc:out --to Link1.rtc:in -t 1.5
+  /Link0.rtc:out
+  /Link1.rtc:out
+  no stage stops, holds, thins, delays or disorders the values
+  $ rttrace --from chain.mcap Apart0.rtc:in
+  rttrace: /localhost:$PORT/test.host_cxt/Apart0.rtc:in: no such component with connections in the profile of this log: /localhost:$PORT/test.host_cxt/Apart0.rtc
+  [3]
+  $ rtlog -q -t 0.3 -f ports.mcap Link0.rtc:out; rttrace --from ports.mcap Link0.rtc:out
+  rttrace: ports.mcap: no profile of the system is in this log: record it with rtlog record --events PATH
+  [1]
+
   $ rttrace --from chain.mcap --plot Link1.rtc:out --to Link2.rtc:in > out
   $ grep -c '^⠤⠤ rate  min [0-9]' out
   2

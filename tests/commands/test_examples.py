@@ -11,7 +11,6 @@ tests/support/invocations.py:
   example: LINE -> 1      its exit status
 """  # noqa: E501
 
-import ast
 import os
 import re
 import shutil
@@ -24,6 +23,7 @@ import unittest
 import invocations
 import mounts
 import processes
+import transcripts
 import worlds
 from worlds import Server, World
 
@@ -79,10 +79,10 @@ NAMES = [
     ("Arm0.rtc:joints", "Source0.rtc:number"),
     ("Hand0.rtc:force", "Source0.rtc:number"),
     ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
-    ("rtlog -f run.mcap -t 60", "rtlog -f run.mcap -t 1"),
+    ("rtlog record -f run.mcap -t 60", "rtlog record -f run.mcap -t 1"),
     ("run.mcap -i -e 1000", "run.mcap -i -e 250"),
-    ("rtlog --ring", "rtlog -t 1 --ring"),
-    ("rtlog --rotate", "rtlog -t 1 --rotate"),
+    ("rtlog ring", "rtlog ring -t 1"),
+    ("rtlog record --rotate", "rtlog record -t 1 --rotate"),
     ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
     (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
@@ -143,9 +143,9 @@ def commands():
 
 
 def examples(command):
-    """The lines of a docstring's examples, without the remarks beside them."""
-    doc = ast.get_docstring(ast.parse(read("bin", command)))
-    lines = doc.partition("\nexamples:\n")[2].split("\n")
+    """The lines of the examples of a command and of its verbs, without the remarks beside them."""
+    helps = transcripts.helps(read("bin", command))
+    lines = [line for text in helps for line in text.partition("\nexamples:\n")[2].split("\n")]
     return [re.split(r" {2,}", line.strip())[0] for line in lines if line.strip()]
 
 

@@ -9,6 +9,7 @@
 A line may end in ` (re)` or ` (glob)`; one that cannot be shown as it is ends in ` (esc)`, one without
 a newline in ` (no-eol)`. Lines such as `world: two` at the margin ask for peers: see session.py.
 """
+import ast
 import difflib
 import json
 import os
@@ -95,6 +96,13 @@ def render(items, outputs):
     for item in items:
         lines += item.lines(next(outputs)) if isinstance(item, Step) else [item]
     return "\n".join(lines) + "\n"
+
+
+def helps(source):
+    """What the file of a command has as its help: its docstring, and the texts of its verbs."""
+    texts = [node.value for node in ast.walk(ast.parse(source)) if isinstance(node, (ast.Expr, ast.Assign))]
+    texts = [getattr(text, "value", None) or getattr(text, "s", None) for text in texts]
+    return [text for text in texts if isinstance(text, str) and "\nexamples:\n" in text]
 
 
 # ---- spelling and comparing ----

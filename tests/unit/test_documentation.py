@@ -1,5 +1,4 @@
 """Manual pages, READMEs and docstrings: if one of these fails, they do not describe this version."""
-import ast
 import glob
 import json
 import os
@@ -13,6 +12,7 @@ import transcripts
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 ONCE = "what is written does not depend on the Python"
+RTLOG = ("record", "ring", "play", "serve", "show", "export", "mend")
 
 
 def read(*path):
@@ -41,12 +41,9 @@ def names(directory):
 
 
 def documented(command):
-    """What the docstring of a command says about its JSON; "" where it says nothing."""
-    return (
-        ast.get_docstring(ast.parse(read("bin", command)))
-        .partition("\nJSON:\n")[2]
-        .partition("\nexamples:\n")[0]
-    )
+    """What the help of a command and of its verbs says about their JSON; "" where it says nothing."""
+    helps = transcripts.helps(read("bin", command))
+    return "".join(text.partition("\nJSON:\n")[2].partition("\nexamples:\n")[0] for text in helps)
 
 
 def printed():
@@ -74,6 +71,7 @@ class Help(unittest.TestCase):
             os.environ, PYTHONPATH=ROOT, COLUMNS="80", PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8"
         )
         lines = [[os.path.join(ROOT, "bin", name), "--help"] for name in names("bin")]
+        lines += [[os.path.join(ROOT, "bin", "rtlog"), verb, "--help"] for verb in RTLOG]
         for words in lines + [
             ["-m", "rtshell_lite", "--help"],
             [os.path.join(ROOT, "bin", "rtsh"), "-c", "help"],

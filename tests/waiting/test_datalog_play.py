@@ -481,7 +481,7 @@ class Recording(Case):
             self.assertEqual((gap["counts"], gap["why"]), ({"a": work.box.dropped[0]}, gaps.DROPPED))
             said = f"Missing: {decode.date(START)} until {decode.date(START)}: "
             self.assertIn(said, "\n".join(decode.summary(log)))
-            note = "values are missing in it (intervals: 1); rtlog -d shows when"
+            note = "values are missing in it (intervals: 1); rtlog show says when"
             self.assertEqual(list(decode.Decoder(log, None).notes()), [note])
 
     def test_more_may_wait_where_there_is_much_memory(self):
