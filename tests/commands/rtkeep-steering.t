@@ -190,8 +190,49 @@ A directory that is not ours alone is not used.
   rtkeep: FILE is missing: what is adopted is written into it (see --help)
   [2]
   $ rtkeep a.xml b.xml
-  rtkeep: one file at a time: b.xml (see --help)
+  rtkeep: unrecognized arguments: b.xml (see --help)
   [2]
   $ rtkeep
   rtkeep: FILE is missing: what is kept must have a name (see --help)
   [2]
+
+Each verb has its own help and options; what is not a verb is a file, as are words with a directory:
+
+  $ rtkeep --help | grep '^  [a-z]* *[A-Z]'; rtkeep --help | wc -l
+    keep     Keep the system of an RtsProfile, and mend what changes
+    status   Print the wanted and present states of what is kept
+    pause    Leave components and processes alone until they are resumed
+    resume   Keep components and processes again, and undo what a person did
+    stop     Stop components and processes, or all of them and rtkeep
+    reload   Read the RtsProfile again
+    adopt    Write the present state of a system into its RtsProfile
+    convert  Make an RtsProfile from a launch file of rtmlaunch
+  23
+  $ for verb in status pause resume stop reload adopt convert; do echo $verb $(rtkeep $verb --help | grep -o '[ []--[a-z-]*' | tr -d ' [' | sort -u |
+  > grep -v 'verbose\|quiet\|timeout\|version\|help'); done
+  status --json
+  pause --of
+  resume --of
+  stop --of
+  reload --of
+  adopt --dry-run --xml --yaml
+  convert --output --xml --yaml
+  $ rtkeep keep --dry-run none.xml; rtkeep --dry-run none.xml
+  rtkeep: none.xml: No such file or directory
+  rtkeep: none.xml: No such file or directory
+  [1]
+  $ rtkeep --dry-run ./status
+  rtkeep: ./status: No such file or directory
+  [1]
+  $ rtkeep --dry-run keep ./status
+  rtkeep: ./status: No such file or directory
+  [1]
+  $ rtkeep pause --strict; rtkeep --json adopt a.xml
+  rtkeep: --strict is for rtkeep keep, not for rtkeep pause (see --help)
+  rtkeep: --json is for rtkeep keep and status, not for rtkeep adopt (see --help)
+  [2]
+  $ rtkeep --of b.xml a.xml
+  rtkeep: --of is for rtkeep pause, resume, stop and reload, not for rtkeep keep (see --help)
+  [2]
+  $ rtkeep --dry-run adopt b.xml | wc -l
+  25

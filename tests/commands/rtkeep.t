@@ -130,3 +130,4 @@ invocation: --once --within 1 FILE
 looking: --dry-run FILE
 broken component: 5
 examples: endless
+example: rtkeep convert robot.launch -o new.rtsys <- echo '<launch/>' > robot.launch

@@ -27,7 +27,7 @@ orb: builtin
 
   examples:
     rtlog record -f run.mcap -t 60 Arm0.rtc:joints
-    rtlog play run.mcap Viewer0.rtc:in
+    rtlog play run.mcap -r 0.5 Viewer0.rtc:in
     rtlog show run.mcap
 
   $ for verb in record ring play serve show export mend; do rtlog $verb --help | grep '^[A-Z].*[.]$' | head -n 1; done

@@ -110,6 +110,9 @@ help lists the commands, and helps with one:
   $ rtsh -c 'help nothing'
   rtsh: nothing: no such command
   [2]
+  $ rtsh -c 'help log show' | grep '^Show'; rtsh -c 'help keep adopt' | grep '^Write'
+  Show what is in a log.
+  Write the present state of a system into its RtsProfile.
 
 What it does not understand, or leaves to a real shell; in a file the line is reported, and the others are run:
 

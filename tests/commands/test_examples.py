@@ -97,7 +97,7 @@ STATUS["rttrace Sensor0.rtc:out --to Motor0.rtc:in"] = STATUS["rttrace -u Motor0
 ENDLESS, ASKING = ([command for command, lines in invocations.stated("examples").items() if word in lines]
                    for word in ("endless", "asking"))
 ELSEWHERE = {  # run by other tests
-    "eval": "test_completion", "rtcwd --shell": "test_completion",
+    "eval": "test_completion", "rtcwd --shell": "test_completion", "rtkeep status": "rtkeep-steering.t",
 }
 FIRST_WORDS = ("until", "while", "for", "if", "echo", "eval")
 # Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour),
@@ -146,7 +146,8 @@ def examples(command):
     """The lines of the examples of a command and of its verbs, without the remarks beside them."""
     helps = transcripts.helps(read("bin", command))
     lines = [line for text in helps for line in text.partition("\nexamples:\n")[2].split("\n")]
-    return [re.split(r" {2,}", line.strip())[0] for line in lines if line.strip()]
+    found = [re.split(r" {2,}", line.strip())[0] for line in lines if line.strip()]
+    return list(dict.fromkeys(found))  # what the help of a verb has, too
 
 
 class Robot:

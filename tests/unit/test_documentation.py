@@ -12,7 +12,6 @@ import transcripts
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 ONCE = "what is written does not depend on the Python"
-RTLOG = ("record", "ring", "play", "serve", "show", "export", "mend")
 
 
 def read(*path):
@@ -71,7 +70,8 @@ class Help(unittest.TestCase):
             os.environ, PYTHONPATH=ROOT, COLUMNS="80", PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8"
         )
         lines = [[os.path.join(ROOT, "bin", name), "--help"] for name in names("bin")]
-        lines += [[os.path.join(ROOT, "bin", "rtlog"), verb, "--help"] for verb in RTLOG]
+        verbs = re.findall(r"^(rt\w+) (\w+)$", read("docs", "command-line.txt"), re.MULTILINE)
+        lines += [[os.path.join(ROOT, "bin", name), verb, "--help"] for name, verb in verbs]
         for words in lines + [
             ["-m", "rtshell_lite", "--help"],
             [os.path.join(ROOT, "bin", "rtsh"), "-c", "help"],
