@@ -339,6 +339,9 @@ class Presence:
         for each in self.followed:
             if each.is_there and each.seen is not None and not each.is_hung:
                 queues[self.queue_of(each)].append(each)
+        for queue in self._asked.keys() - queues.keys():  # a process that is restarted has another port
+            del self._asked[queue]
+            self._counts.pop(queue, None)
         for queue, some in queues.items():
             if queue not in self._asking:
                 questions = self._due(queue, some, now)

@@ -213,6 +213,13 @@ class Queues(unittest.TestCase):
         self.watch.ask_around(10.0)  # none has answered
         self.assertEqual(len(self.begun), 3)
 
+    def test_nothing_stays_of_those_that_are_gone(self):
+        self.follow(3, 1)
+        self.watch.ask_around(0.0)
+        self.watch.followed = []
+        self.watch.ask_around(10.0)
+        self.assertFalse(self.watch._asked or self.watch._counts)
+
     def test_many_ports_are_asked_more_rarely(self):
         for count, seconds in ((5, 2), (100, 10)):
             self.follow(10, count)
