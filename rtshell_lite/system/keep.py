@@ -41,7 +41,7 @@ class Keeper(follow.Presence):
     """
 
     # states soonest, for Error
-    asks = {ask.states: 1, ask.connections: 2, ask.contexts: 10, ask.configuration: 10}
+    asks = {ask.states: 1, ask.connections: 1, ask.contexts: 10, ask.configuration: 10}
 
     def __init__(self, profile, planned, options, on_event, before=None):
         self.profile = profile

@@ -81,7 +81,8 @@ What a person does is reported, and left alone.
 
 Who reports nothing is seen to fail again as soon as it is Active.
 
-  $ : > out; ctl @these3 error Plain0; soon 'grep Plain0.*Active out'
+  $ : > out; ctl @these3 error Plain0
+  $ soon 'grep Plain0.*Active out'
   $ ctl @these3 error Plain0; soon '[ $(grep -c Plain0.*Active out) = 2 ]'
 
 At rest, who reports by himself is asked for connections only, which no observer of ours reports (protocol.md 5.4), and others all

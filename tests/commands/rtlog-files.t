@@ -173,7 +173,9 @@ For others it is made whole in a copy, or in place:
   $ rtlog --mend torn.mcap -d
   rtlog: -d is for rtlog show, not for rtlog mend (see --help)
   [2]
-  $ head -c 1000 other.mcap > torn.mcap; rtlog -q --mend --in-place torn.mcap; cmp out.mcap torn.mcap
+  $ head -c 1000 other.mcap > torn.mcap
+  $ rtlog -q --mend --in-place torn.mcap
+  $ cmp out.mcap torn.mcap
   $ rtlog --in-place -d -f torn.mcap
   rtlog: --in-place is for rtlog mend, not for rtlog show (see --help)
   [2]

@@ -30,7 +30,9 @@ orb: builtin
     rtlog play run.mcap -r 0.5 Viewer0.rtc:in
     rtlog show run.mcap
 
-  $ for verb in record ring play serve show export mend; do rtlog $verb --help | grep '^[A-Z].*[.]$' | head -n 1; done
+  $ for verb in record ring play serve show export mend; do
+  >     rtlog $verb --help | grep '^[A-Z].*[.]$' | head -n 1
+  > done
   Record what out ports send, or a whole robot.
   Record into a ring of files; a trigger keeps a part of it.
   Play a log into in ports, or to the terminal.
@@ -50,7 +52,8 @@ orb: builtin
    --timeout
    --verbose
    --version
-  $ for option in --ring --csv --every --map --trigger --in-place; do for verb in record ring play serve show export mend; do
+  $ for option in --ring --csv --every --map --trigger --in-place; do for verb in record ring play serve \
+  >     show export mend; do
   > rtlog $verb --help | grep -q -e " $option " && echo $option $verb; done; done
   --ring ring
   --csv play
@@ -66,9 +69,12 @@ record, and what is a verb: a PATH or a file called as one is written with its d
   $ rtlog record -i -e 10 -f a.mcap Source0.rtc:number.numbers
   rtlog: Recording 10 entries.
   $ rtlog -q record -i -e 3 --append -f a.mcap Source0.rtc:number.numbers
-  $ rtlog record -q -i -e 1 -f play Source0.rtc:number; rtlog show play | head -n 1; rtlog show -f play | head -n 1; rtlog play ./play | wc -l
+  $ rtlog record -q -i -e 1 -f play Source0.rtc:number
+  $ rtlog show play | head -n 1
   Name: play
+  $ rtlog show -f play | head -n 1
   Name: play
+  $ rtlog play ./play | wc -l
   1
   $ rtlog ./play
   rtlog: ./play: a log; show, play and export read it, -f names what is recorded to (see --help)
@@ -86,43 +92,63 @@ show, export, mend:
   Number of entries: 13
     Number of entries: 13
   "closed": true
-  $ rtlog export a.mcap --json -i -s 2 -e 2 | cut -c1-30; rtlog export a.mcap --csv | wc -l; rtlog export a.mcap tables --csv; ls tables
+  $ rtlog export a.mcap --json -i -s 2 -e 2 | cut -c1-30
   {"number": 2, "port": "numbers
+  $ rtlog export a.mcap --csv | wc -l
   14
+  $ rtlog export a.mcap tables --csv
+  $ ls tables
   numbers.csv
   $ rtlog export a.mcap -i -e 1 | sed 's/[0-9]\{1,\}/N/g'
   [N.N] N
-  $ head -c 700 a.mcap > cut.mcap; rtlog mend cut.mcap; rtlog mend cut.mcap -f out.mcap; rtlog mend cut.mcap --in-place; cmp out.mcap cut.mcap && cmp out.mcap cut-mended.mcap
+  $ head -c 700 a.mcap > cut.mcap
+  $ rtlog mend cut.mcap
   rtlog: cut.mcap: the last 110 octets are not a whole record and are left out
+  $ rtlog mend cut.mcap -f out.mcap
   rtlog: cut.mcap: the last 110 octets are not a whole record and are left out
+  $ rtlog mend cut.mcap --in-place
   rtlog: cut.mcap: the last 110 octets are not a whole record and are left out
+  $ cmp out.mcap cut.mcap && cmp out.mcap cut-mended.mcap
   $ rtlog show -q cut.mcap | grep State
   [1]
 
 play, serve:
 
-  $ rtact ConsoleOut0.rtc; rtlog play a.mcap -r 10 ConsoleOut0.rtc:in; ctl @these received ConsoleOut0:in 13 | cut -d' ' -f1
+  $ rtact ConsoleOut0.rtc
+  $ rtlog play a.mcap -r 10 ConsoleOut0.rtc:in
   rtlog: End of log reached.
+  $ ctl @these received ConsoleOut0:in 13 | cut -d' ' -f1
   13
-  $ rtlog play -q -f a.mcap -i -e 2 ConsoleOut0.rtc:in.numbers; ctl @these received ConsoleOut0:in 15 | cut -d' ' -f1
+  $ rtlog play -q -f a.mcap -i -e 2 ConsoleOut0.rtc:in.numbers
+  $ ctl @these received ConsoleOut0:in 15 | cut -d' ' -f1
   15
   $ rtlog play -q -r 100 a.mcap --csv | cut -d, -f3 | uniq
   port
   numbers
-  $ rtlog serve a.mcap copy.host_cxt --nameserver localhost:$PORT2 --loop 2> told & pid=$!; soon 'grep bound told'; rtls -R /localhost:$PORT2 | grep rtc; kill $pid; wait $pid
+  $ rtlog serve a.mcap copy.host_cxt --nameserver localhost:$PORT2 --loop 2> told & pid=$!
+  > soon 'grep bound told'
+  > rtls -R /localhost:$PORT2 | grep rtc
+  > kill $pid; wait $pid
   Source0.rtc
   [143]
 
 ring:
 
-  $ rtlog ring -q --last 5 --after 0.1 -f r.mcap Source0.rtc & pid=$!; until rtlog ring --trigger-now r.mcap 2> nul; do :; done; soon 'ls r-2*'; kill $pid; wait $pid
+  $ rtlog ring -q --last 5 --after 0.1 -f r.mcap Source0.rtc & pid=$!
+  > until rtlog ring --trigger-now r.mcap 2> nul; do :; done
+  > soon 'ls r-2*'
+  > kill $pid; wait $pid
   [143]
   $ rtlog ring -q --size 1M -t 0.5 -f s.mcap Source0.rtc; rtlog show s-000001.mcap | grep -c Channel
   3
 
 What cannot be; both spellings have the same messages:
 
-  $ for line in 'show a.mcap --map a=b' '-d -f a.mcap --map a=b' 'record -s 5 Source0.rtc:number' '-s 5 Source0.rtc:number' 'play a.mcap --trigger error' '-p -f a.mcap --trigger error'; do rtlog $line; done
+  $ for line in 'show a.mcap --map a=b' '-d -f a.mcap --map a=b' 'record -s 5 Source0.rtc:number' \
+  >     '-s 5 Source0.rtc:number' 'play a.mcap --trigger error' '-p -f a.mcap --trigger error';
+  >     do
+  >     rtlog $line
+  > done
   rtlog: --map is for rtlog play, not for rtlog show (see --help)
   rtlog: --map is for rtlog play, not for rtlog show (see --help)
   rtlog: -s is for rtlog play, serve and export, not for rtlog record (see --help)

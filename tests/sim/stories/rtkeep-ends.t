@@ -128,12 +128,12 @@ A person activates it again:
   $ rtact --wait Motor0.rtc
   $ sleep 20
   $ show rtkeep
-  [08:00:58] /robot/test.host_cxt/Motor0.rtc: is Active again
+  [08:00:56] /robot/test.host_cxt/Motor0.rtc: is Active again
   $ ctl error Motor0
   $ sleep 20
   $ rtcheck a.xml
   $ strike TERM rtkeep
   $ wait rtkeep
-  [08:01:17] /robot/test.host_cxt/Motor0.rtc: in Error: reset
-  [08:01:17] /robot/test.host_cxt/Motor0.rtc: Active
+  [08:01:16] /robot/test.host_cxt/Motor0.rtc: in Error: reset
+  [08:01:16] /robot/test.host_cxt/Motor0.rtc: Active
   [0] after 75.1 s
