@@ -177,10 +177,11 @@ class Meanwhile(unittest.TestCase):
 
     def test_a_task_that_begins_when_it_has_ended_does_nothing(self):
         async def play(watching, arm):
-            watching.start(arm.ask_for_changes())
+            arm.shown = None
+            watching.start(watching._put(arm, "RTC_STATUS", self.fail))
             watching.start(arm._have_heard())
             await loop.sleep(0)
-            self.assertIsNone(arm.poll)
+            self.assertIsNone(arm.seen)
         self.run_with(1, play)
 
     def test_one_that_is_slow_to_take_an_observer_is_not_late_with_heartbeats(self):
