@@ -95,7 +95,7 @@ On a recording, with the connections that it had:
   $ rtlog -q -t 0.3 -f ports.mcap Link0.rtc:out
   [0] after 0.3 s
   $ rttrace --from ports.mcap Link0.rtc:out
-  ! rttrace: ports.mcap: no profile of the system is in this log: record it with rtlog --events PATH
+  ! rttrace: ports.mcap: no profile of the system is in this log: record it with rtlog record --events PATH
   [1]
 
 What stops it; rtdoctor has the last word:
