@@ -6,7 +6,7 @@ import signal
 import socket
 
 
-from . import asking, observers, values
+from . import asking, carrier, observers, values
 from .idl import RTC, OpenRTM
 
 
@@ -86,6 +86,10 @@ class Commands:
 
     def error(self, component, participant=0):
         context = self.stage.components[component].owned[0]
+        for _ in range(100):
+            if len(context.members) > int(participant):
+                break
+            carrier.sleep(0.01)  # who has been added joins at the next cycle
         context.fail(context.members[int(participant)].reference)  # the component itself comes first
 
     def fail(self, operation, nth=1, kind="TRANSIENT"):
