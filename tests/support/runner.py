@@ -116,7 +116,7 @@ def module_jobs(label, interpreter, modules, args, **more):
         def run():
             return run_module(module, interpreter, environment, patterns)
 
-        some = at_once(says(module, "ALONE"), 1)
+        some = at_once(says(module, "ALONE"))
         size = math.inf if says(module, "LONG") else os.path.getsize(source(module))
         return Job("%s %s" % (label, module), run, some, size)
 
@@ -191,7 +191,7 @@ def transcript_jobs(python, interpreter, wheel, orb, args, shell=None):
             how = peers, commands, orb, args.accept, environment
             return [(name,) + transcripts.run_case(path, shell, *how)]
 
-        some = at_once(transcripts.says(path, "alone"), PROCESSORS)
+        some = at_once(transcripts.says(path, "alone"))
         return Job("%s %s" % (label, name), run, some, os.path.getsize(path))
 
     return [
@@ -230,12 +230,13 @@ def has_turn(version, shell, orb, path):
 # ---- running them ----
 
 
-def at_once(measures, few):
-    """How many jobs run at once, for they wait more than they compute: `few` of those that measure times.
+def at_once(measures):
+    """How many jobs run at once, for they wait more than they compute: fewer of those that measure times;
+    what these wait for a processor is subtracted.
 
     With more jobs everything takes longer, as many of them wait in busy loops.
     """
-    return few if measures else 3 * PROCESSORS
+    return PROCESSORS if measures else 3 * PROCESSORS
 
 
 class Score:

@@ -27,6 +27,7 @@ TYPE = b"IDL:RTC/X:1.0\0"
 TIMEOUT = "3"
 
 ALONE = "it measures times"
+ONCE = "how long a peer is waited for does not depend on the Python"
 BOTH = "each ORB reads answers in its own way"
 IS_BUILTIN = os.environ.get("RTSHELL_ORB") != "omniorb"
 
