@@ -134,6 +134,8 @@ def is_polite(play, command):
         do_answer = do_answer and "no answer" not in command.error + command.out
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
         is_in_doubt = NETWORK & troubles or not _was_well(play, name, command)
+        if command.name in STAYING and (command.interrupted is not None or command.status):
+            limit += IN_FLIGHT  # those that it gives up as it ends
         if command.name == "rtkeep" and is_in_doubt:
             limit += PROBES * (command.ended - command.begun)  # it asks whether it answers again
         if most > limit and name != "omniNames":
