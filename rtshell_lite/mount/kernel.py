@@ -12,11 +12,9 @@ from rtshell_lite.corba import session
 from rtshell_lite.net import loop, real
 from rtshell_lite.text import printable
 
-DEVICE = "/dev/fuse"
 NAME = "rtmount"
 TYPE = "fuse." + NAME
 HELPERS = ("fusermount3", "fusermount")  # set-uid root; of FUSE 3 and 2
-MOUNTS = "/proc/self/mountinfo"  # a poll of it ends when something is mounted or unmounted
 LOOK = 0.02  # seconds between looks at whether a server has ended
 # MS_… and MNT_DETACH of <sys/mount.h>
 RDONLY = 1
@@ -31,7 +29,7 @@ DETACH = 2
 def mounted():
     """{directory, absolute: number of its device} where RTC Trees are mounted. Asks no server."""
     try:
-        with open(MOUNTS, encoding="utf-8", errors="surrogateescape") as file:
+        with loop.world().mounts() as file:
             lines = [line.split(" ") for line in file]
     except OSError:
         return {}
@@ -93,9 +91,10 @@ async def check(directory, over=False):
         raise errors.Failed(
             printable(directory), "not empty; a mount hides what is there (--over mounts all the same)"
         )
-    if not os.path.exists(DEVICE):
-        raise errors.Failed(DEVICE, "not there: this kernel or container has no FUSE (modprobe fuse)")
-    if os.geteuid() and not _helper():
+    world = loop.world()
+    if not os.path.exists(world.FUSE):
+        raise errors.Failed(world.FUSE, "not there: this kernel or container has no FUSE (modprobe fuse)")
+    if world.own_user() and not _helper():
         raise errors.Failed(" and ".join(HELPERS), "not found: without them only root can mount")
 
 
@@ -116,17 +115,18 @@ def mount(directory, read_only=False):
     """Mount at a directory; returns the file descriptor on which the kernel asks.
     Raises Failed with the reason.
     """
-    if os.geteuid():
+    world = loop.world()
+    if world.own_user():
         return _by_helper(directory, read_only)
     try:
-        fd = os.open(DEVICE, os.O_RDWR | os.O_CLOEXEC)
+        fd = world.open_fuse()
     except OSError as e:
-        raise errors.Failed(DEVICE, e.strerror)
+        raise errors.Failed(world.FUSE, e.strerror)
     options = (
         f"fd={fd},rootmode=40000,user_id={os.getuid()},group_id={os.getgid()},allow_other,default_permissions"
     )
     try:
-        _system_call(
+        world.system_call(
             "mount", NAME.encode(), os.fsencode(directory), TYPE.encode(),
             NOSUID | NODEV | read_only * RDONLY, options.encode(),
         )
@@ -134,15 +134,6 @@ def mount(directory, read_only=False):
         os.close(fd)
         raise errors.Failed(printable(directory), f"cannot mount: {e.strerror}")
     return fd
-
-
-def _system_call(name, *args):
-    import ctypes  # which Debian's python3-minimal lacks
-
-    args = [ctypes.c_ulong(arg) if isinstance(arg, int) else arg for arg in args]
-    library = ctypes.CDLL(None, use_errno=True)
-    if getattr(library, name)(*args):
-        raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
 
 
 def _by_helper(directory, read_only):
@@ -168,11 +159,8 @@ def _by_helper(directory, read_only):
 
 def hold(directory):
     """Let `is_released` wait for the end of this process; to be called before it mounts at a directory."""
-    import fcntl  # which rtdoctor, that reads what is mounted, does without
-
     try:
-        fd = os.open(directory, os.O_RDONLY)
-        fcntl.flock(fd, fcntl.LOCK_SH)
+        loop.world().lock(directory)
     except OSError:  # no right to read it; a file system without locks
         pass
 
@@ -181,7 +169,7 @@ async def is_released(directory, seconds):
     """Whether all processes that have mounted at a directory, where nothing is mounted now,
     end within that many seconds.
     """
-    import fcntl
+    import fcntl  # which rtdoctor, that reads what is mounted, does without
 
     try:
         fd = os.open(directory, os.O_RDONLY)
@@ -205,14 +193,15 @@ async def is_released(directory, seconds):
 
 def unmount(directory):
     """Take a mount away, also one in use: its open files work on until they are closed. Raises Failed."""
+    world = loop.world()
     try:
-        if os.geteuid():
+        if world.own_user():
             words = [_helper() or HELPERS[0], "-u", "-z", "--", directory]
-            done = loop.world().start_process(words, stderr=real.PIPE)
+            done = world.start_process(words, stderr=real.PIPE)
             said = done.communicate()[1].decode("utf-8", "replace").strip()
             if done.returncode:
                 raise OSError(errno.EPERM, said)
         else:
-            _system_call("umount2", os.fsencode(directory), DETACH)
+            world.system_call("umount2", os.fsencode(directory), DETACH)
     except OSError as e:
         raise errors.Failed(printable(directory), f"cannot unmount: {printable(e.strerror)}")

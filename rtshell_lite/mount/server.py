@@ -58,6 +58,7 @@ class Server:
     def __init__(self, mount, root, fd, ready):
         self.mount = mount
         self.fd = fd
+        self._world = loop.world()
         self._ready = ready
         root.id = wire.ROOT
         root.lookups = 1
@@ -78,8 +79,7 @@ class Server:
     async def serve(self):
         """Answer until the tree is unmounted."""
         here = loop.current()
-        os.set_blocking(self.fd, False)
-        with open(kernel.MOUNTS) as mounts:
+        with self._world.mounts() as mounts:
             here.watch(self.fd, loop.READ, self._take)
             here.watch(mounts.fileno(), loop.URGENT, self._look_at_mounts)
             self.mount.tasks.start(self.mount.tidy())
@@ -102,7 +102,7 @@ class Server:
 
     def _take(self):
         try:
-            size = os.readv(self.fd, [self._buffer])
+            size = self._world.read_into(self.fd, self._buffer)
             self._handle(wire.request(memoryview(self._buffer)[:size]))
         except OSError as e:
             if e.errno == errno.ENODEV:
@@ -144,7 +144,7 @@ class Server:
         if self._pending.pop(request.unique, self) is self:
             return False
         try:
-            os.write(self.fd, wire.reply(request.unique, payload, error))
+            self._world.write_to(self.fd, wire.reply(request.unique, payload, error))
         except OSError as e:
             if e.errno not in (errno.ENOENT, errno.ENODEV):
                 raise

@@ -34,6 +34,8 @@ LISTEN = 128  # connections that wait to be accepted
 # of Linux
 SIOCGIFADDR = 0x8915
 SIOCGIFNETMASK = 0x891B
+FUSE = "/dev/fuse"
+MOUNTS = "/proc/self/mountinfo"
 
 SIGINT = _signal.SIGINT
 SIGTERM = _signal.SIGTERM
@@ -50,6 +52,7 @@ PIPE = -1
 SAME = -2  # stderr: as stdout
 NOTHING = -3
 own_pid = os.getpid
+own_user = getattr(os, "geteuid", None)  # some systems have no users
 file = open  # file(descriptor, mode, buffering) of one that is to be written
 
 looking_up = {}  # type: dict  # {host: hosts.LookUp} that a thread is asking for
@@ -274,6 +277,45 @@ def replace(path, target):
     os.replace(path, target)
 
 
+def mounts():
+    """What is mounted where, as an open file of lines, each as in mountinfo (proc(5)); a poll finds URGENT at
+    it after a change. Raises OSError.
+    """
+    return open(MOUNTS, encoding="utf-8", errors="surrogateescape")
+
+
+def open_fuse():
+    """The descriptor, which does not block, of another /dev/fuse: its kernel asks there. Raises OSError."""
+    return os.open(FUSE, os.O_RDWR | os.O_CLOEXEC | os.O_NONBLOCK)
+
+
+def system_call(name, *args):
+    """One of Linux that Python lacks: mount, umount2. Raises OSError."""
+    import ctypes  # which Debian's python3-minimal lacks
+
+    args = [ctypes.c_ulong(arg) if isinstance(arg, int) else arg for arg in args]
+    library = ctypes.CDLL(None, use_errno=True)
+    if getattr(library, name)(*args):
+        raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
+
+
+def read_into(descriptor, buffer):
+    """How many octets were read into a buffer, without waiting for any. Raises OSError."""
+    return os.readv(descriptor, [buffer])
+
+
+def write_to(descriptor, data):
+    """Write octets, all at once. Raises OSError."""
+    os.write(descriptor, data)
+
+
+def lock(directory):
+    """Hold a directory, with others who do, until this process ends. Raises OSError."""
+    import fcntl  # which some systems lack
+
+    fcntl.flock(os.open(directory, os.O_RDONLY), fcntl.LOCK_SH)
+
+
 def local():
     """A UNIX socket, which is not connected. Raises OSError."""
     import socket
@@ -298,7 +340,9 @@ def pair():
 
 
 def received(channel):
-    """The file descriptor that comes over a UNIX socket, None if it is closed first. Raises OSError."""
+    """The file descriptor that comes over a UNIX socket, and does not block; None if that is closed first.
+    Raises OSError.
+    """
     import array
 
     _, ancillary, _, _ = channel.recvmsg(1, _socket.CMSG_SPACE(4))
@@ -306,5 +350,6 @@ def received(channel):
         if (level, kind) == (_socket.SOL_SOCKET, _socket.SCM_RIGHTS):
             fd = array.array("i", data[:4])[0]
             os.set_inheritable(fd, False)
+            os.set_blocking(fd, False)
             return fd
     return None
