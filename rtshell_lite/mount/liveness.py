@@ -30,8 +30,9 @@ class Liveness:
         objects = {
             orb.identity(node.ref): node for node in nodes if node.kind in ASKED and node.error is None
         }
-        self._ask(objects)
-        end = loop.now() + PATIENCE
+        begun = loop.now()
+        self._ask(objects, begun)
+        end = begun + PATIENCE
         bell = loop.Bell()
         self._bells.add(bell)
         try:
@@ -39,10 +40,9 @@ class Liveness:
                 pass
         finally:
             self._bells.discard(bell)
-        return [self._classified(node) for node in nodes]
+        return [self._classified(node, begun) for node in nodes]
 
-    def _ask(self, objects):
-        now = loop.now()
+    def _ask(self, objects, now):
         groups = {}
         for identity, node in objects.items():
             _, _, until = self._known.get(identity, UNKNOWN)
@@ -68,15 +68,17 @@ class Liveness:
         if error is not None:
             self._fail(error)
 
-    def _classified(self, node):
+    def _classified(self, node, begun):
+        """The node as it is known by an answer that was believed when its listing began, or has come since.
+        """
         if node.kind not in ASKED or node.error is not None:
             return node
         kind, error, until = self._known.get(orb.identity(node.ref), UNKNOWN)
-        if until < loop.now() or kind in (node.kind, *tree.DOUBTFUL):
+        if until < begun or kind in (node.kind, *tree.DOUBTFUL):
             return node
         return tree.Node(node.path, kind, node.ref, error)
 
     def sweep(self):
-        """Free what is believed no longer."""
-        now = loop.now()
-        self._known = {identity: known for identity, known in self._known.items() if known[2] >= now}
+        """Free what is believed no longer, not even by a listing that waits."""
+        last = loop.now() - PATIENCE
+        self._known = {identity: known for identity, known in self._known.items() if known[2] >= last}

@@ -7,9 +7,10 @@ from unittest import mock
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import session
-from rtshell_lite.mount import cache, kernel, nodes, openfile, server, streams, wire
+from rtshell_lite.mount import cache, kernel, liveness, nodes, openfile, server, streams, wire
 from rtshell_lite.net import loop
 from rtshell_lite.path import Name
+from rtshell_lite.robot import tree
 
 
 def packed(opcode, body=b"", unique=7, node=1):
@@ -138,6 +139,29 @@ async def settle():
     """Let all other tasks go on until they wait."""
     for _ in range(10):
         await loop.sleep(0.002)
+
+
+class Listings(Case):
+    """A listing waits a moment for what hangs, and shows what the others have answered."""
+
+    def test_answers_are_shown_that_come_before_those_that_hang(self):
+        """Also where an answer is believed for less than that moment."""
+        async def check():
+            listing = liveness.Liveness(self.tasks, 0.01, self.fail)
+            found = await listing.check([node("hangs"), node("dead"), node("hangs too")])
+            self.assertEqual([each.kind for each in found], ["component", "zombie", "component"])
+
+        async def answer(nodes):
+            if nodes[0].ref != "dead":
+                await loop.sleep(60)
+            return [tree.Node(nodes[0].path, "zombie", nodes[0].ref, None)]
+
+        def node(name):
+            return mock.Mock(path=name, ref=name, endpoint=name, kind="component", error=None)
+
+        with mock.patch.object(liveness.tree, "check_alive", answer):
+            with mock.patch.object(liveness.orb, "identity", str):
+                self.run_in_group(check)
 
 
 class Feeds(Case):
