@@ -3,7 +3,9 @@
 import re
 
 import faults
+import mounted
 import recordings
+import served
 import watching
 from users import FILE, KEPT, TIMEOUT
 
@@ -30,6 +32,7 @@ NOT_REACHED = re.compile("not (Active|Inactive) within")
 STATES = ("Inactive", "Active", "Error", "Created")
 LOOKING = {"rtls", "rtcat", "rtfind", "rtdoctor", "rtcryo", "rtec", "rtcheck"}
 LOOKING |= {"rtprint", "rtlog", "rtwatch", "rttop", "rtstodot", "rtcall", "rtfsm"}
+LOOKING |= {"rtmount", "cat", "ls"}
 # commands on a file, and the state that they promise
 OF_FILES = {"rtresurrect": "", "rtteardown": "", "rtcheck": "Active", "rtstart": "Active"}
 OF_FILES["rtstop"] = "Inactive"
@@ -47,12 +50,13 @@ IN_FLIGHT = 4
 WAITING_FOR_OTHERS = 2  # of them
 PROBES = 2  # a second: four of a process that has hung since before it was seen, each time they are given up
 # give questions up as they end, and ask others
-STAYING = {"rtkeep", "rtlog", "rtprint", "rtwatch", "rttop"}
+STAYING = {"rtkeep", "rtlog", "rtprint", "rtwatch", "rttop", "rtmount"}
 ROUNDS = 4  # how often a process that does not answer is asked again, by commands that give it the time
 VALUE = re.compile(r'(?:\] |"data": )(\d+)')  # as rtprint shows it
 SHORT = 2.9  # seconds, in which rtprint -t has not ended
 # "status line" of commands that end so where all is well: what is asked for is not so, or was done before
 NO_IS_AN_ANSWER = r"1 (rtcheck -s|rtkeep status|rtwatch -n)|3 (rtmgr \S+ -d|rtdel -z C)|6 (rtreset|rtcon) "
+NO_IS_AN_ANSWER += r"|1 (echo reset|cat \S+log)"
 NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) |6 rtcall "
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
@@ -78,6 +82,8 @@ def ends(play, command):
     """In the time that is promised."""
     if command.was_killed:
         return None
+    if command.name in mounted.TOOLS:
+        return served.answers_in_time(play, command)
     limit = LIMITS.get(command.name, OTHERS) * TIMEOUT + SLACK
     for seconds in WAITING.findall(command.line):
         limit += int(seconds)
@@ -134,9 +140,7 @@ def is_polite(play, command):
         do_answer = do_answer and "no answer" not in command.error + command.out
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
         is_in_doubt = NETWORK & troubles or not _was_well(play, name, command)
-        if command.name in STAYING and (command.interrupted is not None or command.status):
-            limit += IN_FLIGHT  # those that it gives up as it ends
-        if command.name == "rtkeep" and is_in_doubt:
+        if command.name in ("rtkeep", "rtmount") and is_in_doubt:
             limit += PROBES * (command.ended - command.begun)  # it asks whether it answers again
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
@@ -586,6 +590,21 @@ def looking_changes_nothing(play):
     return None
 
 
+def looking_leaves_nothing(play):
+    """Where people have only looked at a robot that is well, no observer is left, and nothing is set."""
+    was_killed = any(each.was_killed for each in play.commands)
+    if play.scenario.faults or was_killed or not LOOKING >= {each.name for each in play.commands}:
+        return None
+    for name in play.robot.lives:
+        component = play.robot.living(name)
+        if component.observers.registered:
+            return f"{name} still has {list(component.observers.registered)}"
+        settings = component.configuration
+        if settings.active != "default" or settings.sets["default"]["gain"] != "1":
+            return f"{name} has other settings: {settings.active}, {settings.sets}"
+    return None
+
+
 def _is_told(play, connector_id):
     """Whether a command has said that a connector may stay."""
     return any(connector_id in command.error for command in play.commands)
@@ -615,10 +634,15 @@ ORACLES = {
     "true events": watching.events_are_true,
     "answers": answers_what_was_answered,
     "values": prints_what_was_sent,
+    "stays": served.stays,
+    "true files": served.reads_the_truth,
+    "lets go": served.lets_go,
+    "written": served.writes_what_it_says,
 }
 OF_WORLDS = {
     "live names": no_live_name_goes,
     "no trace": looking_changes_nothing,
+    "nothing left": looking_leaves_nothing,
     "no crash": nothing_crashes,
     "whole files": recordings.is_whole,
 }

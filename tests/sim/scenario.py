@@ -11,15 +11,18 @@ import tempfile
 
 import components
 import faults
+import mounted
 import oracles
 import robot as robots
 import users
 import world as worlds
 
 from rtshell_lite import errors
+from rtshell_lite.net import real
 
 PATIENCE = 20.0  # virtual seconds for all to be started
 A_KEEPER = 0.1  # of the worlds have an rtkeep that stays
+A_MOUNT = 0.1  # of the worlds have an rtmount, and people who use the tree
 BY_HAND = 0.5  # of those have one person who changes one thing, and no fault
 ANSWERED = 0.4  # of the faults are answered by somebody
 WRITING = ("rtlog", "rtcryo")
@@ -78,9 +81,15 @@ class Scenario:
             interrupted = draw.random() * 2 if draw.random() < 0.15 else None
             words = users.draw(draw, names, managers, self.special, only)
             number = draw.choice(sorted(users.SIGNALS))
-            self.commands.append((round(draw.random() * 6, 3), words, interrupted, number))
+            when = round(draw.random() * 6, 3)
+            if words:
+                self.commands.append((when, words, interrupted, number))
         if draw.random() < A_KEEPER and (not only or "rtkeep" in only):
             self._draw_keeper(draw, names)
+        if "rtmount" in only:
+            self._draw_mount(random.Random(f"{seed} mount"), names)
+        elif not only:
+            self._draw_mount(random.Random(f"{seed} mount"), names, A_MOUNT)
         writing = [when for when, words, *_ in self.commands if words.split()[0] in WRITING]
         if writing and draw.random() < 0.4:
             when = round(draw.choice(writing) + draw.random() * 2.5, 3)
@@ -140,6 +149,25 @@ class Scenario:
             when = round(3 + oracles.QUICK + draw.random() * 5, 3)
             self.commands.append((when, users.draw_by_hand(draw, names), None, None))
         self.commands.append((round(draw.random() * 3, 3), words, users.KEPT, number))
+
+    def _draw_mount(self, draw, names, share=1.0):
+        """An rtmount in a share of the worlds, and people who use the tree."""
+        if draw.random() > share:
+            return
+        only_reads = any(words.startswith("rtkeep") for _, words, *_ in self.commands)
+        begin = round(draw.random() * 2, 3)
+        end = mounted.KEPT * (1 + draw.random() / 2)
+        self.commands.append((begin, mounted.draw_server(draw), end, draw.choice(sorted(users.SIGNALS))))
+        for _ in range(draw.randrange(2, 9)):
+            when = round(begin + draw.random() * mounted.KEPT, 3)
+            words, interrupted, times = mounted.draw(draw, names, self.special, only_reads)
+            for number in range(times):
+                self.commands.append((when + number * mounted.PAUSE, words, interrupted, real.SIGINT))
+        for when, fault, whom in self.faults:
+            if draw.random() < mounted.ANSWERED:
+                members = {name: members for name, *_, members in self.processes}.get(whom, [])
+                words = mounted.draw_answer(draw, members or [whom] * (whom in names))
+                self.commands.append((max(when, begin) + draw.random() * 3, words, None, None))
 
     def play(self):
         """Let it happen. Returns the Play."""
@@ -213,6 +241,7 @@ class Play:
                 return
             self.robot.set_up(scenario.connections, scenario.active)
             self._save()
+            os.mkdir(mounted.TREE)
             with open("service.idl", "w") as file:
                 file.write(users.IDL)
             self._act()

@@ -2,6 +2,7 @@
 
 import os
 
+import mounted
 import recordings
 import world as worlds
 
@@ -48,8 +49,8 @@ _modules = {}  # type: dict
 
 
 def draw(draw, names, managers, special, only=()):
-    """The words of a command line, drawn at random; `managers`: {name: components in its process}; `special`
-    as a Scenario has it.
+    """The words of a command line, drawn at random, or None where `only` forbids all; `managers`: {name:
+    components in its process}; `special` as a Scenario has it.
     """
     one, other = draw.choice(names), draw.choice(names)
     lines = [
@@ -114,7 +115,7 @@ def draw(draw, names, managers, special, only=()):
         for line in OF_SPECIAL[kind]:
             lines.append(line.format(name, (members or [one])[0], one))
     wanted = [line for line in lines if not only or line.split()[0] in only]
-    return draw.choice(wanted)
+    return draw.choice(wanted) if wanted else None
 
 
 def draw_keeper(draw):
@@ -148,19 +149,35 @@ class Command:
             "XDG_RUNTIME_DIR": os.getcwd(),
         }
 
+        self._place = os.getcwd() + "/"  # another one each time
         self.begun = robot.world.time
         self.interrupted = None  # when
         robot.world.tell(f"$ {line}")
         self._out = self._error = None
         self.before = robot.connectors()
         self.connectors = {}  # of the robot, when it ends
+        self.left = {}  # {name: its connectors with tools, and observers}, a little later, after a reader
         self.gains = {}  # and the values of a parameter
-        self.program = worlds.Program(host, self.name, typed(self.name, words), words, environment)
+        if self.name in mounted.TOOLS:
+            below = [robot.server, "robot.host_cxt"]
+            self.program = mounted.Tool(host, self.name, words, environment, below)
+        else:
+            self.program = worlds.Program(host, self.name, typed(self.name, words), words, environment)
         self.program.at_end = lambda: self._note(robot)
         if interrupted is not None:
             robot.world.at(interrupted, self._interrupt, number)
 
+    def _note_left(self, robot):
+        for name in robot.lives:
+            component = robot.living(name)
+            if component is not None:
+                joined = [profile for port in component.ports for profile in port.profiles.values()]
+                tools = [profile.name for profile in joined if len(profile.ports) == 1]
+                self.left[name] = tools + list(component.observers.registered)
+
     def _note(self, robot):
+        if self.name in mounted.TOOLS:
+            robot.world.at(mounted.LEFT, self._note_left, robot)
         self.connectors = robot.connectors()
         for name in robot.lives:
             component = robot.living(name)
@@ -199,7 +216,7 @@ class Command:
     @property
     def error(self):
         if self._error is None:
-            self._error = self.program.error.text()
+            self._error = self.program.error.text().replace(self._place, "")
         return self._error
 
 

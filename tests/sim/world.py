@@ -18,6 +18,7 @@ import tempfile
 import threading
 
 import disk as disks
+import fuse
 from disk import Killed
 
 from rtshell_lite import cli, notes
@@ -167,6 +168,8 @@ class Host:
         self.address = address
         self.listeners = {}  # {port, or path of a UNIX socket: Socket}
         self.disk = disks.Disk(self)
+        self.mounts = {}  # {directory: fuse.Mount}
+        self.mount_changes = 0
         self.is_on = True
         self.ahead = 0.0  # seconds by which its clock is ahead
         self.other_address = None
@@ -204,6 +207,7 @@ class Program:
     """
 
     NoSuchHost = _socket.gaierror
+    FUSE = os.curdir  # which is there
 
     def __init__(self, host, name, main, argv=(), environment=None):
         self.host = host
@@ -241,6 +245,7 @@ class Program:
         self._left_out = set()
         self.pid = next(self.world.pids)
         self._settings = (False, False)
+        self._listener = notes.listener
         self._turn = threading.Lock()
         self._turn.acquire()
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -267,12 +272,16 @@ class Program:
         if self.is_over or self.is_stopped and not self._is_killed:
             return
         before = sys.stdout, sys.stderr, sys.argv, os.environ, cli._quiet, cli._verbose, notes._left_out
+        listener = notes.listener
         sys.stdout, sys.stderr, sys.argv, os.environ = self.out, self.error, self.argv, self.environment
         cli._quiet, cli._verbose = self._settings
         notes._left_out = self._left_out
+        notes.listener = self._listener
         self._turn.release()
         self.world.wait_for_turn()
         self._settings = cli._quiet, cli._verbose
+        self._listener = notes.listener
+        notes.listener = listener
         self.argv = sys.argv  # rtsh has another for each command
         sys.stdout, sys.stderr, sys.argv, os.environ, cli._quiet, cli._verbose, notes._left_out = before
 
@@ -369,6 +378,27 @@ class Program:
 
     def own_pid(self):
         return self.pid
+
+    def own_user(self):
+        return 0
+
+    def mounts(self):
+        return fuse.Table(self)
+
+    def open_fuse(self):
+        return fuse.Device(self).fd
+
+    def system_call(self, name, *args):
+        fuse.CALLS[name](self.host, *args)
+
+    def read_into(self, descriptor, buffer):
+        return self.sockets[descriptor].read_into(buffer)
+
+    def write_to(self, descriptor, data):
+        self.sockets[descriptor].write_to(data)
+
+    def lock(self, directory):
+        """Nobody waits for it."""
 
     def start_process(self, words, **more):
         return Child()
