@@ -74,8 +74,7 @@ class Table(Descriptor):
 
 
 class Device(Descriptor):
-    """An open /dev/fuse: the `queue` of Requests for the server, and those `asked` that are not answered.
-    """
+    """An open /dev/fuse: the `queue` of Requests for the server, those `asked` that are not answered."""
 
     def __init__(self, program):
         super().__init__(program)
