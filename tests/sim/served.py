@@ -211,7 +211,8 @@ def _is_surely_dead(play, name, begun):
     """Whether its process had ended, on the host of the mount, before a listing."""
     program = play.robot.lives[name][-1].program
     is_over = program.ended is not None and program.ended < begun
-    is_near = program.host.name == play.scenario.seat
+    # the name of its host may mean another one
+    is_near = program.host.name == play.scenario.seat and program.host.name not in play.scenario.named
     return is_over and is_near and not _is_far(play, float("inf"))
 
 
