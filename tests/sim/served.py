@@ -8,7 +8,7 @@ import faults
 import mounted
 from users import TIMEOUT
 
-from rtshell_lite.mount import components, liveness, wire
+from rtshell_lite.mount import components, liveness, streams, wire
 
 PROMPT = 0.1  # seconds until one who gives up is free
 MARGIN = 0.1  # seconds: an answer was on its way
@@ -223,14 +223,14 @@ def _is_refused(play):
 def lets_go(play, command):
     """Nothing is left in a component of a reader who waited for what it sends, and is gone."""
     others = {each.name for each in play.commands} - {"rtmount", *mounted.TOOLS}
-    if others or play.scenario.faults or not command.line.endswith(mounted.STREAMS):
+    if play.scenario.faults or not command.line.endswith(mounted.STREAMS):
         return None
     name = re.search(r"C\d+", command.line).group()
     until = command.ended + mounted.LEFT
     for each in play.commands:
         if each is not command and name in each.line and each.begun < until and each.ended > command.ended:
             return None
-    left = command.left.get(name)
+    left = [each for each in command.left.get(name, ()) if each == streams.NAME or not others]
     return f"{name} still has {left} after {mounted.LEFT} s" if left else None
 
 
