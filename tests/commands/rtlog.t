@@ -148,8 +148,8 @@ While somebody records to it nobody else does; reading it is fine:
 Who removes the log meanwhile is told what has become of it:
 
   $ rtlog -q -f gone.rtlog Source0.rtc:number & soon 'rtlog --json -f gone.rtlog 2>/dev/null | grep -q number'
-  $ rm gone.rtlog; kill $!
-  $ wait $!
+  $ rm gone.rtlog
+  > kill $!; wait $!
   rtlog: gone.rtlog: was moved or removed while it was recorded
   [143]
 

@@ -39,8 +39,7 @@ Several ports; NAME is another name for the port before it:
   $ rtprint -q -n 2 ConsoleIn0.rtc:out.console /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out >lines &
   >     pid=$!
   $ soon '[ $(ctl connectors ConsoleIn0:out | wc -l) = 2 ]'
-  $ ctl write ConsoleIn0:out 5
-  $ wait $pid
+  $ ctl write ConsoleIn0:out 5; wait $pid
   $ sort lines
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: [0.000000000] 5
   console: [0.000000000] 5
@@ -146,9 +145,8 @@ A connection's properties can be set, and data can be fetched instead:
   $ printing rtprint -n 1 --property dataport.subscription_type=flush ConsoleIn0.rtc:out
   $ rtcat -ll ConsoleIn0.rtc:out | grep '  *dataport.subscription_type'
     dataport.subscription_type               block,flush,new,nonblock,periodic
-  $ ctl write ConsoleIn0:out 1
+  $ ctl write ConsoleIn0:out 1; wait $pid
   [0.000000000] 1
-  $ wait $pid
   $ rtprint -v --pull -n 2 Source0.rtc:number
   rtprint: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connected (pull), id $UUID
   \[[0-9]{10}\.[0-9]{9}\] [0-9]+ (re)
