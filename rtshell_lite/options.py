@@ -426,9 +426,7 @@ def dry_run(parser):
 
 def force_disconnect(parser):
     """--force, of commands that remove connections."""
-    parser.option(
-        "--force", "remove a connection with full_policy=block at once, even if that may end a process"
-    )
+    parser.option("--force", "remove connections at once, even where that may end a process")
 
 
 def json_output(parser):

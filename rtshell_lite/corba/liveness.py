@@ -20,7 +20,7 @@ async def is_gone(endpoint, home=None):
         if not await is_this_host(endpoint[0]):
             return False
         return home is None or await means_the_same_to(endpoint[0], home)
-    except errors.Silent:  # nobody says what the name of a host means: that proves nothing
+    except errors.Unanswered:  # nobody says what the name of a host means: that proves nothing
         return False
 
 
@@ -75,7 +75,7 @@ async def is_this_host(host):
 
 
 async def _addresses(host):
-    """The IP addresses of a host, [] for one that is not known. Raises Silent."""
+    """The IP addresses of a host, [] for one that is not known. Raises Unanswered."""
     found = await session.on_thread(host, lambda: hosts.places(host))
     return [place[0] for *_, place in found]
 

@@ -199,14 +199,18 @@ def each(items, function, place=at_process):
 
 
 async def on_thread(where, function):
-    """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name;
-    Silent where that takes too long, and for the length of a timeout after it did.
+    """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name.
+
+    Raises Silent where that takes too long, and for the length of a timeout after it did; NoTime where
+    another one did, and the command's time is over.
     """
     here = current()
     seconds = here.timeout
     late = errors.Silent(where, no_answer(seconds))
-    if here.is_slow(where) or here.slow and here.is_over():
+    if here.is_slow(where):
         raise late
+    if here.slow and here.is_over():
+        raise errors.NoTime(where, NO_TIME)
     try:
         return await loop.within(seconds, loop.on_thread(function), late)
     except errors.Silent:

@@ -121,7 +121,7 @@ class Connection:
         """Remove a connector now."""
         self.left = connector, SILENT
         try:
-            await connectors.disconnect(self.port, connector)
+            await connectors.disconnect(self.port, connector, is_forced=True)  # nothing is on its way
             self.left = None
         except (errors.Gone, errors.ConnectionRefused):
             self.left = None  # the port is gone, and its connectors with it
@@ -152,16 +152,11 @@ class Connection:
             self.reported = self.failure
         if self.left:
             connector, what = self.left
-            notes.fail(
-                "%s: connection %s %s: rtdis -i %s %s"
-                % (
-                    self.where,
-                    printable(connector.id),
-                    what,
-                    shell_word(connector.id),
-                    shell_word(self.where),
-                )
-            )
+            words = ["rtdis", "-i", connector.id, self.where]
+            if ports.is_fetched(connector):
+                words.insert(1, "--force")
+            remedy = " ".join(shell_word(word) for word in words)
+            notes.fail(f"{self.where}: connection {printable(connector.id)} {what}: {remedy}")
 
     def stop(self):
         """Prepare to close: begin what `is_at_rest` waits for."""

@@ -85,7 +85,7 @@ async def names_here(ref, homes):
         try:
             if await liveness.means_the_same(host, homes):
                 continue
-        except errors.Silent:  # nobody says what the name means
+        except errors.Unanswered:  # nobody says what the name means
             continue
         if any(addresses.is_own(address) for address in await _numeric([(host, 0)])):
             own.append(host)

@@ -66,7 +66,7 @@ async def _is_stale_for_certain(directory):
     """`is_stale`, False if there is no answer within the timeout."""
     try:
         return await session.on_thread(directory, lambda: is_stale(directory))
-    except errors.Silent:
+    except errors.Unanswered:
         return False
 
 

@@ -1,8 +1,9 @@
-"""Connections whose in port makes writers wait while its buffer is full: full_policy=block.
+"""Connections whose removal may end a component's process (docs/protocol.md 3.7, 3.9).
 
-A component of C++ 2.1 ends when such a connection is removed while a value waits: the in port deletes the
-buffer under it. So the connection is removed only when nothing has written to it for longer than a value
-waits (docs/protocol.md 3.7).
+A component of C++ 2.1 ends when a connection with full_policy=block is removed while a value waits: the in
+port deletes the buffer under it. So it is removed only when nothing has written to it for longer than a value
+waits. It also ends when one is removed while it answers a tool that fetches its values: that the tool does
+itself, when it has its answer.
 """
 
 from rtshell_lite import errors
@@ -38,9 +39,16 @@ def _longest_wait(properties):
 
 async def until_safe(port, connector):
     """Wait until no value waits in a Connector of a Port that is to be removed; returns at once where none
-    can. Raises Refused where somebody writes to it, or may.
+    can. Raises Refused where somebody writes to it, or fetches from it, or may.
     """
     properties = dict(connector.properties)
+    if ports.is_fetched(connector):
+        raise errors.Refused(
+            ports.label(port),
+            f"connection {printable(connector.id)} is that of a tool which fetches values: to remove it while "
+            f"the tool runs may end the process of {_owner(port)}; first: end the tool "
+            "(if it was killed: rtdis --force)",
+        )
     if len(connector.ports) < 2 or not may_wait(properties):
         return
     readers, writers = await _ends(port, connector)

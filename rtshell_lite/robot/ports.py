@@ -80,6 +80,12 @@ def is_of_tool(connector):
     return len(connector.ports) == 1 and transport(connector) == ""
 
 
+def is_fetched(connector):
+    """Whether values are fetched through a Connector by a tool: by one that still runs, or was killed."""
+    flow = dict(connector.properties).get("dataport.dataflow_type", "")
+    return len(connector.ports) == 1 and flow.lower() == "pull" and not transport(connector)
+
+
 def transport(connector):
     """What carries the data of a Connector instead of CORBA, as its interface type has it (ros, fast-rtps,
     ssm); '' for CORBA.

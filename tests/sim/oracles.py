@@ -13,8 +13,10 @@ from rtshell_lite.robot import manager
 
 # seconds that a command may take, in timeouts: what rtdoctor's manual promises, and what others take; all of
 # them end, whatever hangs
-LIMITS = {"rtls": 2, "rtfind": 2, "rtdoctor": 3}
+# timeouts; those that change whole systems do it, look again, ask who lives, and look at what comes next
+LIMITS = {"rtls": 2, "rtfind": 2, "rtteardown": 4, "rtresurrect": 4}
 OTHERS = 3
+AT_THE_SAME_TIME = {"rtls", "rtfind", "rtdoctor"}  # the others ask one question after another
 ROUND_TRIPS = 5  # whose answers come late, but come
 A_PAGE = 1  # s between two of rttop
 A_PROFILE = 1  # more for rtdoctor --profile
@@ -58,6 +60,8 @@ SHORT = 2.9  # seconds, in which rtprint -t has not ended
 NO_IS_AN_ANSWER = r"1 (rtcheck -s|rtkeep status|rtwatch -n)|3 (rtmgr \S+ -d|rtdel -z C)|6 (rtreset|rtcon) "
 NO_IS_AN_ANSWER += r"|1 (echo reset|cat \S+log)"
 NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) |6 rtcall "
+FETCHED = "is that of a tool which fetches values"  # rtdis leaves it
+PULLING = re.compile("--pull|rtdoctor|rttrace|rttop")
 IDLE = "nothing has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
 
@@ -88,7 +92,7 @@ def ends(play, command):
     for seconds in WAITING.findall(command.line):
         limit += int(seconds)
     is_slow = any(name == "slow_network" for _, name, _ in play.scenario.faults)
-    if is_slow and command.name not in LIMITS:  # they ask one question after another
+    if is_slow and command.name not in AT_THE_SAME_TIME:
         limit += ROUND_TRIPS * 2 * faults.SLOW
     if "--profile" in command.line:
         limit += A_PROFILE * TIMEOUT
@@ -140,6 +144,8 @@ def is_polite(play, command):
         do_answer = do_answer and "no answer" not in command.error + command.out
         limit = IN_FLIGHT if do_answer else ROUNDS * IN_FLIGHT
         is_in_doubt = NETWORK & troubles or not _was_well(play, name, command)
+        if command.name in STAYING and command.status and command.interrupted is None:
+            limit += IN_FLIGHT  # it has failed, gives its questions up, and takes back what it has lent
         if command.name in ("rtkeep", "rtmount") and is_in_doubt:
             limit += PROBES * (command.ended - command.begun)  # it asks whether it answers again
         if most > limit and name != "omniNames":
@@ -200,10 +206,14 @@ def _is_plain(play, command, name):
 
 
 def _is_surely_dead(play, command, name):
-    """Whether its process has ended on the host where a command was typed later."""
+    """Whether its process has ended on the host where a command was typed later, and has given its address:
+    a name may mean another host.
+    """
     program = play.robot.lives[name][-1].program
     is_over = program.ended is not None and program.ended < command.begun
     if not is_over or program.host.name != play.scenario.seat or command.interrupted is not None:
+        return False
+    if program.host.name in play.scenario.named:
         return False
     return not NETWORK & {fault for _, fault, _ in play.scenario.faults}
 
@@ -322,6 +332,8 @@ def does_what_can_be_done(play, command):
         return None
     answers = NO_IS_AN_ANSWER if play.scenario.active else NO_WHERE_IDLE
     if re.match(answers, f"{command.status} {command.line} "):
+        return None
+    if FETCHED in command.error and any(PULLING.search(each.line) for each in play.commands):
         return None
     return f"status {command.status}: {command.out}{command.error}"
 

@@ -13,6 +13,7 @@ import io
 import itertools
 import os
 import random
+import signal
 import sys
 import tempfile
 import threading
@@ -217,6 +218,7 @@ class Program:
         self.environment = environment or {}
         self.sockets = {}  # by file descriptor
         self.looking_up = {}
+        self.is_ending = False  # by a signal: what it has asked it gives up, and takes back what it has lent
         self.most_asked = {}  # {name of a program: how many requests it had to answer for us at a time}
         self.most_waiting = {}  # the same of those that may wait for others
         # all others are to be answered by it alone
@@ -355,6 +357,7 @@ class Program:
     def strike(self, number):
         """A signal that it hears."""
         if self.loop is not None and not self.is_over:
+            self.is_ending = self.is_ending or number in (signal.SIGINT, signal.SIGTERM)
             self.loop.strike(number)
             self.wake()
 
@@ -842,6 +845,8 @@ class Socket:
                     self.waiting.add(number)
                 else:
                     self.program.unheard.setdefault(name, self.world.time)
+                if self.program.is_ending:
+                    continue
                 there = [each for each in self.program.sockets.values() if each.address == self.address]
                 _raise_to(self.program.most_asked, name, sum(each.asked for each in there))
                 _raise_to(self.program.most_waiting, name, sum(len(each.waiting) for each in there))

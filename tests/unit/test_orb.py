@@ -41,6 +41,9 @@ class LookUps(unittest.TestCase):
             with self.assertRaises(errors.Silent):
                 await session.on_thread("robot", look_up)
             self.assertEqual(await session.on_thread("arm", lambda: "10.0.0.2"), "10.0.0.2")
+            here.end = loop.now() - 1  # no time is left for others, which nobody has asked about
+            with self.assertRaises(errors.NoTime):
+                await session.on_thread("desk", lambda: "10.0.0.3")
 
         self.addCleanup(answered.set)
         loop.run(main(), session=session.Session(0.01))

@@ -76,10 +76,10 @@ Nothing of that is left, whether it ends by itself or not, also where the values
   $ ctl @these3 delay get 30
   $ rtdoctor -q --timeout 1 --measure 1.2 ../rates.host_cxt/Calm0.rtc
   warn  /robot/rates.host_cxt/Calm0.rtc: rate not measured: no answer within 1s; try: measure it alone: rtec --measure /robot/rates.host_cxt/Calm0.rtc
-  ! rtdoctor: /robot/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a call is unanswered and removing it now could end the component; when it answers again: rtdis -i $UUID /robot/rates.host_cxt/Calm0.rtc:out
+  ! rtdoctor: /robot/rates.host_cxt/Calm0.rtc:out: connection $UUID stays, because a call is unanswered and removing it now could end the component; when it answers again: rtdis --force -i $UUID /robot/rates.host_cxt/Calm0.rtc:out
   [0] after 1.2 s
   $ ctl @these3 reset
-  $ rtdis ../rates.host_cxt/Calm0.rtc:out
+  $ rtdis --force ../rates.host_cxt/Calm0.rtc:out
   $ ctl @these3 connectors Calm0:out
 
 One that is Inactive, while what it is connected with is Active:

@@ -63,7 +63,7 @@ Someone removes the connection, or the component exits:
   [4] after 2.1 s
   $ rtprint --pull ConsoleIn0.rtc:out &
   $ sleep 1
-  $ rtdis ConsoleIn0.rtc:out
+  $ rtdis --force ConsoleIn0.rtc:out
   $ wait rtprint
   ! rtprint: /robot/test.host_cxt/ConsoleIn0.rtc:out: the connection has been removed
   [4] after 1.0 s

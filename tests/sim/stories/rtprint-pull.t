@@ -120,14 +120,14 @@ Where a fetch is not answered, the connector stays; the command that is printed 
 
   $ ctl delay get 2
   $ RTSHELL_TIMEOUT=0.5 rtprint --pull -t 0.5 Source0.rtc:number
-  ! rtprint: /robot/test.host_cxt/Source0.rtc:number: connection $UUID stays, because a call is unanswered and removing it now could end the component; when it answers again: rtdis -i $UUID /robot/test.host_cxt/Source0.rtc:number
+  ! rtprint: /robot/test.host_cxt/Source0.rtc:number: connection $UUID stays, because a call is unanswered and removing it now could end the component; when it answers again: rtdis --force -i $UUID /robot/test.host_cxt/Source0.rtc:number
   ! rtprint: /robot/test.host_cxt/Source0.rtc:number: no answer within 0.5s
   [4] after 0.6 s
   $ ctl connectors Source0:number
   $UUID rtprint
   $ sleep 3
   $ ctl reset
-  $ rtdis Source0.rtc:number
+  $ rtdis --force Source0.rtc:number
   $ rtls Source0.rtc ../old.host_cxt/ConsoleIn0.rtc
   Source0.rtc
   ConsoleIn0.rtc
