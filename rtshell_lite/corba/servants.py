@@ -62,8 +62,8 @@ class Served:
 
     async def ior(self, peer):
         """The stringified reference for the process at `peer`, (host, port), with the address of this host
-        that it can reach: an ORB does not know which of them that is. Looks up the peer's name. Raises Unanswered
-        if that takes too long.
+        that it can reach: an ORB does not know which of them that is. Looks up the peer's name. Raises
+        Unanswered if that takes too long.
         """
         type_id, host, port, key = ior.address(self.reference)
         if host and _address_given():
