@@ -1,6 +1,7 @@
 """Run a command of rtshell_lite from a checkout, an installation or straight from a wheel file.
 
   python3 -m rtshell_lite COMMAND [ARGUMENT ...]
+  python3 -m rtshell_lite demo [--port PORT]      a robot to play with, on this machine
   python3 -m rtshell_lite --unpack DIR [WHEEL ...]
 
 For a robot without pip, copy the wheel (and one of omniORBpy) there, then:

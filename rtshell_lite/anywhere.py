@@ -6,6 +6,14 @@ from rtshell_lite import cli, errors, text
 from rtshell_lite.shell import installation
 
 
+DEMO = """Play a robot on this machine: a mobile arm of twelve components.
+
+They have a name server of their own, at a TCP port of 127.0.0.1, and are true components for all commands:
+activate, configure, connect and disturb them. All of it is in memory, and gone at Ctrl-C. What to try is
+printed at the start.
+"""
+
+
 def main(doc):
     """Run the command that the first argument names, or follow the module's own options; `doc` is
     its help.
@@ -18,7 +26,10 @@ def main(doc):
             doc += "\ncommands:\n" + "\n".join(installation.summaries())
     except (errors.Error, OSError) as e:
         sys.exit(cli.complain(e))
-    if command:
+    if words[:1] == ["demo"]:
+        sys.argv = ["rtshell_lite demo"] + words[1:]
+        cli.main(_demo_arguments, _play_demo, DEMO)
+    elif command:
         sys.argv = words
         installation.load(command, "__main__")
     else:
@@ -49,3 +60,22 @@ def _unpack(directory, wheels):
     if not directory or ":" in directory:
         raise errors.Usage(f"{directory or repr('')}: cannot be in PATH")
     print(f"export PATH={text.quoted(unpack(directory, wheels))}:$PATH")
+
+
+# ---- the demo ----
+
+
+def _demo_arguments(parser):
+    parser.option("--port PORT", "TCP port of its name server (default: a free one)", default=0, type=_port)
+
+
+def _port(word):
+    if not word.isdigit() or int(word) > 65535:
+        raise errors.Usage(f"{word}: is no TCP port")
+    return int(word)
+
+
+async def _play_demo(args):
+    from rtshell_lite.play import demo
+
+    await demo.play(args.port, cli.write)

@@ -71,10 +71,12 @@ class Carrier:
 
 
 class Receiver(Carrier):
-    """An in port's end of push: it takes all that comes."""
+    """An in port's end of push: it takes all that comes, and hands it to the port."""
 
     def published(self):
-        servant = servants.RECEIVERS[self.interface](lambda received, data: None, lambda: False)
+        servant = servants.RECEIVERS[self.interface](
+            lambda received, data: self.port.take(data, self.little), lambda: False
+        )
         return self._publish(servant, "inport")
 
 

@@ -53,6 +53,10 @@ class Context:
             if member[0] is component:
                 member[1] = state
 
+    def state_of(self, component):
+        """What state a component is in, by name."""
+        return next(state for member, state in self.members if member is component)
+
     def _member(self, reference):
         for component, state in self.members:
             if orb.same(reference, component.reference):
@@ -232,7 +236,7 @@ class Component:
 
     def publish(self, host):
         """Let others call it and what belongs to it, at this address of ours."""
-        for each in self._parts():
+        for each in self.parts():
             if each.withdraw is None:
                 each.withdraw = orb.publish(each, host)
 
@@ -241,12 +245,13 @@ class Component:
         for port in self.ports:
             if port.component is self:
                 port.close()
-        for each in self._parts():
+        for each in self.parts():
             if each.withdraw is not None:
                 each.withdraw()
                 each.withdraw = None
 
-    def _parts(self):
+    def parts(self):
+        """What of it others can call."""
         parts = [self, self.configuration] + self.contexts
         if self.organisation is not None:
             parts.append(self.organisation)

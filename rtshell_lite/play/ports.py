@@ -244,9 +244,12 @@ class OutPort(DataPort):
 
 
 class InPort(DataPort):
-    """A DataInPort: it takes what comes, and does nothing with it."""
+    """A DataInPort: it takes what comes."""
 
     kinds = {"push": carriers.Receiver, "pull": carriers.Idle}
+
+    def take(self, data, little):
+        """A value has come, as octets; nothing is done with it."""
 
 
 class ServicePort(Port):

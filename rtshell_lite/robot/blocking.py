@@ -45,8 +45,8 @@ async def until_safe(port, connector):
     if ports.is_fetched(connector):
         raise errors.Refused(
             ports.label(port),
-            f"connection {printable(connector.id)} is that of a tool which fetches values: to remove it while "
-            f"the tool runs may end the process of {_owner(port)}; first: end the tool "
+            f"connection {printable(connector.id)} is that of a tool which fetches values: to remove it "
+            f"while the tool runs may end the process of {_owner(port)}; first: end the tool "
             "(if it was killed: rtdis --force)",
         )
     if len(connector.ports) < 2 or not may_wait(properties):
