@@ -6,7 +6,7 @@ import sys
 # new objects after which Python looks for cycles: with its default, 700, that took 4 % of a command's time
 GARBAGE = 20000
 # what argparse imports, on one Python or another, and needs for messages and --help only
-SELDOM = ("collections", "copy", "shutil", "textwrap", "warnings")
+SELDOM = ("collections", "copy", "re", "shutil", "textwrap", "warnings")
 
 
 def quietly(name):
@@ -37,55 +37,48 @@ def find_installed():
 
 
 class _Later:
-    """In place of a module: it is imported as soon as something in it is used."""
+    """Stands for a module, or for what a function makes, until something of it is used."""
 
     __spec__ = None  # which `import` looks at
 
-    def __init__(self, name):
-        self._name = name
+    def __init__(self, make):
+        self._make = make
 
     def __getattr__(self, attribute):
-        if sys.modules.get(self._name) is self:  # argparse is not imported yet
-            del sys.modules[self._name]
-        return getattr(__import__(self._name), attribute)
-
-
-class _Expressions(_Later):
-    """In place of the module `re`, in which each parser makes the same expression anew."""
-
-    ASCII = 256  # of the expressions for --help
-
-    def compile(self, pattern, flags=0):
-        if pattern.startswith("^-"):
-            return _NegativeNumber()
-        return _Expression(pattern, flags)
-
-
-class _Expression:
-    """A compiled expression, as soon as it is used."""
-
-    def __init__(self, pattern, flags):
-        self._given = pattern, flags
-
-    def __getattr__(self, attribute):
-        import re
-
-        return getattr(re.compile(*self._given), attribute)
+        return getattr(self._make(), attribute)
 
 
 class _NegativeNumber:
-    """In place of the expression for negative numbers, with which argparse looks at each option."""
+    """Stands for the expression with which argparse looks at the name of each option."""
 
     def match(self, word):
         return word[:1] == "-" and word[-1:].isdecimal() and word[1:].replace(".", "", 1).isdecimal()
 
 
 def _import_argparse():
+    """Import argparse, and what it needs for messages and --help alone (SELDOM) only when it does. It looks for
+    no translations.
+
+    That takes 29.7 of 82.8 million instructions off the start of a command (Python 3.11).
+    """
+
+    def imported(name):
+        if sys.modules.get(name) is stand_ins[name]:  # argparse is not imported yet
+            del sys.modules[name]
+        return __import__(name)
+
+    def compiled(pattern, flags=0):
+        if pattern.startswith("^-"):
+            return _NegativeNumber()
+        return _Later(lambda: __import__("re").compile(pattern, flags))
+
     gettext = type(sys)("gettext")
     gettext.gettext = str
     gettext.ngettext = lambda one, more, number: one if number == 1 else more
-    stand_ins = {name: _Later(name) for name in SELDOM}  # type: dict
-    stand_ins.update(gettext=gettext, re=_Expressions("re"))
+    stand_ins = {name: _Later(lambda name=name: imported(name)) for name in SELDOM}  # type: dict
+    stand_ins["re"].ASCII = 256  # of an expression for --help
+    stand_ins["re"].compile = compiled
+    stand_ins["gettext"] = gettext
     before = {name: sys.modules[name] for name in stand_ins if name in sys.modules}
     sys.modules.update(stand_ins)
     sys.modules.update((name, module) for name, module in before.items() if name != "gettext")
