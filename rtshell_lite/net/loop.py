@@ -609,7 +609,7 @@ class Loop:
         self.is_closed = False
         self._timers = []
         self._timer_count = 0
-        self._poll = world.Poll()
+        self._poll = world.poll()
         self._watched = {}
         self._posted = deque()  # type: deque  # functions from other threads
         self._bell = None  # the pipe that wakes the poll
@@ -791,6 +791,8 @@ class Loop:
             self._bell = None
             os.close(bell)
             os.close(self._readable)
+        if isinstance(self._poll, real.Epoll):
+            self._poll.close()
 
     # ---- signals ----
 

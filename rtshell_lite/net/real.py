@@ -21,7 +21,6 @@ def _if_there(*names):
 
 now = time.monotonic  # seconds by a clock that is never set
 wall = time.time  # seconds since 1970
-Poll = select.poll
 Stream = _socket.socket  # what `stream` makes
 octets = os.urandom  # octets(number) that nobody can guess
 NoSuchHost = _socket.gaierror
@@ -56,6 +55,50 @@ own_user = getattr(os, "geteuid", None)  # some systems have no users
 file = open  # file(descriptor, mode, buffering) of one that is to be written
 
 looking_up = {}  # type: dict  # {host: hosts.LookUp} that a thread is asking for
+
+
+# ---- waiting ----
+
+
+class Epoll:
+    """As select.poll, on Linux, where its cost does not grow with the number of descriptors: a poll takes
+    10 us for 60 of them, and 36 for 300; this one 4.
+    """
+
+    def __init__(self):
+        self._epoll = select.epoll()
+        self._files = {}  # on disks, which are always ready: {descriptor: events}
+        self.close = self._epoll.close
+
+    def register(self, descriptor, events):
+        try:
+            self._epoll.register(descriptor, events)
+        except FileExistsError:
+            self._epoll.modify(descriptor, events)
+        except PermissionError:
+            if events:  # else whether its reader has gone is asked for: a file has none
+                self._files[descriptor] = events
+
+    def unregister(self, descriptor):
+        if self._files.pop(descriptor, None) is not None:
+            return
+        try:
+            self._epoll.unregister(descriptor)
+        except OSError:
+            pass  # closed, and with that forgotten
+
+    def poll(self, milliseconds):
+        if self._files:
+            return list(self._files.items()) + self._epoll.poll(0)
+        return self._epoll.poll(milliseconds / 1000)
+
+
+def poll():
+    """What tells which descriptors are ready, with the methods of select.poll."""
+    try:
+        return Epoll()
+    except (AttributeError, OSError):  # not on Linux; out of files
+        return select.poll()
 
 
 # ---- TCP ----

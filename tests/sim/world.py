@@ -424,7 +424,7 @@ class Program:
     def octets(self, number):
         return bytes(self.world.random.randrange(256) for _ in range(number))
 
-    def Poll(self):
+    def poll(self):
         return Poll(self)
 
     def start_thread(self, function, *args):
