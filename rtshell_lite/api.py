@@ -121,8 +121,8 @@ async def _path(word):
     """The Path that a text means, by the rule of all commands; see robot/lookup.py."""
     from rtshell_lite.robot import lookup
 
-    (found,) = await lookup.paths([word])
-    return found
+    (path,) = await lookup.paths([word])
+    return path
 
 
 # ---- components ----
@@ -184,9 +184,9 @@ class Component:
     @_plain
     async def configure(self, values, set_id=None):
         """Set values (a dict of texts) in a configuration set (default: the active one)."""
-        found = await self._configuration()
-        await found.store(
-            {name: str(value) for name, value in values.items()}, found.set(set_id, with_hidden=True)
+        configuration = await self._configuration()
+        await configuration.store(
+            {name: str(value) for name, value in values.items()}, configuration.set(set_id, with_hidden=True)
         )
 
     @_plain
@@ -221,9 +221,9 @@ class Component:
 
         node = await self._node()
         await ports.refs(node)  # first, see `component.profile`
-        known = await component.profile(node)
-        fields = {name: getattr(known, name) for name in component.FACTS}
-        fields["properties"] = dict(known.properties)
+        profile = await component.profile(node)
+        fields = {name: getattr(profile, name) for name in component.FACTS}
+        fields["properties"] = dict(profile.properties)
         return fields
 
     def connections(self):
@@ -285,11 +285,12 @@ class Component:
 
 
 def _context(entry):
-    known = entry.context
-    if known is None:  # of another component, which does not answer
+    context = entry.context
+    if context is None:  # of another component, which does not answer
         return Context(entry.index, None, None, None, entry.state, "", [])
+    running = bool(context.running)
     return Context(
-        entry.index, known.kind, known.rate, bool(known.running), entry.state, entry.owner, entry.participants
+        entry.index, context.kind, context.rate, running, entry.state, entry.owner, entry.participants
     )
 
 
@@ -298,15 +299,15 @@ async def component(path, wait=0.0):
     """The Component at a path, once it is there and alive, for which it has `wait` seconds."""
     from rtshell_lite.robot import tree
 
-    found = Component(await _path(path))
+    component = Component(await _path(path))
     end = loop.now() + wait
     while True:
-        (node,) = await tree.components([paths.parse(found.path)])
+        (node,) = await tree.components([paths.parse(component.path)])
         if not isinstance(node, Error):
             (node,) = await tree.check_alive([node])
             node = node.error or node
         if not isinstance(node, Error):
-            return found
+            return component
         if loop.now() >= end or not isinstance(node, (errors.NotFound, errors.Unreachable)):
             raise node
         await loop.sleep(POLL)
@@ -334,14 +335,14 @@ async def components(top="/"):
 async def _found(*words):
     from rtshell_lite.robot import ports
 
-    wanted = [await _path(word) for word in words]
-    for path in wanted:
+    paths = [await _path(word) for word in words]
+    for path in paths:
         if path.port is None:
             raise errors.BadPath(path, "no port specified")
-    found, failures = errors.split(await ports.find(wanted))
+    named_ports, failures = errors.split(await ports.find(paths))
     if failures:
         raise failures[0]
-    return found
+    return named_ports
 
 
 def _properties(given):
@@ -370,10 +371,10 @@ async def disconnect(one, other=None):
     """Remove the connections of two ports, or all of one; returns how many there were."""
     from rtshell_lite.robot import connectors, ports
 
-    found = await _found(*[path for path in (one, other) if path is not None])
-    removed = ports.joining(found) if other is not None else found[0].connectors
+    ends = await _found(*[path for path in (one, other) if path is not None])
+    removed = ports.joining(ends) if other is not None else ends[0].connectors
     for connector in removed:
-        await connectors.disconnect(found[0], connector)
+        await connectors.disconnect(ends[0], connector)
     return len(removed)
 
 
@@ -388,23 +389,23 @@ def connected(one, other, **properties):
 
 
 @_plain
-async def _connect(one, other, properties):
-    """The port `one` and its connector with the other, which does not stay if Ctrl-C strikes meanwhile."""
+async def _connect(port, other, properties):
+    """The `port` and its connector with the other, which does not stay if Ctrl-C strikes meanwhile."""
     from rtshell_lite.robot import connectors
 
-    ends = await _found(one, other)
-    made = []
+    ends = await _found(port, other)
+    results = []
 
     async def connect():
-        made.append(await connectors.connect(ends, given=_properties(properties)))
+        results.append(await connectors.connect(ends, given=_properties(properties)))
 
     try:
         await loop.finish(connect())
     except BaseException:
-        for connector in made:
+        for connector in results:
             await connectors.disconnect(ends[0], connector)
         raise
-    return ends[0], made[0]
+    return ends[0], results[0]
 
 
 @_plain
@@ -437,10 +438,10 @@ class Connection:
         """Remove it. Raises errors.NoSuch if it is not there."""
         from rtshell_lite.robot import connectors
 
-        (found,) = await _found(self._port)
-        for connector in found.connectors:
+        (port,) = await _found(self._port)
+        for connector in port.connectors:
             if connector.id == self.id:
-                return await connectors.disconnect(found, connector)
+                return await connectors.disconnect(port, connector)
         raise errors.NoSuch(self._port, "connection with id", text.printable(self.id))
 
 
@@ -456,12 +457,12 @@ async def connections(path):
         near = await _found(path)
     name_of = await places.far_names(near)
     own = {orb.identity(port.ref): ports.label(port) for port in near}
-    found = {}
+    connections = {}
     for port in near:
         for connector in port.connectors:
             ends = [name_of(ref) or own[orb.identity(ref)] for ref in connector.ports]
-            found.setdefault(connector.id, Connection(port, connector, ends))
-    return list(found.values())
+            connections.setdefault(connector.id, Connection(port, connector, ends))
+    return list(connections.values())
 
 
 # ---- data ----
@@ -577,13 +578,13 @@ class _Feed:
         self._loop = here
         if self._is_ending:
             return
-        found = await _found(*names)
+        ports = await _found(*names)
         self._ports = names
-        self._types = [await _type(port, idl) for port in found]
+        self._types = [await _type(port, idl) for port in ports]
         box = inbox.Inbox()
         readers = [
             reading.Reader(port, box.taker(number), properties=properties)
-            for number, port in enumerate(found)
+            for number, port in enumerate(ports)
         ]
         self._where = ", ".join(reader.where for reader in readers)
         async with connection.Connections(readers):
@@ -682,11 +683,11 @@ async def send(port, value, idl=(), anyway=False):
     """
     from rtshell_lite.data import values as data_values, writing
 
-    (found,) = await _found(port)
-    type = await _type(found, idl)
+    (end,) = await _found(port)
+    type = await _type(end, idl)
     now = divmod(int(loop.wall() * 1e9), 10**9)
     built = data_values.build(type.descriptor, value, type.name, now=now)
-    async with writing.Writer(found, {}, "rtshell_lite", anyway) as writer:
+    async with writing.Writer(end, {}, "rtshell_lite", anyway) as writer:
         await writer.put(type.encode(built, writer.little), writer.little)
         await writing.linger([writer], None)
     if writer.failure:
@@ -751,9 +752,11 @@ class Service:
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        known = self._found().operations()
-        if name not in known:
-            raise AttributeError(f"{self._path}: no such operation: {name}{text.candidates(name, known)}")
+        operations = self._found().operations()
+        if name not in operations:
+            raise AttributeError(
+                f"{self._path}: no such operation: {name}{text.candidates(name, operations)}"
+            )
         return functools.partial(self._call, name)
 
     @_plain
@@ -783,9 +786,9 @@ class Service:
 
 def service(path, idl=(), limit=LIMIT):
     """The Service at PATH:PORT, PATH:PORT.INSTANCE or PATH; see `call`. Raises errors.Error."""
-    found = Service(path, idl, limit)
-    dir(found)
-    return found
+    service = Service(path, idl, limit)
+    dir(service)
+    return service
 
 
 # ---- systems ----
@@ -798,10 +801,10 @@ async def capture(*tops, unconnected=False):
     """
     from rtshell_lite.system import capture as capturing
 
-    found = await capturing.capture([await _path(top) for top in tops], all_components=unconnected)
-    if found.failures:
-        raise found.failures[0]
-    return found.profile
+    system = await capturing.capture([await _path(top) for top in tops], all_components=unconnected)
+    if system.failures:
+        raise system.failures[0]
+    return system.profile
 
 
 @_plain
@@ -973,10 +976,10 @@ async def examine(*tops, profile=None, state="Active", measure=0.0):
         if isinstance(profile, str):
             file = text.shell_word(profile)
         compare = _profile(profile), file, state
-    found = []
+    all_findings = []
     async for findings in examination.examine([await _path(top) for top in tops], compare, measure):
-        found += findings
-    return [Finding(*one) for one in finding.sorted_by_level(found)]
+        all_findings += findings
+    return [Finding(*fields) for fields in finding.sorted_by_level(all_findings)]
 
 
 # ---- the RTC Tree ----
@@ -990,8 +993,8 @@ async def find(pattern, top="/"):
     """
     from rtshell_lite.robot import search
 
-    wanted = search.Wanted(search.patterns([pattern], []), set(), None, None)
-    nodes, failures, _ = await search.find([await _path(top)], wanted)
+    criteria = search.Wanted(search.patterns([pattern], []), set(), None, None)
+    nodes, failures, _ = await search.find([await _path(top)], criteria)
     if failures and not nodes:
         raise failures[0]
     return [str(node.path) for node in nodes]
@@ -1083,9 +1086,9 @@ class Manager:
 
 def manager(path):
     """The Manager at a path. Raises errors.Error if there is no manager."""
-    found = Manager(path)
-    _plain(found._node)()
-    return found
+    manager = Manager(path)
+    _plain(manager._node)()
+    return manager
 
 
 # ---- files ----

@@ -72,38 +72,40 @@ class Provider:
 
     def members(self):
         """Its Operations and Attributes, the inherited ones after its own."""
-        found = []
+        members = []
         if self.interface is None:
-            return found
+            return members
         for interface in self.interface.ancestry():
-            found += interface.attributes + interface.operations
-        return found
+            members += interface.attributes + interface.operations
+        return members
 
     def operation(self, name):
         """The Operation of a name; that of an attribute reads it. Raises NoSuch with candidates."""
         self.check_known()
-        found = self.operations().get(name) or self.operations().get("_get_" + name)
-        if found is None and self.service is None and self.node.kind == "component":
+        operation = self.operations().get(name) or self.operations().get("_get_" + name)
+        if operation is None and self.service is None and self.node.kind == "component":
             remedy = f"; rtcall {text.shell_word(self.where)} lists what its ports provide"
             raise no_operation(self.where, name, self.names(), remedy)
-        if found is None:
+        if operation is None:
             raise no_operation(self.where, name, self.names())
-        return found
+        return operation
 
     def names(self):
         """The names of its operations and attributes."""
-        return [each.name for each in self.members()]
+        return [member.name for member in self.members()]
 
     def setter(self, name):
         """The Operation that sets an attribute. Raises NoSuch, Unsupported."""
         self.check_known()
-        found = self.operations().get("_set_" + name)
-        if found is None and "_get_" + name in self.operations():
+        operation = self.operations().get("_set_" + name)
+        if operation is None and "_get_" + name in self.operations():
             raise errors.Unsupported(self.where, f"its attribute {text.printable(name)} is readonly")
-        if found is None:
-            known = [attribute.name for attribute in self.interface.all_attributes()]
-            raise errors.NoSuch(self.where, "attribute", text.printable(name) + text.candidates(name, known))
-        return found
+        if operation is None:
+            attributes = [attribute.name for attribute in self.interface.all_attributes()]
+            raise errors.NoSuch(
+                self.where, "attribute", text.printable(name) + text.candidates(name, attributes)
+            )
+        return operation
 
     # ---- calls ----
 
@@ -233,20 +235,20 @@ async def providers(path, types):
     node = await tree.component(path.object())
     listed = await ports.ports(node)
     if path.port is None:
-        found = [service for port in listed for service in await services.of_port(port)]
-        return [of_service(service, types) for service in found]
+        provided = [service for port in listed for service in await services.of_port(port)]
+        return [of_service(service, types) for service in provided]
     port, instance = _named(path, listed)
-    found = await services.of_port(port)
-    if not found:
+    provided = await services.of_port(port)
+    if not provided:
         raise errors.NoSuch(ports.label(port), "interface", f"it provides none (it is a {port.type})")
     if instance is not None:
-        there = [service.instance for service in found]
-        found = [service for service in found if service.instance == instance]
-        if not found:
+        there = [service.instance for service in provided]
+        provided = [service for service in provided if service.instance == instance]
+        if not provided:
             raise errors.NoSuch(
                 ports.label(port), "interface", text.printable(instance) + text.candidates(instance, there)
             )
-    return [of_service(service, types) for service in found]
+    return [of_service(service, types) for service in provided]
 
 
 def _named(path, listed):
@@ -260,9 +262,9 @@ def _named(path, listed):
         return port, None
     shorter, dot, instance = path.port.rpartition(".")
     if dot and shorter:
-        found = ports.named(path.with_port(shorter), listed)
-        if not isinstance(found, errors.Error):
-            return found, instance
+        shorter_port = ports.named(path.with_port(shorter), listed)
+        if not isinstance(shorter_port, errors.Error):
+            return shorter_port, instance
     raise port
 
 
@@ -294,8 +296,8 @@ async def find(path, types, name):
     """
     if path.port is None:
         return await single(path, types)
-    known = await providers(path, types)
-    having = [provider for provider in known if has(provider, name)]
+    candidates = await providers(path, types)
+    having = [provider for provider in candidates if has(provider, name)]
     if len(having) > 1:
         listed = " or ".join(provider.where for provider in having)
         raise errors.NoSuch(
@@ -303,28 +305,30 @@ async def find(path, types, name):
         )
     if having:
         return having[0]
-    for provider in known:
+    for provider in candidates:
         provider.check_known()
-    raise no_operation(str(path), name, [each for provider in known for each in provider.names()])
+    raise no_operation(
+        str(path), name, [operation for provider in candidates for operation in provider.names()]
+    )
 
 
-def no_operation(where, name, known, remedy=""):
+def no_operation(where, name, names, remedy=""):
     """The NoSuch for an operation, with candidates."""
-    known = list(dict.fromkeys(known))
-    return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, known) + remedy)
+    names = list(dict.fromkeys(names))
+    return errors.NoSuch(where, "operation", text.printable(name) + text.candidates(name, names) + remedy)
 
 
 async def single(path, types):
     """The only Provider at a Path, whose IDL is known. Raises NoSuch where there are several."""
     if path.port is None:
-        found = [await itself(path, types)]
+        candidates = [await itself(path, types)]
     else:
-        found = await providers(path, types)
-    if len(found) > 1:
-        listed = " or ".join(provider.where for provider in found)
+        candidates = await providers(path, types)
+    if len(candidates) > 1:
+        listed = " or ".join(provider.where for provider in candidates)
         raise errors.NoSuch(str(path), "single interface", f"it is {listed}")
-    found[0].check_known()
-    return found[0]
+    candidates[0].check_known()
+    return candidates[0]
 
 
 def has(provider, name):

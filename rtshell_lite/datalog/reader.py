@@ -66,8 +66,12 @@ class Log:
     def __exit__(self, *_):
         self._file.close()
 
-    first = property(lambda self: min((each.first for each in self._stretches if each.count), default=None))
-    last = property(lambda self: max((each.last for each in self._stretches if each.count), default=None))
+    first = property(
+        lambda self: min((stretch.first for stretch in self._stretches if stretch.count), default=None)
+    )
+    last = property(
+        lambda self: max((stretch.last for stretch in self._stretches if stretch.count), default=None)
+    )
     damaged = property(lambda self: sum(self._damaged.values()))
 
     @property
@@ -86,7 +90,7 @@ class Log:
 
     def entries(self, start=0):
         """The entries from number `start` on, one by one."""
-        place = bisect.bisect_right([each.number for each in self._stretches], start) - 1
+        place = bisect.bisect_right([stretch.number for stretch in self._stretches], start) - 1
         for stretch in self._stretches[max(place, 0) :]:
             for entry in self._messages(stretch):
                 if entry.number >= start:
@@ -126,60 +130,61 @@ class Log:
             yield f"{count} messages are left out: their encoding {encoding} is not read"
 
     def _find_gaps(self):
-        found = []
+        listed = []
         for kind, offset, end in self._others:
-            if kind != mcap.METADATA or len(found) >= gaps.MOST:
+            if kind != mcap.METADATA or len(listed) >= gaps.MOST:
                 continue
             try:
                 name, texts = mcap.metadata(self._body(offset, end))
             except mcap.Damaged:
                 continue
             if name == gaps.NAME:
-                found.append(gaps.from_texts(texts))
-        return [gap for gap in found if gap is not None]
+                listed.append(gaps.from_texts(texts))
+        return [gap for gap in listed if gap is not None]
 
     def contents(self):
         """(mcap.Contents, {schema: its id}, {(topic, schema, encoding, metadata): id of a channel}, the
         ChunkIndex records) of the file, to go on with it.
         """
-        made = mcap.Contents()
+        contents = mcap.Contents()
         for kind, offset, end in self._others:
             octets = self._octets(offset, end - offset)
             if kind == mcap.METADATA:
-                made.add_metadata(offset, end - offset, mcap.metadata(octets[HEAD.size :])[0])
+                contents.add_metadata(offset, end - offset, mcap.metadata(octets[HEAD.size :])[0])
             elif kind == mcap.ATTACHMENT:
                 logged, name, media, _, size = mcap.attachment(octets[HEAD.size :])
                 index = mcap.attachment_index(logged, name, media, size, offset, end - offset)
-                made.records[mcap.ATTACHMENT_INDEX].append(index)
+                contents.records[mcap.ATTACHMENT_INDEX].append(index)
         for (kind, _), body in sorted(self._defined.items()):
-            made.records[kind].append(mcap.record(kind, body))
-        indexes = [self._index(stretch, made) for stretch in self._stretches]
-        return made, {schema: number for number, schema in self._schemas.items()}, dict(self._ids), indexes
+            contents.records[kind].append(mcap.record(kind, body))
+        indexes = [self._index(stretch, contents) for stretch in self._stretches]
+        ids = {schema: number for number, schema in self._schemas.items()}
+        return contents, ids, dict(self._ids), indexes
 
     def sound_records(self):
         """The octets of all records up to `end`, one by one, without chunks that are damaged, and their
         indexes.
         """
-        stretches = {each.offset: each for each in self._stretches}
+        stretches = {stretch.offset: stretch for stretch in self._stretches}
         yield self._octets(0, len(mcap.MAGIC))
-        at = len(mcap.MAGIC)
-        while at < self.end:
-            kind, end = self._head(at) or (None, at)
+        offset = len(mcap.MAGIC)
+        while offset < self.end:
+            kind, end = self._head(offset) or (None, offset)
             if kind is None or end > self.end:  # what the summary says is not so
-                self._damaged[at] = 1
-                at = min((place for place in stretches if place > at), default=self.end)
+                self._damaged[offset] = 1
+                offset = min((place for place in stretches if place > offset), default=self.end)
                 continue
-            if kind == mcap.CHUNK and not self._is_sound(at, stretches):
-                at = self._indexes(end)[2]
+            if kind == mcap.CHUNK and not self._is_sound(offset, stretches):
+                offset = self._indexes(end)[2]
                 continue
-            yield self._octets(at, end - at)
-            at = end
+            yield self._octets(offset, end - offset)
+            offset = end
 
-    def _is_sound(self, at, stretches):
+    def _is_sound(self, offset, stretches):
         """Whether the chunk at an offset is whole."""
-        if at in stretches:
-            return self._records(stretches[at]) is not None
-        self._damaged[at] = 1
+        if offset in stretches:
+            return self._records(stretches[offset]) is not None
+        self._damaged[offset] = 1
         return False
 
     # ---- finding what is where ----
@@ -206,25 +211,25 @@ class Log:
         bodies of schemas and channels with their opcodes) as the end of the file says; None where it says
         nothing sound.
         """
-        known = {}
+        chunks = {}
         counted = None
         defined = []
         try:
-            at = self._check_summary()
-            while at < self.size - mcap.FOOT.size:
-                kind, end = self._head(at) or (None, self.size)
+            position = self._check_summary()
+            while position < self.size - mcap.FOOT.size:
+                kind, end = self._head(position) or (None, self.size)
                 if kind == mcap.CHUNK_INDEX:
-                    offset, length, places, size = mcap.chunk_index(self._body(at, end))
-                    known[offset] = length, mcap.messages_indexed(len(places), size), size
+                    offset, length, places, size = mcap.chunk_index(self._body(position, end))
+                    chunks[offset] = length, mcap.messages_indexed(len(places), size), size
                 elif kind == mcap.STATISTICS:
-                    counted = mcap.statistics(self._body(at, end))[1]
+                    counted = mcap.statistics(self._body(position, end))[1]
                 elif kind in (mcap.SCHEMA, mcap.CHANNEL):
-                    defined.append((kind, self._body(at, end)))
-                at = end
+                    defined.append((kind, self._body(position, end)))
+                position = end
         except mcap.Damaged:
             return None
         self.closed = True
-        return known, counted, defined
+        return chunks, counted, defined
 
     def _check_summary(self):
         """Where the summary begins, whose checksum is right. Raises Damaged."""
@@ -233,8 +238,8 @@ class Log:
             return self.size
         end = self.size - mcap.UNCHECKED
         crc = 0
-        for at in range(start, end, RUN):
-            crc = zlib.crc32(self._octets(at, min(RUN, end - at)), crc)
+        for offset in range(start, end, RUN):
+            crc = zlib.crc32(self._octets(offset, min(RUN, end - offset)), crc)
         if start > end or expected and crc != expected:
             raise mcap.Damaged("a summary whose checksum is wrong")
         return start
@@ -244,7 +249,7 @@ class Log:
             raise mcap.Damaged("a long record")
         return self._octets(offset + HEAD.size, end - offset - HEAD.size)
 
-    def _find_records(self, known, counted, defined):
+    def _find_records(self, chunks, counted, defined):
         """Find all records up to the end of the data, with the help of what _read_summary has returned; False
         when that is not so.
         """
@@ -271,7 +276,7 @@ class Log:
                 break
             kind, end = head
             if kind == mcap.CHUNK:
-                end = self._take_chunk(end, known.get(self.end), is_known)
+                end = self._take_chunk(end, chunks.get(self.end), is_known)
             elif kind == mcap.MESSAGE:
                 end = self._take_loose(end)
             elif kind != mcap.DATA_END:
@@ -330,21 +335,21 @@ class Log:
     def _add(self, end, first, last, count, is_chunk):
         self._stretches.append(Stretch(self.end, end, first, last, self.count, count, is_chunk))
 
-    def _indexes(self, at):
-        """({channel's id: messages} as the MessageIndex records at `at` say, {id: their offsets}, the offset
-        after them)
+    def _indexes(self, offset):
+        """({channel's id: messages} as the MessageIndex records at `offset` say, {id: their offsets}, the
+        offset after them)
         """
         counts = {}
         places = {}
         while True:
-            head = self._head(at)
-            if head is None or head[0] != mcap.MESSAGE_INDEX or head[1] < at + HEAD.size + 6:
-                return counts, places, at
-            fields = self._octets(at + HEAD.size, 6)
+            head = self._head(offset)
+            if head is None or head[0] != mcap.MESSAGE_INDEX or head[1] < offset + HEAD.size + 6:
+                return counts, places, offset
+            fields = self._octets(offset + HEAD.size, 6)
             channel = int.from_bytes(fields[:2], "little")
             counts[channel] = counts.get(channel, 0) + int.from_bytes(fields[2:], "little") // 16
-            places[channel] = at
-            at = head[1]
+            places[channel] = offset
+            offset = head[1]
 
     def _look_inside(self, end, counts):
         """Take the schemas and channels within the chunk at self.end; returns its messages by
@@ -364,22 +369,22 @@ class Log:
     def _take_loose(self, end):
         """Note the messages at self.end that are in no chunk; returns the offset after them."""
         times = []
-        at = self.end
-        while at - self.end < RUN:
-            octets = self._octets(at, mcap.MESSAGE_HEAD.size)
+        offset = self.end
+        while offset - self.end < RUN:
+            octets = self._octets(offset, mcap.MESSAGE_HEAD.size)
             if len(octets) < mcap.MESSAGE_HEAD.size:
                 break
             kind, length, channel, _, moment, _ = mcap.MESSAGE_HEAD.unpack(octets)
-            after = at + HEAD.size + length
-            if kind != mcap.MESSAGE or after > self.size or at + mcap.MESSAGE_HEAD.size > after:
+            after = offset + HEAD.size + length
+            if kind != mcap.MESSAGE or after > self.size or offset + mcap.MESSAGE_HEAD.size > after:
                 break
             self._counts[channel] = self._counts.get(channel, 0) + 1
             times.append(moment)
-            at = after
+            offset = after
         if not times:
             return end
-        self._add(at, min(times), max(times), len(times), False)
-        return at
+        self._add(offset, min(times), max(times), len(times), False)
+        return offset
 
     def _take_other(self, kind, end):
         """Take what a record outside of chunks says."""
@@ -466,14 +471,14 @@ class Log:
         number = stretch.number
         unpack = mcap.MESSAGE_HEAD.unpack_from
         start = mcap.MESSAGE_HEAD.size
-        for kind, at, _, end in _walk(octets):
+        for kind, offset, _, end in _walk(octets):
             if kind != mcap.MESSAGE:
                 continue
-            if end - at < start:
+            if end - offset < start:
                 self._damaged[-1 - number] = 1
                 continue
-            _, _, channel, _, moment, _ = unpack(octets, at)
-            entry = self._entry(number, moment, channel, octets[at + start : end])
+            _, _, channel, _, moment, _ = unpack(octets, offset)
+            entry = self._entry(number, moment, channel, octets[offset + start : end])
             number += 1
             if entry:
                 yield entry
@@ -520,12 +525,12 @@ class Log:
     def _times(self, stretch):
         """{channel's id: [log time, offset in the chunk, log time, …]} of the messages in a Stretch"""
         octets = self._records(stretch) or b""
-        found = {}
-        for kind, at, _, end in _walk(octets):
-            if kind == mcap.MESSAGE and end - at >= mcap.MESSAGE_HEAD.size:
-                _, _, channel, _, moment, _ = mcap.MESSAGE_HEAD.unpack_from(octets, at)
-                found.setdefault(channel, []).extend((moment, at))
-        return found
+        times = {}
+        for kind, offset, _, end in _walk(octets):
+            if kind == mcap.MESSAGE and end - offset >= mcap.MESSAGE_HEAD.size:
+                _, _, channel, _, moment, _ = mcap.MESSAGE_HEAD.unpack_from(octets, offset)
+                times.setdefault(channel, []).extend((moment, offset))
+        return times
 
     def lacking(self):
         """(offset, octets) of the MessageIndex records of the last chunk, which has not all of its own; None:

@@ -82,56 +82,56 @@ def of_type(type):
 def _ros2msg(descriptor):
     if kind(descriptors.target(descriptor)) != STRUCT:
         raise _NotExpressible
-    known = {}  # name: (repository id, lines), in the order of their use
-    root = _message(descriptors.target(descriptor), known)
-    parts = ["\n".join(known[root][1])]
+    messages = {}  # name: (repository id, lines), in the order of their use
+    root = _message(descriptors.target(descriptor), messages)
+    parts = ["\n".join(messages[root][1])]
     parts += [
         "%s\nMSG: %s\n%s" % (LINE, name, "\n".join(lines))
-        for name, (_, lines) in known.items()
+        for name, (_, lines) in messages.items()
         if name != root
     ]
     return root, "ros2msg", ("\n".join(parts) + "\n").encode("ascii")
 
 
-def _message(descriptor, known):
-    """The name of a struct, which is put into `known` with those that it uses."""
+def _message(descriptor, messages):
+    """The name of a struct, which is put into `messages` with those that it uses."""
     type_id = descriptors.type_id(descriptor)
     module, dot, last = descriptors.dotted(type_id).rpartition(".")
     package = module.replace(".", "_").lower()
     name = f"{package}/{last}"
     if not _PACKAGE.match(package) or not _MESSAGE.match(last):
         raise _NotExpressible
-    if name in known:
-        if known[name][0] != type_id:
+    if name in messages:
+        if messages[name][0] != type_id:
             raise _NotExpressible
         return name
-    known[name] = (type_id, [])
+    messages[name] = (type_id, [])
     for member, inner in descriptors.members(descriptor):
         if not _PACKAGE.match(member):  # the rule for names of fields, too
             raise _NotExpressible
-        known[name][1].append(f"{_words(inner, known)} {member}")
+        messages[name][1].append(f"{_words(inner, messages)} {member}")
     return name
 
 
-def _words(descriptor, known):
+def _words(descriptor, messages):
     """The type of a field."""
     inner = descriptors.plain(descriptor)
     sort = kind(inner)
     if sort == SEQUENCE:
         most = descriptors.length(inner)
         if most:
-            return "%s[<=%d]" % (_single(descriptors.element(inner), known), most)
-        return _single(descriptors.element(inner), known) + "[]"
+            return "%s[<=%d]" % (_single(descriptors.element(inner), messages), most)
+        return _single(descriptors.element(inner), messages) + "[]"
     if sort == ARRAY:
-        return "%s[%d]" % (_single(descriptors.element(inner), known), descriptors.length(inner))
-    return _single(inner, known)
+        return "%s[%d]" % (_single(descriptors.element(inner), messages), descriptors.length(inner))
+    return _single(inner, messages)
 
 
-def _single(descriptor, known):
+def _single(descriptor, messages):
     inner = descriptors.plain(descriptor)
     sort = kind(inner)
     if sort == STRUCT:
-        return _message(inner, known)
+        return _message(inner, messages)
     if sort == ENUM:
         return "uint32"
     if sort == STRING:
@@ -149,25 +149,27 @@ def _single(descriptor, known):
 def _omgidl(descriptor):
     if kind(descriptors.target(descriptor)) not in (STRUCT, UNION):
         raise _NotExpressible
-    known = {}  # repository id: definition
-    root = _reference(descriptors.target(descriptor), known)
-    return root, "omgidl", "\n".join(known.values()).encode("ascii")
+    definitions = {}  # repository id: definition
+    root = _reference(descriptors.target(descriptor), definitions)
+    return root, "omgidl", "\n".join(definitions.values()).encode("ascii")
 
 
-def _reference(descriptor, known):
+def _reference(descriptor, definitions):
     """The word for a type; those with a name are defined first."""
     sort = kind(descriptor)
     if sort == INDIRECT:
         raise _NotExpressible
     if sort in (STRUCT, UNION, ENUM, ALIAS):
         type_id = descriptors.type_id(descriptor)
-        if type_id not in known:
-            known[type_id] = _inside_modules(descriptors.dotted(type_id), _definition(descriptor, known))
+        if type_id not in definitions:
+            definitions[type_id] = _inside_modules(
+                descriptors.dotted(type_id), _definition(descriptor, definitions)
+            )
         return descriptors.dotted(type_id).replace(".", "::")
     if sort == SEQUENCE:
         most = descriptors.length(descriptor)
         return "sequence<%s%s>" % (
-            _reference(descriptors.element(descriptor), known),
+            _reference(descriptors.element(descriptor), definitions),
             ", %d" % most if most else "",
         )
     if sort not in descriptors.VALUES + (STRING, descriptors.WSTRING):
@@ -182,7 +184,7 @@ def _inside_modules(name, definition):
     return "".join(f"module {module} {{ " for module in modules) + definition + " };" * len(modules)
 
 
-def _definition(descriptor, known):
+def _definition(descriptor, definitions):
     sort = kind(descriptor)
     if sort == ENUM:
         return "enum %s { %s };" % (
@@ -190,26 +192,26 @@ def _definition(descriptor, known):
             ", ".join(item._n for item in descriptors.items(descriptor)),
         )
     if sort == ALIAS:
-        return "typedef %s;" % _declared(descriptors.aliased(descriptor), descriptor[2], known)
+        return "typedef %s;" % _declared(descriptors.aliased(descriptor), descriptor[2], definitions)
     if sort == STRUCT:
         members = [
-            _declared(inner, member, known) + "; " for member, inner in descriptors.members(descriptor)
+            _declared(inner, member, definitions) + "; " for member, inner in descriptors.members(descriptor)
         ]
         return "struct %s { %s};" % (descriptor[3], "".join(members))
     switch = descriptors.discriminator(descriptor)
     cases = [
-        "%s: %s; " % (_label(descriptor, place, case), _declared(case.type, case.member, known))
+        "%s: %s; " % (_label(descriptor, place, case), _declared(case.type, case.member, definitions))
         for place, case in enumerate(descriptors.cases(descriptor))
     ]
-    return "union %s switch (%s) { %s};" % (descriptor[3], _reference(switch, known), "".join(cases))
+    return "union %s switch (%s) { %s};" % (descriptor[3], _reference(switch, definitions), "".join(cases))
 
 
-def _declared(descriptor, name, known):
+def _declared(descriptor, name, definitions):
     lengths = ""
     while kind(descriptor) == ARRAY:
         lengths += "[%d]" % descriptors.length(descriptor)
         descriptor = descriptors.element(descriptor)
-    return f"{_reference(descriptor, known)} {name}{lengths}"
+    return f"{_reference(descriptor, definitions)} {name}{lengths}"
 
 
 def _label(descriptor, place, case):
@@ -256,17 +258,17 @@ def to_type(schema):
 def _of_idl(name, text):
     from rtshell_lite.data.idl import parser
 
-    found = parser.parse_text(text, printable(name))
-    wanted = [part for part in re.split(r"::|/|\.", name) if part]
-    for identifier, descriptor in found.items():
-        if descriptors.dotted(identifier).split(".") == wanted:
+    types = parser.parse_text(text, printable(name))
+    names = [part for part in re.split(r"::|/|\.", name) if part]
+    for identifier, descriptor in types.items():
+        if descriptors.dotted(identifier).split(".") == names:
             return descriptor
     raise errors.BadType(printable(name), "is not described")
 
 
 def _of_ros2msg(name, text):
     sections = re.split(r"^=+\s*$", text, flags=re.MULTILINE)
-    described = {_short(known): lines for known, lines in _BUILT_IN.items()}
+    described = {_short(built_in): lines for built_in, lines in _BUILT_IN.items()}
     described[_short(name)] = sections[0].splitlines()
     for section in sections[1:]:
         head, _, rest = section.strip().partition("\n")
@@ -280,28 +282,28 @@ def _short(name):
     return name.replace("/msg/", "/")
 
 
-def _struct(name, described, known, around):
-    if name in known:
-        return known[name]
+def _struct(name, described, structs, around):
+    if name in structs:
+        return structs[name]
     if name not in described or name in around or len(around) > descriptors.DEEPEST:
         raise errors.BadType(printable(name), "is not described, or contains itself")
     members = []
     for line in described[name]:
         line = line.partition("#")[0].strip()
         if line:
-            members += _members(line, name, described, known, around + (name,))
-    known[name] = descriptors.struct(type_id(name), name.rpartition("/")[2], members)
-    return known[name]
+            members += _members(line, name, described, structs, around + (name,))
+    structs[name] = descriptors.struct(type_id(name), name.rpartition("/")[2], members)
+    return structs[name]
 
 
-def _members(line, name, described, known, around):
+def _members(line, name, described, structs, around):
     """[(name, type)] of a line; none for a constant."""
-    found = _FIELD.match(line)
-    if not found:
+    match = _FIELD.match(line)
+    if not match:
         raise errors.BadType(printable(name), f"a line that is not read: {printable(line)}")
-    if found.group("rest").strip().startswith("="):
+    if match.group("rest").strip().startswith("="):
         return []
-    word = found.group("type")
+    word = match.group("type")
     if word == "string":
         inner = _STRING
     elif word in _KINDS:
@@ -309,13 +311,13 @@ def _members(line, name, described, known, around):
     else:
         if "/" not in word:
             word = name.rpartition("/")[0] + "/" + word
-        inner = _struct(_short(word), described, known, around)
-    many = found.group("many")
+        inner = _struct(_short(word), described, structs, around)
+    many = match.group("many")
     if many is None:
-        return [(found.group("name"), inner)]
+        return [(match.group("name"), inner)]
     if many == "[]":
-        return [(found.group("name"), (SEQUENCE, inner, 0))]
+        return [(match.group("name"), (SEQUENCE, inner, 0))]
     length = int(many.strip("[]<=") or 0)
     if "<" in many:
-        return [(found.group("name"), (SEQUENCE, inner, length))]
-    return [(found.group("name"), descriptors.array(inner, length))]
+        return [(match.group("name"), (SEQUENCE, inner, length))]
+    return [(match.group("name"), descriptors.array(inner, length))]

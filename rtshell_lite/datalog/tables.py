@@ -52,15 +52,15 @@ class Table:
         port, numbers, plan = self._plans[entry.channel]
         cells = [str(entry.number), self._time(divmod(entry.received, 10**9)), port]
         if numbers is not None and entry.data is not None:
-            found = numbers.cells(entry, self._time)
-            if found is not None:
-                return self._place_cells(cells, numbers.names, found, (entry.channel, ()))
+            row = numbers.cells(entry, self._time)
+            if row is not None:
+                return self._place_cells(cells, numbers.names, row, (entry.channel, ()))
         formed = self.decoder.form_value(entry, lambda value: self._cells(value, plan))
         if formed is None:
-            names, found = self._cells_without_type(entry)
-            return self._place_cells(cells, names, found, None)
-        sizes, found, names = formed
-        return self._place_cells(cells, names, found, (entry.channel, sizes))
+            names, row = self._cells_without_type(entry)
+            return self._place_cells(cells, names, row, None)
+        sizes, row, names = formed
+        return self._place_cells(cells, names, row, (entry.channel, sizes))
 
     def _time(self, parts):
         if self._is_ns:
@@ -79,7 +79,7 @@ class Table:
 
     def _cells(self, value, plan):
         """(lengths of sequences, cells, a function for the names of their columns) of a value."""
-        found = []
+        row = []
         if plan is None:
             pairs = self._flat(value, "")
             return None, [scalar for _, scalar in pairs], lambda: [name for name, _ in pairs]
@@ -88,35 +88,35 @@ class Table:
         for column, get, sort in plan:
             part = get(value)
             if sort == PLAIN:
-                found.append(str(part))
+                row.append(str(part))
             elif sort == NUMBERS:
-                found += map(str, part)
+                row += map(str, part)
                 sizes.append(len(part))
             elif sort == TIME:
-                found.append(self._time(divmod(part.sec * 10**9 + part.nsec, 10**9)))
+                row.append(self._time(divmod(part.sec * 10**9 + part.nsec, 10**9)))
             elif sort == NAME:
-                found.append(part._n)
+                row.append(part._n)
             elif sort == TEXT:
-                found.append(cell(printable(part)))
+                row.append(cell(printable(part)))
             elif sort == OCTETS:
-                found.append(part.hex())
+                row.append(part.hex())
             else:
                 pairs = self._flat(part, column)
                 others[column] = [name for name, _ in pairs]
-                found += [scalar for _, scalar in pairs]
+                row += [scalar for _, scalar in pairs]
         sizes = None if others else tuple(sizes)
-        return sizes, found, lambda: _names(plan, others, value)
+        return sizes, row, lambda: _names(plan, others, value)
 
     def _flat(self, value, column):
         """[(column, cell)] of any value."""
-        found = []
+        pairs = []
         for name, scalar in values.flat(value):
             if column and name:
                 name = column + ("" if name.startswith("[") else ".") + name
-            found.append(
+            pairs.append(
                 (name or column, cell(printable(scalar) if isinstance(scalar, str) else str(scalar)))
             )
-        return found
+        return pairs
 
     def _cells_without_type(self, entry):
         """(function for the names, cells) of an entry whose type is not known, or that does not fit it."""
@@ -125,7 +125,7 @@ class Table:
         pairs = values.flat(entry.value)
         return lambda: [name for name, _ in pairs], [cell(_words(scalar)) for _, scalar in pairs]
 
-    def _place_cells(self, head, names, found, key):
+    def _place_cells(self, head, names, scalars, key):
         """The cells in their columns; `key` names a combination of columns that may come again, or
         is None.
         """
@@ -138,9 +138,9 @@ class Table:
         else:
             places = self._places[key]
         if places is None:
-            return head + found
+            return head + scalars
         row = head + [""] * (max(places) + 1 - len(head))
-        for place, scalar in zip(places, found):
+        for place, scalar in zip(places, scalars):
             row[place] = scalar
         return row
 
@@ -162,16 +162,16 @@ def cell(words):
 
 def _parts(descriptor, path):
     """[(column, function that gets the part of a value, sort)] of a struct."""
-    found = []
+    parts = []
     for member, inner in descriptors.members(descriptor):
         inner = descriptors.target(inner)
         name = path + member
         sort = _sort(inner)
         if sort == OTHER and kind(inner) == STRUCT:
-            found += _parts(inner, name + ".")
+            parts += _parts(inner, name + ".")
         else:
-            found.append((name, operator.attrgetter(name), sort))
-    return found
+            parts.append((name, operator.attrgetter(name), sort))
+    return parts
 
 
 class _Numbers:
@@ -181,12 +181,12 @@ class _Numbers:
         self._layouts = {True: Forms("<", codes)[0], False: Forms(">", codes)[0]}
         self._columns = [name for name, _, _ in parts]
         self._times = []  # where there are times, from the right: two numbers become one cell
-        at = 0
+        index = 0
         for _, _, sort in parts:
             if sort == TIME:
-                self._times.insert(0, at)
-                at += 1
-            at += 1
+                self._times.insert(0, index)
+                index += 1
+            index += 1
 
     def names(self):
         return self._columns
@@ -199,10 +199,10 @@ class _Numbers:
             numbers = self._layouts[entry.little].unpack_from(entry.data)
         except struct.error:
             return None
-        found = list(map(str, numbers))
+        row = list(map(str, numbers))
         for place in self._times:
-            found[place : place + 2] = [spell(divmod(numbers[place] * 10**9 + numbers[place + 1], 10**9))]
-        return found
+            row[place : place + 2] = [spell(divmod(numbers[place] * 10**9 + numbers[place + 1], 10**9))]
+        return row
 
 
 def _numbers(descriptor, parts):
@@ -233,15 +233,15 @@ def _sort(inner):
 
 
 def _names(plan, others, value):
-    found = []
+    names = []
     for column, get, sort in plan:
         if sort == NUMBERS:
-            found += [f"{column}[{number}]" for number in range(len(get(value)))]
+            names += [f"{column}[{number}]" for number in range(len(get(value)))]
         elif sort == OTHER:
-            found += others[column]
+            names += others[column]
         else:
-            found.append(column)
-    return found
+            names.append(column)
+    return names
 
 
 # ---- whole tables ----

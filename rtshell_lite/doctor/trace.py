@@ -237,9 +237,9 @@ class Trace:
         """Learn what is not needed to go on."""
         running = snapshot.RUNNING
         try:
-            found = await snapshot.of(stage.node, owned=running, participating=running, states=snapshot.FULL)
-            stage.state = component.merged(found.states)
-            stage.contexts = found.contexts
+            shown = await snapshot.of(stage.node, owned=running, participating=running, states=snapshot.FULL)
+            stage.state = component.merged(shown.states)
+            stage.contexts = shown.contexts
             await self._show_services(stage, services)
         except errors.Error as e:
             self._fail(stage, e)
@@ -279,7 +279,7 @@ class Trace:
         if connected:
             name_of = await places.far_names(connected)
             for port in connected:
-                names = {name_of(ref) for one in port.connectors for ref in one.ports} - {None}
+                names = {name_of(ref) for connector in port.connectors for ref in connector.ports} - {None}
                 stage.services += [(ports.label(port), name) for name in sorted(names)]
 
     async def _go_on(self, stage, listed):
@@ -305,14 +305,14 @@ class Trace:
         far = self._enter(end.port.node, stage.depth + 1)
         if far is None:
             return
-        joined = any(each.id == connector.id for each in end.port.connectors)
+        joined = any(other.id == connector.id for other in end.port.connectors)
         if not self.against:
-            watch = next(each for each in stage.watches if each.port.name == port.name)
+            watch = next(watch for watch in stage.watches if watch.port.name == port.name)
             self.links.append(Link(watch, far, end.port, joined))
             return
         far_port = end.port._replace(node=far.node)
         self._watch(far, far_port)
-        watch = next(each for each in far.watches if each.port.name == far_port.name)
+        watch = next(watch for watch in far.watches if watch.port.name == far_port.name)
         self.links.append(Link(watch, stage, port, joined))
 
     async def find_cause(self, stage):
@@ -333,10 +333,10 @@ class Trace:
         """The path, as text, of the only component bound with the address of a reference, or the only one of
         them that does not answer; None if unknown.
         """
-        at = orb.endpoint(ref)
+        endpoint = orb.endpoint(ref)
         bound = []
         for node in await _bound(near):
-            if orb.endpoint(node.ref) == at:
+            if orb.endpoint(node.ref) == endpoint:
                 bound.append(node)
         if len(bound) > 1:
             bound = [node for node in await tree.check_alive(bound) if isinstance(node.error, errors.Silent)]
@@ -391,20 +391,20 @@ class Trace:
 
         What hangs or is dead explains why those around it seem to stop values.
         """
-        found = [(stage.where, fault, stage.depth) for stage, fault in self._faults() if fault is not None]
-        if not found and self.gap is not None:
+        faults = [(stage.where, fault, stage.depth) for stage, fault in self._faults() if fault is not None]
+        if not faults and self.gap is not None:
             last = self.in_order()[-1]
             fault = _fault(f"no connection leads on from it to {self.gap}", CERTAIN)
-            found.append((last.where, fault, last.depth))
+            faults.append((last.where, fault, last.depth))
         silences = list(self._silences())
-        first = min(_sure(found), key=lambda each: each[1].is_slight, default=None)
+        first = min(_sure(faults), key=lambda fault: fault[1].is_slight, default=None)
         silent = min(_sure(silences), key=self._place, default=None)
         if silent is not None:
             if first is None or first[1].sure == PROBABLE or self._place(silent) < self._place(first):
                 first = silent
         if first is not None:
             return first[:2]
-        if found or silences or self.is_cut:
+        if faults or silences or self.is_cut:
             return None, _fault(self._why_doubtful(), DOUBTFUL)
         return None
 
@@ -413,11 +413,11 @@ class Trace:
             return f"this machine is too busy to tell: everything takes {self.slower:.0f} times as long"
         return "not all components answered in this time"
 
-    def _place(self, found):
+    def _place(self, fault):
         """Where data comes first, as a number."""
         if self.against:
-            return -found[2]
-        return found[2]
+            return -fault[2]
+        return fault[2]
 
     def _faults(self):
         for stage in self.in_order():
@@ -489,13 +489,13 @@ class Trace:
         if watch.failure is not None:
             fault = f"{watch.name} could not be measured: {watch.failure.why}"
             return _fault(fault, self._how_sure(watch.failure))
-        fed = [each for each in feeding if each.count]
+        fed = [source for source in feeding if source.count]
         if not watch.count:
             return self._silence_of(watch, feeding, stage)
         disordered = watch.flow.total.disordered
-        if disordered and not any(each.flow.total.disordered for each in fed):
+        if disordered and not any(source.flow.total.disordered for source in fed):
             return _fault(f"{disordered} values of {watch.name} are older than the one before", CERTAIN)
-        if watch.count >= FEW and not watch.changes and any(each.changes for each in fed):
+        if watch.count >= FEW and not watch.changes and any(source.changes for source in fed):
             return _fault(f"{watch.name} repeats one value, though those that come in change", PROBABLE)
         return self._thinned(watch, fed)
 
@@ -506,22 +506,22 @@ class Trace:
             if watch.seconds >= LEAST * self.slower:
                 return nothing
             return self._doubt(nothing) or nothing._replace(sure=PROBABLE)
-        for each in feeding:
-            fault = _fault(f"values come in ({each.rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
-            if each.came(watch.begun, watch.until - int(self._latest(stage) * 1e9)):
+        for source in feeding:
+            fault = _fault(f"values come in ({source.rate:.3g} Hz), none goes out of {watch.name}", PROBABLE)
+            if source.came(watch.begun, watch.until - int(self._latest(stage) * 1e9)):
                 return fault
-            if each.came(watch.begun, watch.until - int(self._usual(stage) * 1e9)):
+            if source.came(watch.begun, watch.until - int(self._usual(stage) * 1e9)):
                 return self._doubt(fault)
         return None
 
     def _thinned(self, watch, fed):
         """A Fault if fewer values come from a Watch than from each of those that feed its Stage."""
         shares = []
-        for each in fed:
-            begin = max(watch.begun, each.begun)
-            came = each.came(begin, each.until)
+        for source in fed:
+            begin = max(watch.begun, source.begun)
+            came = source.came(begin, source.until)
             if came >= MANY:
-                shares.append((watch.came(begin, watch.until) / came, each.rate))
+                shares.append((watch.came(begin, watch.until) / came, source.rate))
         share, rate = max(shares, default=(1, 0))
         if share >= THINNED:
             return None
@@ -546,7 +546,9 @@ class Trace:
     def _latest(self, stage):
         """`_usual`, but on this machine now: where it is busy all of them take longer."""
         usual = self._usual(stage)
-        others = [each.delay for each in self.stages.values() if each is not stage and each.delay is not None]
+        others = [
+            other.delay for other in self.stages.values() if other is not stage and other.delay is not None
+        ]
         if others[1:]:
             return max(usual, BUSY * sorted(others)[len(others) // 2])
         return usual * self.slower
@@ -622,9 +624,9 @@ def _fault(words, sure, is_slight=False):
     return Fault(words, sure, is_slight)
 
 
-def _sure(found):
+def _sure(faults):
     """Those of some (path, Fault, depth) that are not DOUBTFUL."""
-    return [each for each in found if each[1].sure != DOUBTFUL]
+    return [fault for fault in faults if fault[1].sure != DOUBTFUL]
 
 
 def _slowdown():

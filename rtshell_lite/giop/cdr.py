@@ -47,17 +47,17 @@ class Maker:
     def writer(self, descriptor):
         return self._made(descriptor, self.writers, "write")
 
-    def _made(self, descriptor, known, verb):
+    def _made(self, descriptor, functions, verb):
         descriptor = target(descriptor)
-        if id(descriptor) in known:
-            hole = known[id(descriptor)]
+        if id(descriptor) in functions:
+            hole = functions[id(descriptor)]
             return hole[0] or (lambda first, second: hole[0](first, second))
-        hole = known[id(descriptor)] = [None, descriptor]  # kept, so that its id stays its own
+        hole = functions[id(descriptor)] = [None, descriptor]  # kept, so that its id stays its own
         try:
             hole[0] = self._new(descriptor, verb)
         finally:
             if hole[0] is None:  # Ctrl-C, say: forget what is half made
-                known.clear()
+                functions.clear()
         return hole[0]
 
     def _new(self, descriptor, verb):
@@ -73,10 +73,10 @@ class Maker:
         forms = Forms(self.order, form.codes)
         make = form.make
 
-        def read(data, at):
-            layout = forms[at & 7]
-            leaves = layout.unpack_from(data, at)
-            return make(leaves, 0) if make else leaves[0], at + layout.size
+        def read(data, offset):
+            layout = forms[offset & 7]
+            leaves = layout.unpack_from(data, offset)
+            return make(leaves, 0) if make else leaves[0], offset + layout.size
 
         return read
 
@@ -96,12 +96,12 @@ class Maker:
         """read(data, at) of values of these types in a row: make(*values)."""
         readers = [self.reader(descriptor) for descriptor in types]
 
-        def read(data, at):
+        def read(data, offset):
             values = []
             for member in readers:
-                value, at = member(data, at)
+                value, offset = member(data, offset)
                 values.append(value)
-            return make(*values), at
+            return make(*values), offset
 
         return read
 
@@ -127,13 +127,13 @@ class Maker:
         switch = self.reader(discriminator(descriptor))
         by_label, default = self._of_cases(descriptor, self.reader)
 
-        def read(data, at):
-            label, at = switch(data, at)
+        def read(data, offset):
+            label, offset = switch(data, offset)
             member = by_label.get(label, default)
             if member is None:
-                return make(label, None), at
-            value, at = member(data, at)
-            return make(label, value), at
+                return make(label, None), offset
+            value, offset = member(data, offset)
+            return make(label, value), offset
 
         return read
 
@@ -149,15 +149,15 @@ class Maker:
 
         return write
 
-    def _size(self, data, at, most, smallest):
-        """The count at `at`, compared with the bytes that are left, and where it ends."""
-        at += -at & 3
-        (size,) = self.count.unpack_from(data, at)
+    def _size(self, data, offset, most, smallest):
+        """The count at `offset`, compared with the bytes that are left, and where it ends."""
+        offset += -offset & 3
+        (size,) = self.count.unpack_from(data, offset)
         if most and size > most:
             raise Fault(f"{size} elements where {most} may be")
-        if size * smallest > len(data) - at - 4:
-            raise Fault(f"{size} elements are announced, but {len(data) - at - 4} bytes are left")
-        return size, at + 4
+        if size * smallest > len(data) - offset - 4:
+            raise Fault(f"{size} elements are announced, but {len(data) - offset - 4} bytes are left")
+        return size, offset + 4
 
     def _count(self, out, value, most):
         if most and len(value) > most:
@@ -169,9 +169,9 @@ class Maker:
         smallest = least(element(descriptor))
         elements = self._elements_reader(element(descriptor))
 
-        def read(data, at):
-            size, at = self._size(data, at, most, smallest)
-            return elements(data, at, size)
+        def read(data, offset):
+            size, offset = self._size(data, offset, most, smallest)
+            return elements(data, offset, size)
 
         return read
 
@@ -190,10 +190,10 @@ class Maker:
         smallest = least(descriptor)
         elements = self._elements_reader(element(descriptor))
 
-        def read(data, at):
-            if smallest > len(data) - at:
+        def read(data, offset):
+            if smallest > len(data) - offset:
                 raise Fault("ends within an array")
-            return elements(data, at, size)
+            return elements(data, offset, size)
 
         return read
 
@@ -213,27 +213,30 @@ class Maker:
         sort = kind(target(element))
         order = self.order
         if sort == OCTET:
-            return lambda data, at, size: (data[at : at + size], at + size)
+            return lambda data, offset, size: (data[offset : offset + size], offset + size)
         if sort == CHAR:
-            return lambda data, at, size: (data[at : at + size].decode("latin-1"), at + size)
+            return lambda data, offset, size: (data[offset : offset + size].decode("latin-1"), offset + size)
         if sort in NUMBERS:
             code = CODES[sort]
             width = SIZES[CODES[sort]]
 
-            def numbers(data, at, size):
+            def numbers(data, offset, size):
                 if size:
-                    at += -at % width
-                return list(struct.unpack_from("%s%d%s" % (order, size, code), data, at)), at + size * width
+                    offset += -offset % width
+                return (
+                    list(struct.unpack_from("%s%d%s" % (order, size, code), data, offset)),
+                    offset + size * width,
+                )
 
             return numbers
         read_element = self.reader(element)
 
-        def read(data, at, size):
+        def read(data, offset, size):
             values = []
             for _ in range(size):
-                value, at = read_element(data, at)
+                value, offset = read_element(data, offset)
                 values.append(value)
-            return values, at
+            return values, offset
 
         return read
 
@@ -265,13 +268,13 @@ class Maker:
     def read_string(self, descriptor):
         most = bound(descriptor)
 
-        def read(data, at):
-            size, at = self._size(data, at, most and most + 1, 1)
+        def read(data, offset):
+            size, offset = self._size(data, offset, most and most + 1, 1)
             if size == 0:  # what some ORBs send for an empty one
-                return "", at
-            if data[at + size - 1]:
+                return "", offset
+            if data[offset + size - 1]:
                 raise Fault("a string without its end")
-            return data[at : at + size - 1].decode("utf-8", "surrogateescape"), at + size
+            return data[offset : offset + size - 1].decode("utf-8", "surrogateescape"), offset + size
 
         return read
 
@@ -290,12 +293,12 @@ class Maker:
     def read_wstring(self, descriptor):
         most = bound(descriptor)
 
-        def read(data, at):
-            size, at = self._size(data, at, 0, 1)
-            text = _utf16(data[at : at + size])
+        def read(data, offset):
+            size, offset = self._size(data, offset, 0, 1)
+            text = _utf16(data[offset : offset + size])
             if most and len(text) > most:
                 raise Fault(f"{len(text)} characters where {most} may be")
-            return text, at + size
+            return text, offset + size
 
         return read
 
@@ -315,11 +318,11 @@ class Maker:
         return write
 
     def read_wchar(self, _):
-        def read(data, at):
-            if at >= len(data) or data[at] not in (2, 4) or at + 1 + data[at] > len(data):
+        def read(data, offset):
+            if offset >= len(data) or data[offset] not in (2, 4) or offset + 1 + data[offset] > len(data):
                 raise Fault("a wide character without its size")
-            text = _utf16(data[at + 1 : at + 1 + data[at]])
-            end = at + 1 + data[at]
+            text = _utf16(data[offset + 1 : offset + 1 + data[offset]])
+            end = offset + 1 + data[offset]
             if len(text) != 1 or text > "\uffff":
                 raise Fault("not one UTF-16 unit")
             return text, end

@@ -72,9 +72,9 @@ class Maker(cdr.Maker):
         if descriptors.kind(descriptors.target(element)) in cdr.NUMBERS + (OCTET, CHAR):
             return read
 
-        def counted(data, at, size):
+        def counted(data, offset, size):
             allowance.spend(size)
-            return read(data, at, size)
+            return read(data, offset, size)
 
         return counted
 
@@ -104,12 +104,12 @@ class Maker(cdr.Maker):
         rest = [None] * (len(inner) - len(readers))
         make = descriptors.factory(structure)
 
-        def read(data, at):
+        def read(data, offset):
             values = []
             for member in readers:
-                value, at = member(data, at)
+                value, offset = member(data, offset)
                 values.append(value)
-            return make(*values, *rest), at
+            return make(*values, *rest), offset
 
         return read
 
@@ -117,21 +117,21 @@ class Maker(cdr.Maker):
         """Of an NVList at the end, the pair with this name, or the first pair for b"": [], or one pair."""
         if not name:
             first = self._pairs_reader(most=1)
-            return lambda data, at: (first(data, at)[0], len(data))
+            return lambda data, offset: (first(data, offset)[0], len(data))
         mark = self.count.pack(len(name) + 1) + name + b"\0"
         start = struct.Struct(self.order + "III")
         whole = self._pairs_reader()
 
-        def read(data, at):
-            place = data.find(mark, at)
+        def read(data, offset):
+            place = data.find(mark, offset)
             if place < 0 or place & 3:
-                return [pair for pair in whole(data, at)[0] if pair[0] == name], len(data)
+                return [pair for pair in whole(data, offset)[0] if pair[0] == name], len(data)
             place += len(mark)
             place += -place & 3
             kind, bound, length = start.unpack_from(data, place)
             end = place + start.size + length
             if kind != STRING or bound or data[end - 1]:
-                return whole(data, at)
+                return whole(data, offset)
             return [(name, data[place + start.size : end - 1])], end
 
         return read
@@ -144,30 +144,30 @@ class Maker(cdr.Maker):
         start = struct.Struct(self.order + "III")
         others = self.reader(ANY)
 
-        def read(data, at):
-            size, at = self._size(data, at, 0, 8)
+        def read(data, offset):
+            size, offset = self._size(data, offset, 0, 8)
             allowance.spend(size)
-            found = []
+            pairs = []
             last = len(data) - start.size
             for _ in range(size)[:most]:
-                at += 4 + (-at & 3)
-                end = at + unpack(data, at - 4)[0]
-                name = data[at : end - 1]
+                offset += 4 + (-offset & 3)
+                end = offset + unpack(data, offset - 4)[0]
+                name = data[offset : end - 1]
                 if data[end - 1]:
                     raise Fault("a string without its end")
-                at = end + (-end & 3)
-                if at <= last:
-                    kind, bound, length = start.unpack_from(data, at)
+                offset = end + (-end & 3)
+                if offset <= last:
+                    kind, bound, length = start.unpack_from(data, offset)
                     if kind == STRING and not bound:  # almost all are
-                        end = at + start.size + length
-                        found.append((name, data[at + start.size : end - 1]))
+                        end = offset + start.size + length
+                        pairs.append((name, data[offset + start.size : end - 1]))
                         if data[end - 1]:
                             raise Fault("a string without its end")
-                        at = end
+                        offset = end
                         continue
-                value, at = others(data, at)
-                found.append((name, value))
-            return found, at
+                value, offset = others(data, offset)
+                pairs.append((name, value))
+            return pairs, offset
 
         return read
 
@@ -194,15 +194,15 @@ class Maker(cdr.Maker):
         most = descriptors.bound(descriptor)
         unpack = self.count.unpack_from
 
-        def read(data, at):
-            at += -at & 3
-            (size,) = unpack(data, at)
-            end = at + 4 + size
+        def read(data, offset):
+            offset += -offset & 3
+            (size,) = unpack(data, offset)
+            end = offset + 4 + size
             if end > len(data) or most and size > most + 1:
                 raise Fault("a string longer than it can be")
             if size and data[end - 1]:
                 raise Fault("a string without its end")
-            return data[at + 4 : end - 1].decode("latin-1") if size else "", end
+            return data[offset + 4 : end - 1].decode("latin-1") if size else "", end
 
         return read
 
@@ -222,34 +222,34 @@ class Maker(cdr.Maker):
         pair = struct.Struct(self.order + "II").unpack_from
         interface = descriptor[1]
 
-        def read(data, at):
-            at += -at & 3
-            start = at + 4
-            end = at + 4 + unpack(data, at)[0]
+        def read(data, offset):
+            offset += -offset & 3
+            start = offset + 4
+            end = offset + 4 + unpack(data, offset)[0]
             if end > len(data):  # no place for unpack on a 32-bit system
                 raise Fault("a reference longer than it can be")
-            at = end + (-end & 3)
+            offset = end + (-end & 3)
             type_id = data[start:end]
-            count = unpack(data, at)[0]
-            at = at + 4
+            count = unpack(data, offset)[0]
+            offset = offset + 4
             if count > ior.MOST_PROFILES:
                 raise ior.BadReference(f"a reference of {count} profiles")
             profiles = []
             for _ in range(count):
-                at += -at & 3
-                tag, size = pair(data, at)
-                at += 8 + size
-                if at > len(data):
+                offset += -offset & 3
+                tag, size = pair(data, offset)
+                offset += 8 + size
+                if offset > len(data):
                     raise Fault("a reference longer than it can be")
-                profiles.append((tag, data[at - size : at]))
+                profiles.append((tag, data[offset - size : offset]))
             if not profiles:
-                return None, at
+                return None, offset
             ior.check(type_id, profiles)  # other ORBs may end from what it refuses, if that were sent on
             ref = Reference(type_id[:-1], tuple(profiles), interface)
             # what a name is bound to
             if not interface and not ref.address.host and ior.IIOP in dict(profiles):
                 raise ior.BadReference("an unusable reference")
-            return ref, at
+            return ref, offset
 
         return read
 
@@ -276,20 +276,20 @@ class Maker(cdr.Maker):
         text = self.reader(TEXT)
         order = self.order
 
-        def read(data, at):
-            at += -at & 3
-            if unpack(data, at)[0] == STRING and unpack(data, at + 4)[0] == 0:  # almost all are
-                value, at = text(data, at + 8)
-                return Any(TEXT, value), at
+        def read(data, offset):
+            offset += -offset & 3
+            if unpack(data, offset)[0] == STRING and unpack(data, offset + 4)[0] == 0:  # almost all are
+                value, offset = text(data, offset + 8)
+                return Any(TEXT, value), offset
             from rtshell_lite.giop import typecodes
 
-            descriptor, at = typecodes.read(data, at, order)
+            descriptor, offset = typecodes.read(data, offset, order)
             if descriptor in (0, 1):  # null, void
-                return Any(descriptor, None), at
+                return Any(descriptor, None), offset
             if self.depth == descriptors.DEEPEST:
                 raise Fault("values inside values, deeper than %d" % descriptors.DEEPEST)
-            value, at = type(self)(order, self.depth + 1).reader(descriptor)(data, at)
-            return Any(descriptor, value), at
+            value, offset = type(self)(order, self.depth + 1).reader(descriptor)(data, offset)
+            return Any(descriptor, value), offset
 
         return read
 
@@ -311,11 +311,11 @@ class Maker(cdr.Maker):
     def read_typecode(self, _):
         order = self.order
 
-        def read(data, at):
+        def read(data, offset):
             from rtshell_lite.giop import typecodes
 
-            found, at = typecodes.read(data, at, order)
-            return TypeCode(found), at
+            descriptor, offset = typecodes.read(data, offset, order)
+            return TypeCode(descriptor), offset
 
         return read
 

@@ -30,11 +30,11 @@ class Thrown(Exception):
         self.members = members
 
 
-def head(data, at):
+def head(data, start):
     """What two messages of GIOP 1.2 have in common that differ only in their ids and in their arguments,
-    which begin at `at`.
+    which begin at `start`.
     """
-    return bytes(data[4:8]) + bytes(data[16:at])
+    return bytes(data[4:8]) + bytes(data[16:start])
 
 
 class Request:
@@ -57,46 +57,46 @@ class Request:
         self.is_request = data[7] == REQUEST
         self.operation = ""
         self.is_answered = True
-        at = messages.HEADER
+        offset = messages.HEADER
         if self.is_request and self.minor < 2:
-            at = messages.after_contexts(data, at, self.one)
-        (self.id,) = self.one.unpack_from(data, at)
-        at += 4
+            offset = messages.after_contexts(data, offset, self.one)
+        (self.id,) = self.one.unpack_from(data, offset)
+        offset += 4
         if self.is_request:
-            self.is_answered = bool(data[at] & 1)
+            self.is_answered = bool(data[offset] & 1)
             if self.minor:
-                at += 4
+                offset += 4
             else:
-                at += 1
+                offset += 1
         if self.minor == 2:
             self.key = None
-            if short.unpack_from(data, at)[0]:
+            if short.unpack_from(data, offset)[0]:
                 return
-            at += 2
-        self.key, at = self._octets(at)
+            offset += 2
+        self.key, offset = self._octets(offset)
         if self.is_request:
-            name, at = self._octets(at)
+            name, offset = self._octets(offset)
             self.operation = name[:-1].decode("latin-1")
-            self.at = self._arguments(at)
+            self.at = self._arguments(offset)
 
     def take_on(self, data):
         """Take on a message with the same head."""
         self.data = data
         (self.id,) = self.one.unpack_from(data, messages.HEADER)
 
-    def _arguments(self, at):
+    def _arguments(self, offset):
         if self.minor < 2:
-            return self._octets(at)[1]  # the principal
-        at = messages.after_contexts(self.data, at, self.one)
-        return at + -at % 8
+            return self._octets(offset)[1]  # the principal
+        offset = messages.after_contexts(self.data, offset, self.one)
+        return offset + -offset % 8
 
-    def _octets(self, at):
-        at += -at % 4
-        (size,) = self.one.unpack_from(self.data, at)
-        at += 4 + size
-        if at > len(self.data):
+    def _octets(self, offset):
+        offset += -offset % 4
+        (size,) = self.one.unpack_from(self.data, offset)
+        offset += 4 + size
+        if offset > len(self.data):
             raise messages.Garbled("octets without an end")
-        return bytes(self.data[at - size : at]), at
+        return bytes(self.data[offset - size : offset]), offset
 
 
 # ---- answers, in little endian ----

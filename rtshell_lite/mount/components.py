@@ -9,7 +9,8 @@ from rtshell_lite.mount.nodes import (
     Control, Directory, Items, Link, Text, WritableItem, line, link_text, meant, unique
 )
 from rtshell_lite.mount.ports import PortsDirectory
-from rtshell_lite.robot import component, composites, configuration, contexts, places, transitions, tree
+from rtshell_lite.robot import component, composites, contexts, places, transitions, tree
+from rtshell_lite.robot import configuration as configurations
 from rtshell_lite.robot.snapshot import EACH, FULL, Snapshot
 from rtshell_lite.text import json_line, printable
 
@@ -32,7 +33,7 @@ class ComponentDirectory(Directory):
         self.state = source(self._state, 0)
         self.ports = source(lambda: Snapshot(self.node).ask(ports=EACH))
         self.profile = source(self._profile)
-        self.configuration = source(lambda: configuration.of(self.node))
+        self.configuration = source(lambda: configurations.of(self.node))
         self.organisations = source(self._members)
         self.everything = source(self._everything)
 
@@ -87,8 +88,8 @@ class ComponentDirectory(Directory):
     async def _everything(self):
         from rtshell_lite.views import describe
 
-        found = await describe.collect(self.node, 2)
-        return describe.as_dict(found, await places.far_names(found.ports))
+        details = await describe.collect(self.node, 2)
+        return describe.as_dict(details, await places.far_names(details.ports))
 
     async def _members(self):
         """[(instance name, text of its path)]"""
@@ -99,16 +100,16 @@ class ComponentDirectory(Directory):
         return members
 
     def entries(self, value):
-        found = {"state": (Control, self.state, lambda state: state + "\n", self._change)}
+        entries = {"state": (Control, self.state, lambda state: state + "\n", self._change)}
         for field in component.FACTS:
-            found[field] = Text, self.profile, functools.partial(_field, field)
-        found["profile.json"] = Text, self.everything, lambda fields: json_line(fields) + "\n"
-        found["properties"] = Items, self.profile, lambda profile: profile.properties
-        found["ports"] = (PortsDirectory, self.ports)
-        found["configuration"] = (ConfigurationDirectory, self.configuration)
-        found["contexts"] = (ContextsDirectory, self.contexts)
-        found["members"] = (MembersDirectory, self.organisations)
-        return found
+            entries[field] = Text, self.profile, functools.partial(_field, field)
+        entries["profile.json"] = Text, self.everything, lambda fields: json_line(fields) + "\n"
+        entries["properties"] = Items, self.profile, lambda profile: profile.properties
+        entries["ports"] = (PortsDirectory, self.ports)
+        entries["configuration"] = (ConfigurationDirectory, self.configuration)
+        entries["contexts"] = (ContextsDirectory, self.contexts)
+        entries["members"] = (MembersDirectory, self.organisations)
+        return entries
 
     def hidden(self, value):
         from rtshell_lite.live import observer, watch
@@ -158,25 +159,25 @@ class ConfigurationDirectory(Directory):
         super().__init__(above, name)
         self.source = source
 
-    def entries(self, found):
-        return self._sets(found, with_hidden=False)
+    def entries(self, configuration):
+        return self._sets(configuration, with_hidden=False)
 
-    def hidden(self, found):
-        return self._sets(found, with_hidden=True)
+    def hidden(self, configuration):
+        return self._sets(configuration, with_hidden=True)
 
-    def _sets(self, found, with_hidden):
-        if found is None:
+    def _sets(self, configuration, with_hidden):
+        if configuration is None:
             return {}
-        sets = {one.id: one for one in found.sets(with_hidden=True)}
-        made = {"active": (Control, self.source, lambda now: line(now.active), self._activate)}
+        sets = {one_set.id: one_set for one_set in configuration.sets(with_hidden=True)}
+        entries = {"active": (Control, self.source, lambda now: line(now.active), self._activate)}
         for name, set_id in zip(unique(["active", *sets]), [None, *sets]):
-            if set_id is not None and (with_hidden or not configuration.hidden(set_id)):
-                made[name] = SetDirectory, self.source, set_id
-        return made
+            if set_id is not None and (with_hidden or not configurations.hidden(set_id)):
+                entries[name] = SetDirectory, self.source, set_id
+        return entries
 
     async def _activate(self, text):
-        found = await self.fresh()
-        await found.activate(meant(text, self.where))
+        configuration = await self.fresh()
+        await configuration.activate(meant(text, self.where))
 
     async def fresh(self):
         """The Configuration, read anew."""
@@ -194,22 +195,22 @@ class SetDirectory(Directory):
         self.source = source
         self._id = set_id
 
-    def _named(self, found):
-        values = found.set(self._id, with_hidden=True).values
+    def _named(self, configuration):
+        values = configuration.set(self._id, with_hidden=True).values
         return dict(zip(unique(values), values.items()))
 
-    def texts(self, found):
+    def texts(self, configuration):
         """{file name: value}"""
-        return {name: value for name, (_, value) in self._named(found).items()}
+        return {name: value for name, (_, value) in self._named(configuration).items()}
 
-    def entries(self, found):
-        return {name: (WritableItem,) for name in self._named(found)}
+    def entries(self, configuration):
+        return {name: (WritableItem,) for name in self._named(configuration)}
 
     async def store(self, name, text):
         """Set the parameter of this file name."""
-        found = await self.above.fresh()
-        parameter, _ = self._named(found)[name]
-        await found.store({parameter: text}, found.set(self._id, with_hidden=True))
+        configuration = await self.above.fresh()
+        parameter, _ = self._named(configuration)[name]
+        await configuration.store({parameter: text}, configuration.set(self._id, with_hidden=True))
 
 
 # ---- execution contexts ----

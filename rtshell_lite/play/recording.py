@@ -78,8 +78,8 @@ class Recording:
 
     def scene_at(self, moment):
         """The number of the scene at a moment: the last that is not later, else the first."""
-        found = [number for number, scene in enumerate(self.scenes) if scene.moment <= moment]
-        return max(found, default=0)
+        earlier = [number for number, scene in enumerate(self.scenes) if scene.moment <= moment]
+        return max(earlier, default=0)
 
     def report(self, entry):
         """The Report in an entry of a channel of events, or None where it has none."""
@@ -94,21 +94,21 @@ class Recording:
 
 def by_path(scene):
     """{Path as text: the model.Component} of a Scene, without those whose path is not valid."""
-    found = {}
-    for each in scene.profile.components:
+    components = {}
+    for component in scene.profile.components:
         try:
-            where = capture.path_of(each)
+            where = capture.path_of(component)
         except errors.BadPath:
             continue
         if where.names and where.port is None:
-            found.setdefault(str(where), each)
-    return found
+            components.setdefault(str(where), component)
+    return components
 
 
 def _scenes(log):
     """The Scenes in a log, in their order."""
     details = {}
-    found = []
+    scenes = []
     for attachment in log.attachments:
         name = attachment[1]
         if name.startswith("components-") and name.endswith(".json") and attachment[4] <= LARGEST:
@@ -123,8 +123,8 @@ def _scenes(log):
             notes.note(f"{log.where}: {printable(name)}: left out: {e}")
             continue
         number = name[len("system-") :].partition(".")[0]
-        found.append(Scene(attachment[0], profile, details.get(number, {})))
-    return sorted(found, key=lambda scene: scene.moment)
+        scenes.append(Scene(attachment[0], profile, details.get(number, {})))
+    return sorted(scenes, key=lambda scene: scene.moment)
 
 
 def _details(log, attachment):
@@ -136,52 +136,54 @@ def _details(log, attachment):
     if not isinstance(listed, list):
         return {}
     return {
-        each["path"]: each for each in listed if isinstance(each, dict) and isinstance(each.get("path"), str)
+        details["path"]: details
+        for details in listed
+        if isinstance(details, dict) and isinstance(details.get("path"), str)
     }
 
 
 # ---- parts of details, which may have any form ----
 
 
-def text_in(known, key, default=""):
+def text_in(fields, key, default=""):
     """A text in a dict of JSON."""
-    value = known.get(key)
+    value = fields.get(key)
     if isinstance(value, str):
         return value
     return default
 
 
-def dicts_in(known, key):
+def dicts_in(fields, key):
     """The dicts of a list in a dict of JSON."""
-    value = known.get(key)
+    value = fields.get(key)
     if not isinstance(value, list):
         return []
-    return [each for each in value if isinstance(each, dict)][: ports.MOST_PARTS]
+    return [member for member in value if isinstance(member, dict)][: ports.MOST_PARTS]
 
 
-def pairs_in(known, key):
+def pairs_in(fields, key):
     """The (name, value) texts of a list in a dict of JSON."""
-    return _texts_in(known, key, 2)
+    return _texts_in(fields, key, 2)
 
 
-def interfaces_in(known):
+def interfaces_in(fields):
     """The (instance, type, polarity) texts of the interfaces of a port in a dict of JSON."""
-    found = []
-    for interface in _texts_in(known, "interfaces", 3):
+    interfaces = []
+    for interface in _texts_in(fields, "interfaces", 3):
         if interface[2] in ("Provided", "Required"):
-            found.append(interface)
-    return found[: ports.MOST_PARTS]
+            interfaces.append(interface)
+    return interfaces[: ports.MOST_PARTS]
 
 
-def _texts_in(known, key, count):
-    """Of the list `known[key]`, as JSON has it: the lists of `count` texts in it, as tuples."""
-    value = known.get(key)
+def _texts_in(fields, key, count):
+    """Of the list `fields[key]`, as JSON has it: the lists of `count` texts in it, as tuples."""
+    value = fields.get(key)
     if not isinstance(value, list):
         return []
-    found = []
-    for each in value:
-        if not isinstance(each, list) or len(each) != count:
+    tuples = []
+    for words in value:
+        if not isinstance(words, list) or len(words) != count:
             continue
-        if all(isinstance(word, str) for word in each):
-            found.append(tuple(each))
-    return found
+        if all(isinstance(word, str) for word in words):
+            tuples.append(tuple(words))
+    return tuples

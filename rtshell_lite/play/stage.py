@@ -49,22 +49,22 @@ class Stage:
     # ---- building ----
 
     def _component(self, scene, where, described):
-        known = scene.details.get(where, {})
-        if known:
-            identity = {key: recordings.text_in(known, key) for key in FACTS}
+        details = scene.details.get(where, {})
+        if details:
+            identity = {key: recordings.text_in(details, key) for key in FACTS}
         else:
             identity = capture.identity(described.id)
-        pairs = _profile_properties(known)
+        pairs = _profile_properties(details)
         pairs.append(("rtlog.recording", self._recording.log.where))
-        made = parts.Component(described.instance_name, identity, pairs, parts.Configuration({}, ""))
-        made.tasks = self._tasks
-        made.contexts = _contexts(made, known, described)
-        self._add_ports(made, known, described, _data_types(scene.profile, where))
-        return made
+        component = parts.Component(described.instance_name, identity, pairs, parts.Configuration({}, ""))
+        component.tasks = self._tasks
+        component.contexts = _contexts(component, details, described)
+        self._add_ports(component, details, described, _data_types(scene.profile, where))
+        return component
 
-    def _add_ports(self, owner, known, described, types):
+    def _add_ports(self, owner, details, described, types):
         about = {}
-        for port in recordings.dicts_in(known, "ports"):
+        for port in recordings.dicts_in(details, "ports"):
             about[recordings.text_in(port, "name")] = port
         for port in described.data_ports:
             name = ports.short_name(port.name, described.instance_name)
@@ -77,7 +77,9 @@ class Stage:
     def _add_members(self, scene, composite, described):
         """Make a component a composite, if it has members."""
         locate = capture.locator(scene.profile)
-        members = self._others(locate, composite, [one.component for one in described.participants])
+        members = self._others(
+            locate, composite, [participant.component for participant in described.participants]
+        )
         if members and composite.organisation is None:
             composite.organisation = parts.Organisation(composite)
         for member in members:
@@ -88,18 +90,18 @@ class Stage:
             if composite.contexts:
                 _take_part(composite.contexts[0], member)
         _share_ports(composite, members)
-        for context, one in zip(composite.contexts, described.execution_contexts):
-            for other in self._others(locate, composite, one.participants):
+        for context, described_context in zip(composite.contexts, described.execution_contexts):
+            for other in self._others(locate, composite, described_context.participants):
                 _take_part(context, other)
 
     def _others(self, locate, component, targets):
         """The components here that `targets` mean, without `component` itself."""
-        found = []
+        others = []
         for target in targets:
             other = self._located(locate, target)
             if other is not None and other is not component:
-                found.append(other)
-        return found
+                others.append(other)
+        return others
 
     def _located(self, locate, target):
         described = locate(target)
@@ -113,8 +115,8 @@ class Stage:
             where = str(source.object())
             type_id = self._recording.log.channels[number].type_id
             if where not in self.components:
-                made = self._component(self._recording.scenes[0], where, _unknown(source))
-                self.components[where] = made
+                component = self._component(self._recording.scenes[0], where, _unknown(source))
+                self.components[where] = component
             self.outs[number] = _out_port(self.components[where], source.port, type_id)
 
     # ---- what changes ----
@@ -131,30 +133,32 @@ class Stage:
         for where, described in there.items():
             self._come(where)
             self._set(self.components[where], scene.details.get(where, {}), described)
-        wanted = self._connectors(scene)
-        for connector_id in set(self._recorded) - set(wanted):
+        connectors = self._connectors(scene)
+        for connector_id in set(self._recorded) - set(connectors):
             self._drop(connector_id)
-        for connector_id, (connector, ends) in wanted.items():
+        for connector_id, (connector, ends) in connectors.items():
             if connector_id not in self._recorded:
                 self._join(connector_id, connector, ends)
         if not scene.profile.components:
             for port in self.outs.values():
                 port.component.contexts[0].set_state(port.component, "Active")
 
-    def _set(self, owner, known, described):
+    def _set(self, owner, details, described):
         sets = {}
-        for one in described.configuration_sets:
-            values = sets.setdefault(one.id, {})
-            for item in one.configuration_data:
+        for one_set in described.configuration_sets:
+            values = sets.setdefault(one_set.id, {})
+            for item in one_set.configuration_data:
                 values[item.name] = item.data
         owner.configuration.sets = sets
         owner.configuration.active = described.active_configuration_set
-        about = _known_contexts(known)
-        for number, (context, one) in enumerate(zip(owner.contexts, described.execution_contexts)):
-            context.rate = one.rate
+        about = _known_contexts(details)
+        for number, (context, described_context) in enumerate(
+            zip(owner.contexts, described.execution_contexts)
+        ):
+            context.rate = described_context.rate
             of_context = about.get(str(number), {})
             context.running = of_context.get("running") is not False
-        self._set_states(owner, known.get("states"))
+        self._set_states(owner, details.get("states"))
 
     def _set_states(self, owner, states):
         if not isinstance(states, dict):
@@ -169,12 +173,12 @@ class Stage:
     def _connectors(self, scene):
         """{id as on the wire: (model's connector, its Ports)} of a Scene, as far as its ports are here."""
         locate = capture.locator(scene.profile)
-        found = {}
+        connectors = {}
         for connector in scene.profile.connectors:
             ends = [self._end(locate, end) for end in connector.ends]
             if ends and None not in ends:
-                found[wire(connector.connector_id)] = connector, ends
-        return found
+                connectors[wire(connector.connector_id)] = connector, ends
+        return connectors
 
     def _end(self, locate, end):
         owner = self._located(locate, end)
@@ -225,15 +229,15 @@ class Stage:
 
     def _connect_as(self, following, owner, is_new):
         """Connect, or disconnect, the ports of a component as the next Scene has them."""
-        wanted = self._connectors(following)
+        connectors = self._connectors(following)
         if not is_new:
-            self._drop_of(owner, wanted)
+            self._drop_of(owner, connectors)
             return
-        for connector_id, (connector, ends) in wanted.items():
+        for connector_id, (connector, ends) in connectors.items():
             owners = [port.component for port in ends]
             if connector_id in self._recorded or owner not in owners:
                 continue
-            if all(each.is_there for each in owners):
+            if all(owner.is_there for owner in owners):
                 self._join(connector_id, connector, ends)
 
     def _drop_of(self, owner, kept=()):
@@ -276,20 +280,20 @@ class Stage:
         await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
 
     def close(self):
-        for each in self.components.values():
-            each.close()
+        for component in self.components.values():
+            component.close()
 
 
 def _out_port(owner, name, type_id):
     """The out port of a component with that name, made where it has none."""
-    made = port_kinds.OutPort(owner, name, _properties("DataOutPort", {}, type_id))
+    added = port_kinds.OutPort(owner, name, _properties("DataOutPort", {}, type_id))
     for place, port in enumerate(owner.ports):
         if port.name == name:
             if not isinstance(port, port_kinds.OutPort):
-                owner.ports[place] = made
+                owner.ports[place] = added
             return owner.ports[place]
-    owner.ports.append(made)
-    return made
+    owner.ports.append(added)
+    return added
 
 
 def _unknown(source):
@@ -301,31 +305,31 @@ def _unknown(source):
     )
 
 
-def _profile_properties(known):
+def _profile_properties(details):
     """The (name, value) pairs that a component's profile has of itself, as its details say."""
-    found = []
-    for name, value in recordings.pairs_in(known, "properties"):
+    pairs = []
+    for name, value in recordings.pairs_in(details, "properties"):
         if name == OBSERVERS:
             value = ""
         if not name.startswith(CONFIGURATION):
-            found.append((name, value))
-    return found
+            pairs.append((name, value))
+    return pairs
 
 
-def _data_port(owner, name, known, kind, type_id):
+def _data_port(owner, name, details, kind, type_id):
     """A data port; its kind and its data type are as connections show them, where its details name none."""
-    properties = dict(recordings.pairs_in(known, "properties"))
-    said = recordings.text_in(known, "type")
+    properties = dict(recordings.pairs_in(details, "properties"))
+    said = recordings.text_in(details, "type")
     if said in ports.DATA:
         kind = said
     return port_kinds.KINDS[kind](owner, name, _properties(kind, properties, type_id))
 
 
-def _service_port(owner, name, known):
-    properties = dict(recordings.pairs_in(known, "properties"))
+def _service_port(owner, name, details):
+    properties = dict(recordings.pairs_in(details, "properties"))
     if not properties:
         properties = {"port.port_type": "CorbaPort"}
-    return port_kinds.ServicePort(owner, name, properties, recordings.interfaces_in(known))
+    return port_kinds.ServicePort(owner, name, properties, recordings.interfaces_in(details))
 
 
 def _share_ports(composite, members):
@@ -337,21 +341,21 @@ def _share_ports(composite, members):
     composite.ports = [shown.get(port.name, port) for port in composite.ports]
 
 
-def _known_contexts(known):
+def _known_contexts(details):
     """{handle, as text: what the details of a component say of that context}"""
-    return {str(one.get("handle")): one for one in recordings.dicts_in(known, "contexts")}
+    return {str(context.get("handle")): context for context in recordings.dicts_in(details, "contexts")}
 
 
-def _contexts(owner, known, described):
-    about = _known_contexts(known)
-    made = []
-    for number, one in enumerate(described.execution_contexts):
-        kind = one.kind.upper().replace("-", "_")
+def _contexts(owner, details, described):
+    about = _known_contexts(details)
+    contexts = []
+    for number, described_context in enumerate(described.execution_contexts):
+        kind = described_context.kind.upper().replace("-", "_")
         if kind not in parts.KINDS:
             kind = "OTHER"
         properties = recordings.pairs_in(about.get(str(number), {}), "properties")
-        made.append(parts.Context(owner, kind, one.rate, properties))
-    return made
+        contexts.append(parts.Context(owner, kind, described_context.rate, properties))
+    return contexts
 
 
 def _handles(owner):
@@ -374,31 +378,31 @@ def _take_part(context, member):
 def _data_types(profile, where):
     """{short name of a port: (its kind, its data type)} as the connections of a profile show them."""
     locate = capture.locator(profile)
-    found = {}
+    types = {}
     for connector in profile.data_port_connectors:
         for kind, end in (("DataOutPort", connector.source), ("DataInPort", connector.target)):
             described = end and locate(end)
             if described is not None and capture.shown_path(described) == where:
-                found[capture.port_of(end)] = kind, connector.data_type
-    return found
+                types[capture.port_of(end)] = kind, connector.data_type
+    return types
 
 
-def _properties(kind, known, type_id):
+def _properties(kind, recorded, type_id):
     """The properties of a data port: those that are known, without ways of transport that a
     recording lacks.
     """
-    found = dict(known)
-    found.setdefault("port.port_type", kind)
-    found.setdefault("dataport.data_type", type_id)
+    properties = dict(recorded)
+    properties.setdefault("port.port_type", kind)
+    properties.setdefault("dataport.data_type", type_id)
     if kind == "DataOutPort":
-        found.setdefault("dataport.subscription_type", "flush,new,periodic")
+        properties.setdefault("dataport.subscription_type", "flush,new,periodic")
     else:
-        found.setdefault("dataport.subscription_type", "Any")
-    offered = [word.strip() for word in found.get("dataport.interface_type", "").split(",")]
+        properties.setdefault("dataport.subscription_type", "Any")
+    offered = [word.strip() for word in properties.get("dataport.interface_type", "").split(",")]
     usable = [word for word in offered if word in carriers.INTERFACES]
-    found["dataport.interface_type"] = ",".join(usable or ["corba_cdr"])
-    found["dataport.dataflow_type"] = "push,pull"
-    for name in [name for name in found if name.startswith(_DATA + "interface_option.")]:
+    properties["dataport.interface_type"] = ",".join(usable or ["corba_cdr"])
+    properties["dataport.dataflow_type"] = "push,pull"
+    for name in [name for name in properties if name.startswith(_DATA + "interface_option.")]:
         if name[len(_DATA + "interface_option.") :] not in usable:
-            del found[name]
-    return found
+            del properties[name]
+    return properties

@@ -41,11 +41,11 @@ async def tops(words, dotted=False):
     directory has no such entry. Raises Usage for a port.
     """
     may_be_server = _may_be_dotted if dotted else _may_be_host
-    found = [await _path(word, may_be_server) for word in words]
-    for word, path in zip(words, found):
+    top_paths = [await _path(word, may_be_server) for word in words]
+    for word, path in zip(words, top_paths):
         if path.port is not None:
             raise errors.Usage(f"{printable(word)}: name its component, not a port")
-    return found
+    return top_paths
 
 
 async def _path(word, may_be_server=None):
@@ -76,8 +76,8 @@ def _is_no_server(server):
 async def _relative(word, may_be_server):
     """The Path of a word that starts neither at the root nor with a reference."""
     above = working_directory()
-    wanted = elements(word)
-    first, *rest = wanted
+    names = elements(word)
+    first, *rest = names
     is_from_root = _is_address(first) or may_be_server is not None and may_be_server(first, rest)
     is_to_find = first not in ("", ".", "..") and _is_found_below(above)
     if above in (ROOT, EVERYWHERE):
@@ -88,7 +88,7 @@ async def _relative(word, may_be_server):
         return parse("/" + word)
     if is_to_find and not rest and not await _is_here(word, first, rest):
         return parse("/**/" + word)
-    return follow(above, wanted, word)
+    return follow(above, names, word)
 
 
 def is_found_by_name():
@@ -119,10 +119,10 @@ def _is_address(word):
     host, port = split_address(word)
     if host in ("", ".", ".."):
         return False
-    known = [split_address(address) for address in tree.servers()]
+    addresses = [split_address(address) for address in tree.servers()]
     if port is None:
-        return _has_bad_port(word, [host for host, _ in known])
-    if (host, port) in known:
+        return _has_bad_port(word, [host for host, _ in addresses])
+    if (host, port) in addresses:
         return True
     return host != word or host.startswith("[") or _is_ipv4(host)
 
@@ -179,11 +179,11 @@ def has_pattern(word):
 
 async def below(path):
     """The Nodes in all directories that a Path with * or ** fits. Asks name servers only."""
-    wanted = path.names
+    pattern = path.names
     if path.server == "**":
-        wanted = (Name("**", ""),) + wanted
+        pattern = (Name("**", ""),) + pattern
     nodes = await _walk(path.child(Name("", "")))
-    fitting = [node for node in nodes if _fits(node.path.names, wanted + node.path.names[-1:])]
+    fitting = [node for node in nodes if _fits(node.path.names, pattern + node.path.names[-1:])]
     return fitting
 
 
@@ -193,17 +193,17 @@ def _is_any(name):
 
 async def _single(path):
     """The Path of the one object that a Path with * or ** before its last name fits."""
-    wanted = path.names
+    pattern = path.names
     if path.server == "**":
-        wanted = (Name("**", ""),) + wanted
-    found = {}
+        pattern = (Name("**", ""),) + pattern
+    by_identity = {}
     failed = []
     for node in await _walk(path):
-        if _fits(node.path.names, wanted):
-            found.setdefault(orb.identity(node.ref), node.path)
+        if _fits(node.path.names, pattern):
+            by_identity.setdefault(orb.identity(node.ref), node.path)
         elif node.error and (node.kind in ("server", "directory") or not node.path.names):
             failed.append(node.error)
-    candidates = sorted(map(str, found.values()))
+    candidates = sorted(map(str, by_identity.values()))
     if len(candidates) > 1:
         raise errors.Ambiguous(str(path), f"is one of {len(candidates)}: {listed(candidates)}")
     if not candidates and failed:
@@ -212,7 +212,7 @@ async def _single(path):
         raise tree.nothing_at(path, _before_patterns(path))
     for failure in failed:
         notes.note(f"not searched: {failure}")
-    (only,) = found.values()
+    (only,) = by_identity.values()
     notes.detail(f"{path} is {only}")
     return only._replace(port=path.port, directory=path.directory)
 
@@ -236,25 +236,25 @@ def _before_patterns(path):
     """The Path of what comes before the first pattern of a Path."""
     if path.server in ANY:
         return ROOT
-    plain = next(at for at, name in enumerate(path.names) if _is_any(name))
+    plain = next(index for index, name in enumerate(path.names) if _is_any(name))
     return Path(path.server, path.names[:plain], None, False)
 
 
-def _fits(names, wanted):
+def _fits(names, pattern):
     """Whether the names of a Path fit those of one with patterns."""
     if not names:
         return False
-    if len(wanted) == 1 and len(names) > 1:
+    if len(pattern) == 1 and len(names) > 1:
         return False
-    if len(wanted) == 1:  # of a component, the kind may be left out
-        return names[0] in (wanted[0], Name(wanted[0].id, wanted[0].kind or "rtc"))
-    if wanted[0] == ("**", ""):
-        for at in range(len(names)):
-            if _fits(names[at:], wanted[1:]):
+    if len(pattern) == 1:  # of a component, the kind may be left out
+        return names[0] in (pattern[0], Name(pattern[0].id, pattern[0].kind or "rtc"))
+    if pattern[0] == ("**", ""):
+        for index in range(len(names)):
+            if _fits(names[index:], pattern[1:]):
                 return True
         return False
-    if _is_any(wanted[0]) or names[0] == wanted[0]:
-        return _fits(names[1:], wanted[1:])
+    if _is_any(pattern[0]) or names[0] == pattern[0]:
+        return _fits(names[1:], pattern[1:])
     return False
 
 

@@ -35,16 +35,16 @@ async def candidates(words, redirected=False):
     """
     try:
         if redirected:
-            found = await _files(words[-1], [])
+            offered = await _files(words[-1], [])
         else:
             if words[1:]:
-                found = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1])
+                offered = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1])
             else:
-                found = _command_names()
+                offered = _command_names()
     except (errors.Error, OSError):
         return []
     return sorted(
-        {candidate.text: candidate for candidate in found if candidate.text.startswith(words[-1])}.values()
+        {candidate.text: candidate for candidate in offered if candidate.text.startswith(words[-1])}.values()
     )
 
 
@@ -58,8 +58,8 @@ async def answers(which, line, typed, meant=lambda words: words):
     if line.open or not line.words[0]:
         return []
     session.current().timeout = min(session.current().timeout, SECONDS)
-    found = await loop.race(candidates(meant(line.words), line.redirected), loop.sleep(SECONDS))
-    return setup.answers(which, line, found or [], typed)
+    offered = await loop.race(candidates(meant(line.words), line.redirected), loop.sleep(SECONDS))
+    return setup.answers(which, line, offered or [], typed)
 
 
 def _command_names():
@@ -67,17 +67,19 @@ def _command_names():
 
 
 async def _arguments(command, before, word):
-    known = installation.commands()
-    if command not in known:
+    commands = installation.commands()
+    if command not in commands:
         return []
-    module = installation.load(known[command], "rtshell_lite command")
+    module = installation.load(commands[command], "rtshell_lite command")
     parser = options.parser(module.arguments, module.__doc__, command)
     if parser.verbs is None:
         return await _words(parser, module.__doc__, before, word)
     first = parser.verbs.first_words() if not before else {}
-    found = [Candidate(name, True, help) for name, help in first.items() if word or not name.startswith("-")]
+    offered = [
+        Candidate(name, True, help) for name, help in first.items() if word or not name.startswith("-")
+    ]
     parser, before = parser.verbs.choose(before)
-    return found + (await _words(parser, "", before, word) if parser else [])
+    return offered + (await _words(parser, "", before, word) if parser else [])
 
 
 async def _words(parser, doc, before, word):
@@ -86,9 +88,9 @@ async def _words(parser, doc, before, word):
     positional = Positional(positional)
     positional.line = before
     if option:
-        found = await _for_action(option, word, positional)
-        if found or option.nargs != "?":
-            return found
+        offered = await _for_action(option, word, positional)
+        if offered or option.nargs != "?":
+            return offered
         return await _positional(parser, doc, positional, word)
     if word.startswith("-") and not ended:
         return await _options(parser, word, positional)
@@ -114,10 +116,10 @@ async def _options(parser, word, positional):
         formatter = parser._get_formatter()
         return [Candidate(text, True, formatter._expand_help(action)) for text, action in options.items()]
     if name in options:
-        found = await _for_action(options[name], value, positional)
+        offered = await _for_action(options[name], value, positional)
     else:
-        found = []
-    return [candidate._replace(text=f"{name}={candidate.text}") for candidate in found]
+        offered = []
+    return [candidate._replace(text=f"{name}={candidate.text}") for candidate in offered]
 
 
 async def _positional(parser, doc, positional, word):
@@ -182,8 +184,8 @@ async def _of_kind(kind, word, positional):
 _Entry = collections.namedtuple("_Entry", "name kind")
 
 
-def _paths(wanted, port_types=(), port_needed=False):
-    """A function that completes paths to _Entries of the `wanted` kinds, and to ports of some types."""
+def _paths(kinds, port_types=(), port_needed=False):
+    """A function that completes paths to _Entries of these `kinds`, and to ports of some types."""
 
     async def complete(word, _):
         above, last = _split(word)
@@ -193,18 +195,18 @@ def _paths(wanted, port_types=(), port_needed=False):
             if port_types:
                 return await _ports(above + component, port_types)
             return []
-        found = []
+        offered = []
         for entry in await _all_entries(above):
             place = _no_option(above + entry.name)
-            if entry.kind == "directory" or entry.kind == "manager" and "manager" not in wanted:
-                found.append(Candidate(place + "/", False, ""))
+            if entry.kind == "directory" or entry.kind == "manager" and "manager" not in kinds:
+                offered.append(Candidate(place + "/", False, ""))
             elif entry.kind == "component" and port_types and port_needed:
-                found.append(Candidate(place + ":", False, ""))
+                offered.append(Candidate(place + ":", False, ""))
             elif entry.kind == "component" and port_types:
-                found.append(Candidate(place, False, ""))
-            elif entry.kind in wanted and not port_needed:
-                found.append(Candidate(place, True, ""))
-        return found
+                offered.append(Candidate(place, False, ""))
+            elif entry.kind in kinds and not port_needed:
+                offered.append(Candidate(place, True, ""))
+        return offered
 
     return complete
 
@@ -222,9 +224,9 @@ def _split(word):
 
 
 def _cut_at_colon(name):
-    found = re.match(r"((?:\\.|[^\\:])*)(:?)(.*)\Z", name, re.DOTALL)
-    if found:
-        return found.groups()
+    match = re.match(r"((?:\\.|[^\\:])*)(:?)(.*)\Z", name, re.DOTALL)
+    if match:
+        return match.groups()
     return (name, "", "")
 
 
@@ -296,8 +298,8 @@ async def _ports(component, types):
 async def _configuration(path):
     from rtshell_lite.robot import configuration
 
-    (found,) = await lookup.paths([path])
-    return await configuration.of(await tree.component(found))
+    (component_path,) = await lookup.paths([path])
+    return await configuration.of(await tree.component(component_path))
 
 
 async def _sets(_, positional):
@@ -329,7 +331,7 @@ async def _calls(word, positional):
     from rtshell_lite.shell import calls
 
     idl = [value for option, value in zip(positional.line, positional.line[1:]) if option == "--idl"]
-    return [Candidate(*found) for found in await calls.offered(word, positional, idl)]
+    return [Candidate(*fields) for fields in await calls.offered(word, positional, idl)]
 
 
 # ---- local files ----
@@ -343,17 +345,17 @@ def _listed(word):
     above = word[: word.rfind("/") + 1]
     begun = word[len(above) :]
     directory = os.path.expanduser(above)
-    found = []
+    offered = []
     for name in os.listdir(directory or "."):
         is_hidden = name.startswith(".") and not begun.startswith(".")
         if is_hidden or not is_plain(name):
             continue
         place = _no_option(above + name)
         if os.path.isdir(os.path.join(directory, name)):
-            found.append(Candidate(place + "/", False, ""))
+            offered.append(Candidate(place + "/", False, ""))
         else:
-            found.append(Candidate(place, True, ""))
-    return found
+            offered.append(Candidate(place, True, ""))
+    return offered
 
 
 async def _logs(word, positional):

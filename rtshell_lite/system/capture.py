@@ -72,10 +72,10 @@ async def ask(node, brief=False, states=True, everything=False):
     )
     if states and not everything and len(shown.contexts) > 1:  # one context counts, whether it runs or not
         shown.owned = [await _with_running(shown, context) for context in shown.owned]
-    found = found_in(shown, brief)
+    answer = found_in(shown, brief)
     if everything:
-        return found._replace(snapshot=shown)
-    return found
+        return answer._replace(snapshot=shown)
+    return answer
 
 
 async def _with_running(shown, context):
@@ -99,9 +99,15 @@ def found_in(shown, brief=False):
         sets = []
         active = ""
     return ComponentState(
-        node, ports.in_system(shown.ports), contexts,
-        {context.handle: state for context, state in zip(shown.contexts, shown.states)}, sets, active,
-        [member for each in shown.organisations for member in each.members], shown.profile, None,
+        node,
+        ports.in_system(shown.ports),
+        contexts,
+        {context.handle: state for context, state in zip(shown.contexts, shown.states)},
+        sets,
+        active,
+        [member for organisation in shown.organisations for member in organisation.members],
+        shown.profile,
+        None,
     )
 
 
@@ -191,26 +197,26 @@ async def capture(
         holders = await _holders(managers, notes)
     else:
         holders = {}
-    found = []
+    answers = []
     silent = {}
     lost = {}
     question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
     for node, answer in zip(nodes, await session.each(nodes, question)):
         if not isinstance(answer, errors.Error):
-            found.append(answer)
+            answers.append(answer)
         elif await _is_zombie(node, answer):
             notes.append(f"{node.path!s}: zombie, left out")
         else:
             failures.append(answer)
             silent[node.endpoint] = answer
             lost[str(node.path)] = node.endpoint
-    outside = await places.far_ends([port for each in found for port in each.ports], silent)
-    connectors, loose = _connectors(found, outside, silent, notes)
+    outside = await places.far_ends([port for answer in answers for port in answer.ports], silent)
+    connectors, loose = _connectors(answers, outside, silent, notes)
     unused = []
     if not all_components:
-        found, unused = _in_use(found)
-    profile = _profile(found, connectors, holders, notes)
-    return System(profile, found, unused, failures, _once(notes), lost, loose)
+        answers, unused = _in_use(answers)
+    profile = _profile(answers, connectors, holders, notes)
+    return System(profile, answers, unused, failures, _once(notes), lost, loose)
 
 
 def of_snapshots(shown, ends):
@@ -219,10 +225,10 @@ def of_snapshots(shown, ends):
     `ends`: {identity of a port: places.End} of all that their ports are connected with.
     """
     notes = []
-    found = [found_in(each)._replace(snapshot=each) for each in shown]
-    connectors, loose = _connectors(found, ends, {}, notes)
-    profile = _profile(found, connectors, {}, notes)
-    return System(profile, found, [], [], _once(notes), {}, loose)
+    answers = [found_in(snapshot)._replace(snapshot=snapshot) for snapshot in shown]
+    connectors, loose = _connectors(answers, ends, {}, notes)
+    profile = _profile(answers, connectors, {}, notes)
+    return System(profile, answers, [], [], _once(notes), {}, loose)
 
 
 def _once(notes):
@@ -230,16 +236,16 @@ def _once(notes):
     return list(dict.fromkeys(notes))
 
 
-def _profile(found, connectors, holders, notes):
+def _profile(answers, connectors, holders, notes):
     """The model.RtsProfile of Founds, which are sorted for it, and the connectors between them."""
-    found.sort(key=lambda each: path_uri(each.node))
-    profile = model.RtsProfile(components=[_component(each, found, notes) for each in found])
-    for each, made in zip(found, profile.components):
-        holder = holders.get(orb.identity(each.node.ref))
+    answers.sort(key=lambda answer: path_uri(answer.node))
+    profile = model.RtsProfile(components=[_component(answer, answers, notes) for answer in answers])
+    for answer, described in zip(answers, profile.components):
+        holder = holders.get(orb.identity(answer.node.ref))
         if holder:
-            made.properties += [model.Property(name=MANAGER, value=holder)]
-        if each.node.endpoint[1]:
-            made.properties += [model.Property(name=REFERENCE, value=orb.as_corbaloc(each.node.ref))]
+            described.properties += [model.Property(name=MANAGER, value=holder)]
+        if answer.node.endpoint[1]:
+            described.properties += [model.Property(name=REFERENCE, value=orb.as_corbaloc(answer.node.ref))]
     for connector in connectors:
         if len(connector.ends) == 1:
             profile.one_port_connectors.append(connector)
@@ -277,100 +283,105 @@ async def _is_zombie(node, failure):
     return now.kind == "zombie"
 
 
-def _in_use(found):
+def _in_use(answers):
     """Those of the ComponentState that have a connection, that are composites of such, or their members;
     and the others.
     """
     used = set()
-    for each in found:
-        if any(port.connectors for port in each.ports):
-            used.add(id(each))
-    for each in found:
-        members = [_member(ref, found) for _, ref in each.members]
-        family = [each] + [member for member in members if member is not None]
-        if len(family) > 1 and any(id(one) in used for one in family):
-            used |= {id(one) for one in family}
-    return [each for each in found if id(each) in used], [each for each in found if id(each) not in used]
+    for answer in answers:
+        if any(port.connectors for port in answer.ports):
+            used.add(id(answer))
+    for answer in answers:
+        members = [_member(ref, answers) for _, ref in answer.members]
+        family = [answer] + [member for member in members if member is not None]
+        if len(family) > 1 and any(id(relative) in used for relative in family):
+            used |= {id(relative) for relative in family}
+    unused = [answer for answer in answers if id(answer) not in used]
+    return [answer for answer in answers if id(answer) in used], unused
 
 
-def _member(ref, found):
-    for each in found:
-        if orb.same(each.node.ref, ref):
-            return each
+def _member(ref, answers):
+    for answer in answers:
+        if orb.same(answer.node.ref, ref):
+            return answer
     return None
 
 
 # ---- one component ----
 
 
-def _component(each, found, notes):
-    instance = each.profile.instance_name
-    made = model.Component(
-        id=component_id(each.profile), path_uri=path_uri(each.node), active_configuration_set=each.active,
-        instance_name=instance, is_required=True, location=model.Location(),
+def _component(answer, answers, notes):
+    instance = answer.profile.instance_name
+    described = model.Component(
+        id=component_id(answer.profile),
+        path_uri=path_uri(answer.node),
+        active_configuration_set=answer.active,
+        instance_name=instance,
+        is_required=True,
+        location=model.Location(),
     )
     for kind in ("DataInPort", "DataOutPort"):
-        names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == kind)
-        made.data_ports += [model.DataPort(name=name) for name in names]
-    names = sorted(ports.short_name(port.name, instance) for port in each.ports if port.type == "CorbaPort")
-    made.service_ports = [model.ServicePort(name=name) for name in names]
-    made.configuration_sets = [
+        names = sorted(ports.short_name(port.name, instance) for port in answer.ports if port.type == kind)
+        described.data_ports += [model.DataPort(name=name) for name in names]
+    names = sorted(ports.short_name(port.name, instance) for port in answer.ports if port.type == "CorbaPort")
+    described.service_ports = [model.ServicePort(name=name) for name in names]
+    described.configuration_sets = [
         model.ConfigurationSet(
-            id=one.id,
+            id=one_set.id,
             configuration_data=[
-                model.ConfigurationData(name=name, data=value) for name, value in one.values.items()
+                model.ConfigurationData(name=name, data=value) for name, value in one_set.values.items()
             ],
         )
-        for one in each.sets
+        for one_set in answer.sets
     ]
-    made.execution_contexts = [_context(each, one, found, notes) for one in each.owned]
-    if each.members:
-        kind = each.profile.category.rpartition("composite.")[2]
-        made.composite_type = model.COMPOSITE_TYPES.get(kind.lower(), "PeriodicECShared")
-    for name, ref in each.members:
-        member = _member(ref, found)
+    described.execution_contexts = [_context(answer, context, answers, notes) for context in answer.owned]
+    if answer.members:
+        kind = answer.profile.category.rpartition("composite.")[2]
+        described.composite_type = model.COMPOSITE_TYPES.get(kind.lower(), "PeriodicECShared")
+    for name, ref in answer.members:
+        member = _member(ref, answers)
         if member is not None:
-            made.participants.append(model.Participant(component=_target(model.TargetComponent, member)))
+            described.participants.append(model.Participant(component=_target(model.TargetComponent, member)))
             continue
         name = "that does not answer" if isinstance(name, errors.Error) else printable(name)
-        notes.append(f"{each.node.path}: its member {name} is not in the system, left out")
-    made.participants.sort(key=lambda one: one.component.instance_name)
-    return made
+        notes.append(f"{answer.node.path}: its member {name} is not in the system, left out")
+    described.participants.sort(key=lambda participant: participant.component.instance_name)
+    return described
 
 
-def _context(each, context, found, notes):
+def _context(answer, context, answers, notes):
     """The model.ExecutionContext of a component.Context, with those of other components that take part in it.
 
     RTSystemEditor writes the same. The members of a composite are listed by the composite itself.
     """
-    made = model.ExecutionContext(id=str(context.handle), kind=context.kind.upper(), rate=context.rate)
-    if each.members:
-        return made
+    described = model.ExecutionContext(id=str(context.handle), kind=context.kind.upper(), rate=context.rate)
+    if answer.members:
+        return described
     for ref in context.participants:
-        other = _member(ref, found)
+        other = _member(ref, answers)
         if other is None:
             notes.append(
-                f"{each.node.path}: a component that takes part in its execution context {context.handle} "
+                f"{answer.node.path}: a component that takes part in its execution context {context.handle} "
                 "is not in the system, left out"
             )
-        elif other is not each:
-            made.participants.append(_target(model.TargetComponent, other))
-    made.participants.sort(key=lambda one: one.instance_name)
-    return made
+        elif other is not answer:
+            described.participants.append(_target(model.TargetComponent, other))
+    described.participants.sort(key=lambda participant: participant.instance_name)
+    return described
 
 
-def _target(kind, each, **more):
+def _target(kind, answer, **more):
     """A reference to a component inside a profile."""
     return kind(
-        component_id=component_id(each.profile), instance_name=each.profile.instance_name,
-        properties=[model.Property(name=PATH_ID, value=path_uri(each.node))], **more,
+        component_id=component_id(answer.profile), instance_name=answer.profile.instance_name,
+        properties=[model.Property(name=PATH_ID, value=path_uri(answer.node))], **more,
     )
 
 
 # ---- connections ----
 
 
-def _connectors(found, outside, silent, notes):
+def _connectors(answers, outside, silent, notes):
     """(the model's connectors, each once, with all its ends; Looses); what ends outside the system is
     reported in `notes`.
 
@@ -378,47 +389,48 @@ def _connectors(found, outside, silent, notes):
     `silent` are the processes that did not answer, {endpoint: errors.Error}.
     """
     ends = {}  # identity of a port: its ComponentState and Port
-    for each in found:
-        for port in each.ports:
+    for answer in answers:
+        for port in answer.ports:
             key = orb.identity(port.ref)
-            if key not in ends or _owns(each, port):  # a composite shows ports of its members as its own
-                ends[key] = (each, port)
+            if key not in ends or _owns(answer, port):  # a composite shows ports of its members as its own
+                ends[key] = (answer, port)
     connectors = collections.OrderedDict()
-    for each in found:
-        for port in each.ports:
-            for one in port.connectors:
-                refs = [ref for ref in one.ports if ref is not None]
+    for answer in answers:
+        for port in answer.ports:
+            for connector in port.connectors:
+                refs = [ref for ref in connector.ports if ref is not None]
                 connectors.setdefault(
-                    (one.id, frozenset(orb.identity(ref) for ref in refs)), (port, one, refs)
+                    (connector.id, frozenset(orb.identity(ref) for ref in refs)), (port, connector, refs)
                 )
-    made = []
+    inner = []
     loose = []
-    for port, one, refs in connectors.values():
-        known = []
+    for port, connector, refs in connectors.values():
+        inside = []
         for ref in refs:
             if orb.identity(ref) in ends:
-                known.append(ends[orb.identity(ref)])
+                inside.append(ends[orb.identity(ref)])
         unknown = [ref for ref in refs if orb.identity(ref) not in ends]
         for ref in unknown:
             name = _name(outside[orb.identity(ref)], ref, silent)
-            where = f"connection {printable(one.id)} of {ports.label(port)}"
+            where = f"connection {printable(connector.id)} of {ports.label(port)}"
             notes.append(f"{where}: its end {name} is not in the system, left out")
-        if len(known) > 1 or len(refs) == 1:
-            made.append(_connector(one, known))
+        if len(inside) > 1 or len(refs) == 1:
+            inner.append(_connector(connector, inside))
         elif unknown and outside[orb.identity(unknown[0])].port is None:
-            loose.append(Loose(_connector(one, known), orb.endpoint(unknown[0]), notes[-1]))
-    return sorted(made, key=_connector_key), sorted(loose, key=lambda each: _connector_key(each.connector))
+            loose.append(Loose(_connector(connector, inside), orb.endpoint(unknown[0]), notes[-1]))
+    loose.sort(key=lambda connection: _connector_key(connection.connector))
+    return sorted(inner, key=_connector_key), loose
 
 
-def _connector_key(one):
-    return [_end_key(end) for end in one.ends], one.connector_id, one.name
+def _connector_key(connector):
+    return [_end_key(end) for end in connector.ends], connector.connector_id, connector.name
 
 
-def _owns(each, port):
+def _owns(answer, port):
     return (
         port.owner is not None
-        and orb.same(port.owner, each.node.ref)
-        or port.name.startswith(each.profile.instance_name + ".")
+        and orb.same(port.owner, answer.node.ref)
+        or port.name.startswith(answer.profile.instance_name + ".")
     )
 
 
@@ -432,61 +444,61 @@ def _name(end, ref, silent):
     return places.name(end)
 
 
-def _connector(one, known):
+def _connector(connector, pairs):
     """The model's connector of a ports.Connector with (ComponentState, Port) as ends,
     an out port and an in port first.
     """
-    data = any(port.type in ports.DATA for _, port in known)
+    data = any(port.type in ports.DATA for _, port in pairs)
     if data:
         first = [
-            next((end for end in known if end[1].type == kind), None)
+            next((end for end in pairs if end[1].type == kind), None)
             for kind in ("DataOutPort", "DataInPort")
         ]
         first = [end for end in first if end is not None]
-        known = first + [end for end in known if end not in first]
+        pairs = first + [end for end in pairs if end not in first]
     ends = [
         _target(
             model.TargetPort,
-            each,
+            answer,
             port_name="%s.%s"
-            % (each.profile.instance_name, ports.short_name(port.name, each.profile.instance_name)),
+            % (answer.profile.instance_name, ports.short_name(port.name, answer.profile.instance_name)),
         )
-        for each, port in known
+        for answer, port in pairs
     ]
     properties = []
-    for name, value in sorted(one.properties):
+    for name, value in sorted(connector.properties):
         if not is_reference(name, value):
             properties.append((name, value))
     if data:
         given = dict(properties)
-        made = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
+        described = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
     else:
-        made = model.ServicePortConnector()
-    made.connector_id = one.id
-    made.name = one.name
-    made.ends = ends
-    if len(known) == 1 and known[0][1].type == "DataInPort":
-        made.source, made.target = None, made.source
-    made.properties = [model.Property(name=name, value=value) for name, value in properties]
-    return made
+        described = model.ServicePortConnector()
+    described.connector_id = connector.id
+    described.name = connector.name
+    described.ends = ends
+    if len(pairs) == 1 and pairs[0][1].type == "DataInPort":
+        described.source, described.target = None, described.source
+    described.properties = [model.Property(name=name, value=value) for name, value in properties]
+    return described
 
 
 # ---- files ----
 
 
-def path_of(each):
+def path_of(described):
     """The Path of a component of a profile. Raises BadPath."""
-    return path.parse("/" + each.path_uri.lstrip("/"))
+    return path.parse("/" + described.path_uri.lstrip("/"))
 
 
-def shown_path(each):
+def shown_path(described):
     """Where the file says that a component is bound, as commands take it, or, where that is no path,
     spelt for the terminal.
     """
     try:
-        return str(path_of(each))
+        return str(path_of(described))
     except errors.BadPath:
-        return "/" + printable(each.path_uri.lstrip("/"))
+        return "/" + printable(described.path_uri.lstrip("/"))
 
 
 def read(name, form=None):
@@ -508,18 +520,18 @@ def locator(profile, strict=False):
     `strict`: by id, instance name and path together; else files may disagree with themselves where it is
     clear what is meant.
     """
-    by_path = {each.path_uri.lstrip("/"): each for each in profile.components}
+    by_path = {described.path_uri.lstrip("/"): described for described in profile.components}
     by_both = {}
     by_instance = {}
-    for each in profile.components:
-        by_both.setdefault((each.id, each.instance_name), each)
-        by_instance.setdefault(each.instance_name, []).append(each)
+    for described in profile.components:
+        by_both.setdefault((described.id, described.instance_name), described)
+        by_instance.setdefault(described.instance_name, []).append(described)
 
     def locate(target):
         named = by_path.get((target.property(PATH_ID) or "").lstrip("/"))
         if strict:
-            wanted = (target.component_id, target.instance_name)
-            if named is not None and (named.id, named.instance_name) == wanted:
+            key = (target.component_id, target.instance_name)
+            if named is not None and (named.id, named.instance_name) == key:
                 return named
             return None
         both = by_both.get((target.component_id, target.instance_name))
@@ -558,17 +570,17 @@ async def ask_each(profile, function=ask):
     an errors.Error in the place of one that is not there or fails.
     """
     paths = []
-    for each in profile.components:
+    for described in profile.components:
         try:
-            paths.append(path_of(each))
+            paths.append(path_of(described))
         except errors.BadPath as e:
-            paths.append(errors.Failed("/" + printable(each.path_uri), e))
-    valid = [one for one in paths if not isinstance(one, errors.Error)]
+            paths.append(errors.Failed("/" + printable(described.path_uri), e))
+    valid = [where for where in paths if not isinstance(where, errors.Error)]
     coming = iter(await tree.on_components(valid, function))
     answers = []
-    for one in paths:
-        if isinstance(one, errors.Error):
-            answers.append(one)
+    for where in paths:
+        if isinstance(where, errors.Error):
+            answers.append(where)
         else:
             answers.append(next(coming))
     return answers
@@ -579,6 +591,6 @@ async def states(profile):
     return await ask_each(profile, component.state)
 
 
-def state(found):
+def state(answer):
     """One state of a ComponentState over all its contexts."""
-    return component.merged(found.states.values())
+    return component.merged(answer.states.values())

@@ -78,10 +78,10 @@ async def compare(profile, state, tell=None, extra=False):
                 result.differences.append(difference)
     if extra:
         await _strangers(listed, result)
-        known = {connector.connector_id for connector in profile.connectors}
-        known |= {difference.actual for difference in result.differences if difference.check == OTHER_ID}
+        ids = {connector.connector_id for connector in profile.connectors}
+        ids |= {difference.actual for difference in result.differences if difference.check == OTHER_ID}
         result.differences += _extra(
-            known, [placement for placement in listed if placement.found is not None]
+            ids, [placement for placement in listed if placement.found is not None]
         )
     return result
 
@@ -104,36 +104,38 @@ def checks(profile, state, listed):
     """
     by_need = sorted(listed, key=lambda placement: not placement.required)
     placement_of = placements.finder(capture.locator(profile), listed)
-    found = []  # type: list
-    found += [steps.Present(placement) for placement in by_need]
-    found += sorted(connect_steps.connecting(profile, placement_of), key=lambda step: not _is_required(step))
+    checked = []  # type: list
+    checked += [steps.Present(placement) for placement in by_need]
+    checked += sorted(
+        connect_steps.connecting(profile, placement_of), key=lambda step: not _is_required(step)
+    )
     for placement in listed:
         active = placement.component.active_configuration_set
         if active:
-            found += [steps.Active(placement, active)]
-        found += [
-            steps.Values(placement, one.id, steps.wanted_values(one))
-            for one in placement.component.configuration_sets
+            checked += [steps.Active(placement, active)]
+        checked += [
+            steps.Values(placement, one_set.id, steps.wanted_values(one_set))
+            for one_set in placement.component.configuration_sets
         ]
-    found += [
+    checked += [
         _Members(placement, steps.members(placement, placement_of))
         for placement in listed
         if placement.component.participants
     ]
     for placement in listed:
-        for index, handle, wanted in steps.own_contexts(placement):
+        for index, handle, described in steps.own_contexts(placement):
             if placement.component.participants:
                 others = []
             else:
-                others = steps.participants(placement, wanted, placement_of)
+                others = steps.participants(placement, described, placement_of)
             if others:
-                found += [steps.Participants(placement, index, handle, others)]
+                checked += [steps.Participants(placement, index, handle, others)]
     for placement in by_need:  # a state for each context; one over all where the file lists none by number
         handles = [
             context.id for context in placement.component.execution_contexts if context.id.isdigit()
         ] or [None]
-        found += [_State(placement, state, handle) for handle in handles]
-    return found
+        checked += [_State(placement, state, handle) for handle in handles]
+    return checked
 
 
 def _is_required(step):
@@ -178,7 +180,7 @@ class _State(steps.Step):
         if actual.lower() != self.state.lower():
             yield steps.Difference("state", None, self.state, actual, None)
 
-    def _in_context(self, found):
+    def _in_context(self, answer):
         """The state in that context; None where that context does not exist, or where another one counts.
 
         That of a member of a composite is stopped; a component that is Active in the context of another
@@ -187,12 +189,12 @@ class _State(steps.Step):
         if self.handle is None:
             return None
         handle = int(self.handle)
-        own = {context.handle: context for context in found.owned}
-        others = [state for other, state in found.states.items() if (other in own) != (handle in own)]
+        own = {context.handle: context for context in answer.owned}
+        others = [state for other, state in answer.states.items() if (other in own) != (handle in own)]
         is_stopped = handle in own and not own[handle].running
         if "Active" in others or is_stopped and others:
             return None
-        return found.states.get(handle)
+        return answer.states.get(handle)
 
 
 # ---- in rtshell's words ----
@@ -269,8 +271,8 @@ def _remarks(step):
         return []
     if any(placement.found is None for placement in step.placements):
         return []
-    at = step.known_answers()
-    actual = None if errors.split(at)[1] else step.other_id(at)
+    answers = step.known_answers()
+    actual = None if errors.split(answers)[1] else step.other_id(answers)
     if actual is None:
         return []
     remark = _in_words(step, steps.Difference("other id", None, step.connector.connector_id, actual, None))
@@ -286,14 +288,14 @@ def _missing(step):
         return [_difference(step, f"{_need(step).capitalize()} component missing[: {{path}}]", where, where)]
     if not isinstance(step, connect_steps.Connect) or step.placement_error() is not None:
         return []
-    found = []
+    differences = []
     role = "Source"
     for placement, port in step.ends:
         if isinstance(placement.port(port), errors.Error):
             where = f"{placement.where}:{printable(port)}"
-            found.append(_difference(step, f"{role} port missing[: {{path}}]", where, port))
+            differences.append(_difference(step, f"{role} port missing[: {{path}}]", where, port))
         role = "Destination"
-    return found
+    return differences
 
 
 def _in_words(step, difference):
@@ -338,17 +340,17 @@ def _beyond(check, required, message, path, actual):
 async def _strangers(listed, result):
     """Add to the Result the components in the name servers of the Placements `listed` that are not listed."""
     servers = set()
-    known = set()  # paths and identities
+    listed_keys = set()  # paths and identities
     for placement in listed:
-        known.add(placement.where)
+        listed_keys.add(placement.where)
         if placement.found is not None:
-            known.add(orb.identity(placement.node.ref))
+            listed_keys.add(orb.identity(placement.node.ref))
         if placement.path.server is not None:
             servers.add(placement.path._replace(names=()))
     nodes, _, failures, _ = await search.components(sorted(servers, key=str))
     strange = []
     for node in nodes:
-        if orb.identity(node.ref) not in known and str(node.path) not in known:
+        if orb.identity(node.ref) not in listed_keys and str(node.path) not in listed_keys:
             strange.append(node)
     for node in await tree.check_alive(strange):
         if node.kind in tree.DOUBTFUL:
@@ -396,22 +398,22 @@ def _extra(listed, there):
 
 def _extra_configuration(placement):
     """Differences for the configuration sets and parameters of one component."""
-    listed = {one.id: steps.wanted_values(one) for one in placement.component.configuration_sets}
-    for one in placement.found.sets:
-        if one.id not in listed:
+    listed = {one_set.id: steps.wanted_values(one_set) for one_set in placement.component.configuration_sets}
+    for one_set in placement.found.sets:
+        if one_set.id not in listed:
             yield _beyond(
                 "configuration", True,
-                f"Configuration set not in the file: {printable(one.id)} on component {placement.where}",
-                placement.where, one.id,
+                f"Configuration set not in the file: {printable(one_set.id)} on component {placement.where}",
+                placement.where, one_set.id,
             )
             continue
-        for name in one.values:
-            if name not in listed[one.id]:
+        for name in one_set.values:
+            if name not in listed[one_set.id]:
                 yield _beyond(
                     "configuration",
                     True,
                     f"Configuration parameter not in the file: {printable(name)} in set "
-                    f"{printable(one.id)} on component {placement.where}",
+                    f"{printable(one_set.id)} on component {placement.where}",
                     placement.where,
-                    one.values[name],
+                    one_set.values[name],
                 )

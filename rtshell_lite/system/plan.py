@@ -42,15 +42,17 @@ def make(profile, section, name, start=True):
     """
     actions = _actions(profile, start)
     targets = _Targets(profile, actions)
-    found = {action.number: [] for action in actions}
+    conditions = {action.number: [] for action in actions}
     sending = getattr(profile, section)
     if sending is not None:
         for condition in sending.targets:
             for number in targets.of(condition.target):
-                found[number].append(condition)
+                conditions[number].append(condition)
     notes = []
-    planned = [_with_conditions(action, found[action.number], targets, notes) for action in actions]
-    contradictions = [line for action in planned for line in _contradictions(action, found[action.number])]
+    planned = [_with_conditions(action, conditions[action.number], targets, notes) for action in actions]
+    contradictions = [
+        line for action in planned for line in _contradictions(action, conditions[action.number])
+    ]
     problems = targets.problems + contradictions + list(_circles(planned))
     if problems:
         why = "; ".join(_once(problems))
@@ -93,8 +95,8 @@ class _Targets:
         self._alike = {}
         for action in actions:
             self._actions.setdefault(id(action.component), []).append(action)
-        for each in profile.components:
-            self._alike.setdefault((each.id, each.instance_name), []).append(each)
+        for component in profile.components:
+            self._alike.setdefault((component.id, component.instance_name), []).append(component)
 
     def of(self, target):
         """Numbers of the actions: one, or all of a component whose context is not named;
@@ -107,16 +109,16 @@ class _Targets:
             return []
         alike = self._alike.get((target.component_id, target.instance_name), [])
         if len(alike) > 1 and not target.property(capture.PATH_ID):
-            paths = " or ".join(capture.shown_path(each) for each in alike)
+            paths = " or ".join(capture.shown_path(component) for component in alike)
             self.problems.append(f"{called} may be {paths} (the property {capture.PATH_ID} decides)")
             return []
         actions = self._actions[id(component)]
-        found = [action.number for action in actions if target.id in ("", action.context)]
-        if not found:
+        numbers = [action.number for action in actions if target.id in ("", action.context)]
+        if not numbers:
             self.problems.append(
                 f"{actions[0].path} has no execution context {printable(target.id)} in the file"
             )
-        return found
+        return numbers
 
 
 def _with_conditions(action, conditions, targets, notes):
@@ -156,17 +158,18 @@ def _contradictions(action, conditions):
     """Lines on conditions of one action that cannot be meant together."""
     where = f"{action.path} in execution context {printable(action.context)}: "
     plain = {
-        one.sequence
-        for one in conditions
-        if one.wait_time is None and (one.preceding is None or not one.preceding.preceding_components)
+        condition.sequence
+        for condition in conditions
+        if condition.wait_time is None
+        and (condition.preceding is None or not condition.preceding.preceding_components)
     }
-    waits = {one.wait_time.wait_time for one in conditions if one.wait_time is not None}
+    waits = {condition.wait_time.wait_time for condition in conditions if condition.wait_time is not None}
     times = waits | {after.timeout for after in action.after}
     twice = collections.OrderedDict()
     for after in action.after:
         twice.setdefault(after.number, []).append("%s within %dms" % (after.text, after.timeout))
     for texts in [
-        ["Order %d" % one for one in sorted(plain)], ["Wait %dms" % one for one in sorted(waits)]
+        ["Order %d" % number for number in sorted(plain)], ["Wait %dms" % number for number in sorted(waits)]
     ] + list(twice.values()):
         if len(texts) > 1:
             yield where + " contradicts ".join(texts)
@@ -227,12 +230,12 @@ def _optional_before_required(actions):
 def dependents(actions, numbers):
     """The actions that are not tried where those with these numbers fail, in the order to expect."""
     lost = set(numbers)
-    known = {action.number: action for action in actions}
+    by_number = {action.number: action for action in actions}
     while True:
         more = {
             action.number
             for action in actions
-            if action.number not in lost and any(_depends(action, known[number]) for number in lost)
+            if action.number not in lost and any(_depends(action, by_number[number]) for number in lost)
         }
         if not more:
             return [action for action in in_order(actions) if action.number in lost - set(numbers)]
@@ -358,7 +361,7 @@ class Schedule:
         """What is to be done at the time `now`:
         (Action, None) to start it, (Action, reason) when it will not be tried.
         """
-        found = []
+        judged_actions = []
         while self._step is not None and all(action.number in self.ended for action in self._step):
             if not self._steps:
                 self._step = None
@@ -366,16 +369,16 @@ class Schedule:
                 break
             self._step = self._steps.popleft()
             fresh = [action for action in self._step if action.number not in self.ended]
-            found += [self._judged(action, self._obstacle(action)) for action in fresh]
+            judged_actions += [self._judged(action, self._obstacle(action)) for action in fresh]
         while self.armed is not None:
             fresh = [action for action in self._waiting if action.number not in self.ended]
             judged = [(action, self._verdict(action, now)) for action in fresh]
             self._waiting = [action for action, verdict in judged if verdict == "wait"]
             new = [self._judged(action, verdict) for action, verdict in judged if verdict != "wait"]
-            found += new
+            judged_actions += new
             if all(reason is None for _, reason in new):  # what will not be tried stops others
                 break
-        return found
+        return judged_actions
 
     def _judged(self, action, reason):
         if reason is not None:
@@ -390,10 +393,10 @@ class Schedule:
         open_ones = [after for after in action.after if not self._holds(after)]
         for after in open_ones:
             if after.timeout and now >= self.armed + after.timeout / 1000:
-                wanted = "accepted"
+                goal = "accepted"
                 if after.sync:
-                    wanted = self.target
-                return "%s: not %s within %dms" % (after.text, wanted, after.timeout)
+                    goal = self.target
+                return "%s: not %s within %dms" % (after.text, goal, after.timeout)
         if open_ones:
             return "wait"
         if now < self.armed + (action.wait or 0) / 1000:

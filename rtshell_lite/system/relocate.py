@@ -40,29 +40,33 @@ def move(profile, maps):
     """
     locate = capture.locator(profile)
     targets = []
-    for each in _elements(profile):
-        if isinstance(each, TARGETS):
-            targets.append((each, locate(each)))
-    members = {id(each): [locate(one.component) for one in each.participants] for each in profile.components}
-    before = [each.path_uri for each in profile.components]
+    for element in _elements(profile):
+        if isinstance(element, TARGETS):
+            targets.append((element, locate(element)))
+    members = {
+        id(component): [locate(participant.component) for participant in component.participants]
+        for component in profile.components
+    }
+    before = [component.path_uri for component in profile.components]
     names = _move_components(profile.components, maps)
-    for each, path_uri in zip(profile.components, before):
-        if each.path_uri != path_uri:  # another object
-            each.properties = [one for one in each.properties if one.name != capture.REFERENCE]
+    for component, path_uri in zip(profile.components, before):
+        if component.path_uri != path_uri:  # another object
+            component.properties = [item for item in component.properties if item.name != capture.REFERENCE]
     _refuse_unclear(targets, profile.components, names)
     within = {}
     for key, some in members.items():
-        within[key] = dict(names[id(one)] for one in some if one is not None)
-    for each in profile.components:
-        _rename([each] + each.data_ports + each.service_ports, names[id(each)], within[id(each)])
-        if within[id(each)]:
-            _rename_lists(each, within[id(each)])
+        within[key] = dict(names[id(member)] for member in some if member is not None)
+    for component in profile.components:
+        elements = [component] + component.data_ports + component.service_ports
+        _rename(elements, names[id(component)], within[id(component)])
+        if within[id(component)]:
+            _rename_lists(component, within[id(component)])
     for target, component in targets:
         if component is not None:
             _rename([target], names[id(component)], within[id(component)])
-    for each in _elements(profile):
-        if isinstance(each, model.Property) and each.name in PATHS and each.value:
-            each.value = _moved(each.value, maps)
+    for element in _elements(profile):
+        if isinstance(element, model.Property) and element.name in PATHS and element.value:
+            element.value = _moved(element.value, maps)
 
 
 def _move_components(components, maps):
@@ -71,25 +75,25 @@ def _move_components(components, maps):
     """
     names = {}
     taken = {}
-    for each in components:
-        before = path_in(each.path_uri)
-        each.path_uri = _moved(each.path_uri, maps)
-        now = path_in(each.path_uri)
+    for component in components:
+        before = path_in(component.path_uri)
+        component.path_uri = _moved(component.path_uri, maps)
+        now = path_in(component.path_uri)
         if now.names and taken.setdefault(now, before) != before:
             raise errors.Failed(str(now), "the file has two components here")
-        last = each.instance_name
+        last = component.instance_name
         if before.names and now.names and before.names[-1].id == last:
             last = now.names[-1].id
-        names[id(each)] = each.instance_name, last
+        names[id(component)] = component.instance_name, last
     return names
 
 
 def _refuse_unclear(targets, components, names):
     """Raise Failed for a target that may mean several components of which only some have been renamed."""
     called = {}  # what a target says of a component: the names that those have now
-    for each in components:
-        key = each.id, each.instance_name
-        called.setdefault(key, set()).add(names[id(each)][1])
+    for component in components:
+        key = component.id, component.instance_name
+        called.setdefault(key, set()).add(names[id(component)][1])
     for target, _ in targets:
         key = target.component_id, target.instance_name
         if target.property(capture.PATH_ID):
@@ -143,7 +147,7 @@ def _rename_lists(composite, within):
         for item in one_set.configuration_data:
             if item.name in LISTS and item.data:
                 item.data = re.sub(
-                    r"[^,\s](?:[^,]*[^,\s])?", lambda found: _renamed(found.group(), within), item.data
+                    r"[^,\s](?:[^,]*[^,\s])?", lambda match: _renamed(match.group(), within), item.data
                 )
 
 
@@ -189,12 +193,12 @@ class Map:
     """
 
     def __init__(self, word):
-        found = re.match(r"((?:[^=\\]|\\.)+)=(.+)\Z", word, re.DOTALL)
-        if not found or not all(side.strip("/") for side in found.groups()):
+        match = re.match(r"((?:[^=\\]|\\.)+)=(.+)\Z", word, re.DOTALL)
+        if not match or not all(side.strip("/") for side in match.groups()):
             raise errors.Usage(f"not OLD=NEW: {printable(word)}")
         self.word = word
         self.used = False
-        old, new = found.groups()
+        old, new = match.groups()
         self.anchored = old.startswith("/")
         self.top, self.names = self._elements(old)
         self.new_top, self.new_names = self._elements(new)
@@ -240,30 +244,30 @@ def mapped(where, maps):
     """A Path after the Maps: each element is replaced once, by the longest Map that fits."""
     if where.server is None:
         return where
-    for each in maps:
-        if each.at_start(where) is not None:
-            each.used = True
+    for map in maps:
+        if map.at_start(where) is not None:
+            map.used = True
         for i in range(len(where.names)):
-            if each.fits(where.names[i:]):
-                each.used = True
+            if map.fits(where.names[i:]):
+                map.used = True
     fitting = []
-    for each in maps:
-        if each.at_start(where) is not None:
-            fitting.append((each.at_start(where), each))
+    for map in maps:
+        if map.at_start(where) is not None:
+            fitting.append((map.at_start(where), map))
     server = where.server
-    at = 0
+    index = 0
     names = ()
     if fitting:
-        at, first = max(fitting, key=lambda pair: pair[0])
+        index, first = max(fitting, key=lambda pair: pair[0])
         server = first.new_top.server
         names = first.new_top.names
-    while at < len(where.names):
-        fitting = [each for each in maps if each.fits(where.names[at:])]
+    while index < len(where.names):
+        fitting = [map for map in maps if map.fits(where.names[index:])]
         if not fitting:
-            names = names + where.names[at : at + 1]
-            at = at + 1
+            names = names + where.names[index : index + 1]
+            index = index + 1
             continue
-        one = max(fitting, key=lambda each: len(each.names))
-        names = names + one.new_names
-        at = at + len(one.names)
+        longest = max(fitting, key=lambda map: len(map.names))
+        names = names + longest.new_names
+        index = index + len(longest.names)
     return where._replace(server=server, names=names)

@@ -58,8 +58,8 @@ class Source:
         if self._shown == "delay":
             stamp = values.timestamp(value())
             if stamp and any(stamp):
-                made = stamp[0] * 10**9 + stamp[1]
-                self.panel.named("delay", self._between).add(moment, (moment - made) / 1e9)
+                sent = stamp[0] * 10**9 + stamp[1]
+                self.panel.named("delay", self._between).add(moment, (moment - sent) / 1e9)
         else:
             self.panel.add(moment, self.field, value(), self._between)
 
@@ -78,7 +78,7 @@ def of_counts(measured):
     """The plot.Picture of how many values came a second, with equal axes; `measured`: (name,
     statistics.Counts, when counting began and ended in ns since 1970) of each source.
     """
-    picture = plot.Picture([_counted(*each) for each in measured])
+    picture = plot.Picture([_counted(*source) for source in measured])
     most = max([panel.named("rate").greatest or 0 for panel in picture.panels] or [0])
     for panel in picture.panels:
         panel.axis = (0.0, most or 1.0)
@@ -106,25 +106,25 @@ def channel(log, word):
     """(number of a channel of a log, plot.Field) for CHANNEL[.FIELD]; a channel may be called as
     records.is_called says. Raises NoSuch, Ambiguous, BadPath.
     """
-    known = [each.name for each in log.channels]
+    names = [channel.name for channel in log.channels]
     for cut in records.cuts(word):
         name = word[:cut]
-        found = [number for number, each in enumerate(known) if each == name]
-        found = found or _called(log, name)
-        if len(found) > 1:
-            candidates = text.listed([printable(known[number]) for number in found])
-            raise errors.Ambiguous(printable(name), f"is one of {len(found)} channels: {candidates}")
-        if found:
-            return found[0], plot.Field(word[cut:].lstrip("."))
-    raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, known))
+        numbers = [number for number, known_name in enumerate(names) if known_name == name]
+        numbers = numbers or _called(log, name)
+        if len(numbers) > 1:
+            candidates = text.listed([printable(names[number]) for number in numbers])
+            raise errors.Ambiguous(printable(name), f"is one of {len(numbers)} channels: {candidates}")
+        if numbers:
+            return numbers[0], plot.Field(word[cut:].lstrip("."))
+    raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, names))
 
 
 def _called(log, name):
     """Numbers of the channels that may be called so."""
     return [
         number
-        for number, each in enumerate(log.channels)
-        if records.is_called(name, (each.name, *each.sources))
+        for number, channel in enumerate(log.channels)
+        if records.is_called(name, (channel.name, *channel.sources))
     ]
 
 
@@ -136,20 +136,20 @@ def of_log(decoder, words, shown, entries):
     between = (log.first or 0, log.last or 0)
     span = between[1] - between[0]
     width = max(span // WINDOWS, min(10**9, span // FEWEST), 1)
-    wanted = {}
+    sources_of = {}
     sources = []
     for number, field in [channel(log, word) for word in words] or _all(log):
         sources.append(Source(log.channels[number].name, field, shown, between, width))
-        wanted.setdefault(number, []).append(sources[-1])
+        sources_of.setdefault(number, []).append(sources[-1])
     picture = plot.Picture([source.panel for source in sources])
-    _show_gaps(log, wanted, picture)
-    events = {number for number, each in enumerate(log.channels) if each.type_id == schemas.EVENT}
+    _show_gaps(log, sources_of, picture)
+    events = {number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT}
     moment = 0
     for entry in entries:
         moment = entry.received
         if entry.channel in events and isinstance(entry.value, dict) and entry.value.get("mark"):
             picture.marks.append((moment, printable(str(entry.value["mark"]))))
-        for source in wanted.get(entry.channel, ()):
+        for source in sources_of.get(entry.channel, ()):
             source.take(moment, lambda: _value(decoder, entry))
     for source in sources:
         source.advance(moment)
@@ -158,19 +158,19 @@ def of_log(decoder, words, shown, entries):
     return picture
 
 
-def _show_gaps(log, wanted, picture):
-    """Mark what is missing in a log, and have lines begin anew after it. `wanted`: {number of a channel:
+def _show_gaps(log, sources_of, picture):
+    """Mark what is missing in a log, and have lines begin anew after it. `sources_of`: {number of a channel:
     Sources}.
     """
     breaks = {}
     for gap in log.gaps:
-        shown = {number for number in wanted if log.channels[number].name in gap.counts}
+        shown = {number for number in sources_of if log.channels[number].name in gap.counts}
         for number in shown:
             breaks.setdefault(number, []).extend((gap.first, gap.last))
         if shown:
             picture.marks.append((gap.first, "missing: " + gaps.words(gap)))
     for number, moments in breaks.items():
-        for source in wanted[number]:
+        for source in sources_of[number]:
             source.break_at(moments)
 
 
@@ -188,23 +188,23 @@ def _value(decoder, entry):
 def _all(log):
     """All channels with values but those of events, at most PANELS."""
     counts = log.counts
-    found = [
+    numbers = [
         number
-        for number, each in enumerate(log.channels)
-        if counts.get(each.name) and (each.encoding == "cdr" or each.type_id != schemas.EVENT)
+        for number, channel in enumerate(log.channels)
+        if counts.get(channel.name) and (channel.encoding == "cdr" or channel.type_id != schemas.EVENT)
     ]
-    return [(number, plot.Field("")) for number in found[:PANELS]]
+    return [(number, plot.Field("")) for number in numbers[:PANELS]]
 
 
 # ---- ports ----
 
 
-def named_port(path, known):
+def named_port(path, listed):
     """(Port, plot.Field) for PATH:PORT[.FIELD] among the ports of a component. Raises NoSuch, BadPath."""
     from rtshell_lite.robot import ports
 
     for cut in records.cuts(path.port):
-        port = ports.named(path.with_port(path.port[:cut]), known)
+        port = ports.named(path.with_port(path.port[:cut]), listed)
         if not isinstance(port, errors.Error):
             return port, plot.Field(path.port[cut:].lstrip("."))
-    raise ports.named(path, known)
+    raise ports.named(path, listed)

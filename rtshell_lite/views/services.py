@@ -12,13 +12,13 @@ async def interfaces(path, types, as_json):
     """
     rows = []
     try:
-        found = await calling.providers(path, types)
+        providers = await calling.providers(path, types)
     except errors.WrongKind:
         if path.port is not None:
             raise
         await calling.itself(path, types)
-        found = []
-    for provider in found:
+        providers = []
+    for provider in providers:
         service = provider.service
         row = {
             "port": ports.label(service.port),
@@ -44,19 +44,19 @@ async def operations(paths, types, as_json, names=()):
     """Lines with the operations and attributes of the providers at Paths, as IDL, of these names or all; an
     errors.Error for what failed.
     """
-    found = []
+    providers = []
     for path in paths:
         try:
             if path.port is None:
-                found.append(await calling.itself(path, types))
+                providers.append(await calling.itself(path, types))
             else:
-                found += await calling.providers(path, types)
+                providers += await calling.providers(path, types)
         except errors.Error as e:
-            found.append(e)
+            providers.append(e)
     lines = []
-    for provider in found:
-        lines += _operations(provider, len(found) > 1, as_json, names)
-    return lines + _unknown(found, names)
+    for provider in providers:
+        lines += _operations(provider, len(providers) > 1, as_json, names)
+    return lines + _unknown(providers, names)
 
 
 def _operations(provider, is_one_of_several, as_json, names):
@@ -67,26 +67,28 @@ def _operations(provider, is_one_of_several, as_json, names):
     except errors.Error as e:
         return [e]
     notes.detail(f"{provider.where}: {provider.described()}")
-    members = [each for each in provider.members() if not names or each.name in names]
+    members = [member for member in provider.members() if not names or member.name in names]
     if as_json:
-        rows = [{"provider": provider.where, "name": each.name, "idl": each.idl()} for each in members]
+        rows = [{"provider": provider.where, "name": member.name, "idl": member.idl()} for member in members]
         return list(map(text.json_line, rows))
     if not is_one_of_several:
-        return [each.idl() for each in members]
+        return [member.idl() for member in members]
     if not members:
         return []
-    return [provider.where + ":"] + ["  " + each.idl() for each in members]
+    return [provider.where + ":"] + ["  " + member.idl() for member in members]
 
 
-def _unknown(found, names):
+def _unknown(providers, names):
     """An errors.NoSuch for each of the names that none of the Providers has; none where one has failed."""
-    known = []
-    for provider in found:
+    operation_names = []
+    for provider in providers:
         if isinstance(provider, errors.Error) or provider.interface is None:
             return []
-        known += provider.names()
-    where = ", ".join(provider.where for provider in found)
-    return [calling.no_operation(where, name, known) for name in names if name not in known]
+        operation_names += provider.names()
+    where = ", ".join(provider.where for provider in providers)
+    return [
+        calling.no_operation(where, name, operation_names) for name in names if name not in operation_names
+    ]
 
 
 class Repeated:
@@ -118,13 +120,13 @@ class Repeated:
 
     def _report_end(self, error, number):
         """Report that no more calls were made, and why, unless the first failure has said that."""
-        made = text.counted(self.figures.count, "call")
+        calls = text.counted(self.figures.count, "call")
         if number is not None:
-            made = f"{self.figures.count} of {text.counted(number, 'call')}"
+            calls = f"{self.figures.count} of {text.counted(number, 'call')}"
         if self.figures.failed > 1 and not self.is_each_shown:
-            notes.fail(f"{error}; ended after {made}")
+            notes.fail(f"{error}; ended after {calls}")
         else:
-            notes.fail(f"{self.provider.where}: ended after {made}")
+            notes.fail(f"{self.provider.where}: ended after {calls}")
 
     def _line(self, seconds, result, error):
         if not self.as_json:

@@ -111,9 +111,9 @@ class Parser:
         token = token or self.token
         return errors.BadIdl(printable(token.file), token.line, token.column, why)
 
-    def unexpected(self, wanted, token=None):
+    def unexpected(self, expected, token=None):
         """The BadIdl for something other than what is wanted here."""
-        return self.fault(f"expected {wanted}, not {printable(self.token.word)}", token)
+        return self.fault(f"expected {expected}, not {printable(self.token.word)}", token)
 
     def is_mark(self, *marks):
         return self.token.kind == "mark" and self.token.word in marks
@@ -172,12 +172,12 @@ class Parser:
 
     def _of_pragma(self, name):
         first, *others = name.lstrip(":").split("::")
-        found = self.scope.find(first)
+        entry = self.scope.find(first)
         for part in others:
-            if found is None or found.scope is None:
+            if entry is None or entry.scope is None:
                 return None
-            found = found.scope.own(part)
-        return found
+            entry = entry.scope.own(part)
+        return entry
 
     def _rename(self, entry, type_id):
         """Give a declared type another repository id."""
@@ -232,16 +232,16 @@ class Parser:
     def look_up(self):
         """The Entry of the scoped name that comes next. Raises BadIdl."""
         start = self.token
-        found = self.file_scope.own(self.plain()) if self.accept("::") else self.scope.find(self.plain())
+        entry = self.file_scope.own(self.plain()) if self.accept("::") else self.scope.find(self.plain())
         written = self._last
-        self._same_case(found, written, start)
+        self._same_case(entry, written, start)
         while self.accept("::"):
-            if found.scope is None:
+            if entry.scope is None:
                 raise self.fault(f"{written} holds no names", start)
-            found = found.scope.own(self.plain())
+            entry = entry.scope.own(self.plain())
             written += "::" + self._last
-            self._same_case(found, written, start)
-        return found
+            self._same_case(entry, written, start)
+        return entry
 
     def names_corba(self):
         """Whether CORBA or ::CORBA comes next, and is not declared."""
@@ -260,11 +260,11 @@ class Parser:
         self._last = self.advance().word.lstrip("_")
         return self._last
 
-    def _same_case(self, found, written, token):
-        if found is None:
+    def _same_case(self, entry, written, token):
+        if entry is None:
             raise self.fault(f"not declared: {written}", token)
-        if found.name != self._last:
-            raise self.fault(f"{written} is declared as {found.name}", token)
+        if entry.name != self._last:
+            raise self.fault(f"{written} is declared as {entry.name}", token)
 
     def new_id(self, name):
         """The repository id of what is declared here under a name (CORBA 3.0, 10.7.1)."""
@@ -376,9 +376,9 @@ class Parser:
         type_id = ""
         if entry.sort == "type":
             type_id = descriptors.type_id(descriptors.target(entry.what))
-        for each in self.interfaces.values():
-            if each.type_id == type_id:
-                return each
+        for interface in self.interfaces.values():
+            if interface.type_id == type_id:
+                return interface
         return None
 
     def skip(self):
@@ -388,16 +388,16 @@ class Parser:
         skipped = []
         while closing or not self.is_mark(";"):
             token = self.token
-            wanted = ";"
+            expected = ";"
             if closing:
-                wanted = closing[-1]
+                expected = closing[-1]
             if token.kind == "end":
-                raise self.unexpected(wanted, start)
+                raise self.unexpected(expected, start)
             if self.is_mark(*BRACKETS):
                 closing.append(BRACKETS[token.word])
             elif self.is_mark(*BRACKETS.values()):
-                if token.word != wanted:
-                    raise self.unexpected(wanted)
+                if token.word != expected:
+                    raise self.unexpected(expected)
                 closing.pop()
             skipped.append(self.advance())
         return skipped + [self.token]
@@ -440,8 +440,8 @@ class Parser:
         name = self.name("an exception")
         entry = self.declare(Entry(name, "exception", type_id=self.new_id(name)), token)
         self.take("{")
-        found = types.within(self, entry, lambda: types.members(self, depth + 1))
-        entry.what = descriptors.exception(entry.type_id, name, found)
+        members = types.within(self, entry, lambda: types.members(self, depth + 1))
+        entry.what = descriptors.exception(entry.type_id, name, members)
         self.take("}")
 
     def _const(self, depth):
@@ -459,16 +459,16 @@ class Parser:
         descriptor = types.type_spec(self, depth + 1)
         while True:
             token, name, whole = types.declarator(self, descriptor, "a type")
-            made = self.weigh((ALIAS, self.new_id(name), name, whole), *self.weight(whole))
-            self.define(made, name, token)
+            alias = self.weigh((ALIAS, self.new_id(name), name, whole), *self.weight(whole))
+            self.define(alias, name, token)
             if not self.accept(","):
                 return
 
-    def define(self, made, name, token):
+    def define(self, descriptor, name, token):
         """Declare a type that has a descriptor."""
-        type_id = descriptors.type_id(made)
-        entry = self.declare(Entry(name, "type", made, type_id), token)
-        self.made[id(entry)] = (type_id, made)
+        type_id = descriptors.type_id(descriptor)
+        entry = self.declare(Entry(name, "type", descriptor, type_id), token)
+        self.made[id(entry)] = (type_id, descriptor)
         self.kept.append(entry)
 
     # ---- bounds ----
