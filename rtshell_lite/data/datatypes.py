@@ -143,10 +143,10 @@ class Types:
         """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0.
         Raises NoSuch, BadIdl.
         """
-        found = self._find(name)
-        if found is None:
+        type = self._find(name)
+        if type is None:
             raise errors.NoSuch(printable(name) or "''", "data type", self._with_fault(REMEDY))
-        return found
+        return type
 
     def interface(self, type_id):
         """The idl.interfaces.Interface of a repository id: in the user's IDL files, among OpenRTM's own, in
@@ -183,16 +183,16 @@ class Types:
         Raises NoSuch, BadIdl, BadType, Unreachable.
         """
         name = port.properties.get("dataport.data_type", "")
-        found = self._find(name)
-        if found is None and "dataport.data_value" in port.properties:
-            found = await _offered(port)
-        if found is None:
+        type = self._find(name)
+        if type is None and "dataport.data_value" in port.properties:
+            type = await _offered(port)
+        if type is None:
             from rtshell_lite.robot import ports
 
             remedy = self._with_fault(SOURCES) if port.type == "DataInPort" else self._with_fault(REMEDY)
             why = f"{printable(name) or 'none given'}; {remedy}"
             raise errors.NoSuch(ports.label(port), "data type known", why)
-        return found
+        return type
 
     def _find(self, name):
         if name not in self._known:
@@ -237,15 +237,15 @@ def standard(name):
     )
 
 
-def _best(known, name):
-    """The descriptor for a name among `known`, {id: descriptor}:
+def _best(types, name):
+    """The descriptor for a name among `types`, {id: descriptor}:
     that of the id, or of the only id that ends with the name.
     """
-    if name in known:
-        return known[name]
+    if name in types:
+        return types[name]
     parts = _parts(name)
     ids = []
-    for key in known:
+    for key in types:
         if parts and _parts(key)[-len(parts) :] == parts:
             ids.append(key)
     same = [key for key in ids if _parts(key) == parts]
@@ -254,7 +254,7 @@ def _best(known, name):
             printable(name), "data type for certain", "it may be " + " or ".join(map(printable, sorted(ids)))
         )
     if ids:
-        return known[(same or ids)[0]]
+        return types[(same or ids)[0]]
     return None
 
 
@@ -286,7 +286,7 @@ def _may_have_types(value, module):
 
 def _of_module(module):
     """{id: descriptor} of the types in a module of stubs, those within its interfaces and modules too."""
-    found = {}
+    types = {}
     scopes = [module]
     seen = set()
     while scopes:
@@ -294,14 +294,14 @@ def _of_module(module):
         seen.add(id(scope))
         for name, value in list(vars(scope).items()):
             if name.startswith(("_d_", "_ad_")) and isinstance(value, tuple) and descriptors.type_id(value):
-                found.setdefault(descriptors.type_id(value), value)
+                types.setdefault(descriptors.type_id(value), value)
             elif id(value) not in seen and _may_have_types(value, module):
                 scopes.append(value)
     return {
         key: descriptors.adopted(
-            value, lambda wanted: found.get(wanted) or orb.descriptor(wanted), classes=True
+            value, lambda type_id: types.get(type_id) or orb.descriptor(type_id), classes=True
         )
-        for key, value in found.items()
+        for key, value in types.items()
         if descriptors.kind(value) not in (descriptors.OBJECT, descriptors.EXCEPTION)
     }
 
@@ -329,5 +329,5 @@ def members(type_id):
 
 def has_fixed_size(port):
     """Whether all values of a data port have one, small size; False where its type is not a standard one."""
-    known = members(port.properties.get("dataport.data_type", "")) or [("", "any")]
-    return not any(words.startswith(("sequence", "string", "any")) for _, words in known)
+    fields = members(port.properties.get("dataport.data_type", "")) or [("", "any")]
+    return not any(words.startswith(("sequence", "string", "any")) for _, words in fields)

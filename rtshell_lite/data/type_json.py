@@ -89,8 +89,8 @@ def descriptor(data):
         raise errors.BadType("a type in a file", f"garbled ({type(e).__name__})")
 
 
-def _raw(part, known):
-    """A descriptor, of which only the kinds of parts are checked. `known` collects complete structs, unions
+def _raw(part, types):
+    """A descriptor, of which only the kinds of parts are checked. `types` collects complete structs, unions
     and enums.
 
     A type within itself becomes an indirection by its id.
@@ -98,46 +98,46 @@ def _raw(part, known):
     if isinstance(part, str):
         return _KINDS[part]
     word, *rest = part
-    return _FORMS[word](known, *rest)
+    return _FORMS[word](types, *rest)
 
 
 def _string(sort):
-    def form(known, bound):
+    def form(types, bound):
         descriptors.check_length(SEQUENCE, bound)
         return (sort, bound)
 
     return form
 
 
-def _alias(known, identifier, name, target):
-    return (ALIAS, _text(identifier), _text(name), _raw(target, known))
+def _alias(types, identifier, name, target):
+    return (ALIAS, _text(identifier), _text(name), _raw(target, types))
 
 
-def _enum(known, identifier, name, items):
-    known[identifier] = descriptors.enum(
+def _enum(types, identifier, name, items):
+    types[identifier] = descriptors.enum(
         _text(identifier), descriptors.check_identifier(name), list(map(_text, items))
     )
-    return known[identifier]
+    return types[identifier]
 
 
-def _struct(known, identifier, name, members):
-    known.pop(_text(identifier), None)
-    parts = [part for member, inner in members for part in (_text(member), _raw(inner, known))]
-    known[identifier] = (STRUCT, None, identifier, _text(name), *parts)
-    return known[identifier]
+def _struct(types, identifier, name, members):
+    types.pop(_text(identifier), None)
+    parts = [part for member, inner in members for part in (_text(member), _raw(inner, types))]
+    types[identifier] = (STRUCT, None, identifier, _text(name), *parts)
+    return types[identifier]
 
 
-def _union(known, identifier, name, discriminator, default, cases):
+def _union(types, identifier, name, discriminator, default, cases):
     if not isinstance(default, int) or not -1 <= default < len(cases):
         raise ValueError("default")
-    known.pop(_text(identifier), None)
-    switch = _raw(discriminator, known)
-    raw = tuple((label, _text(member), _raw(inner, known)) for label, member, inner in cases)
-    known[identifier] = (UNION, None, identifier, _text(name), switch, default, raw)
-    return known[identifier]
+    types.pop(_text(identifier), None)
+    switch = _raw(discriminator, types)
+    raw = tuple((label, _text(member), _raw(inner, types)) for label, member, inner in cases)
+    types[identifier] = (UNION, None, identifier, _text(name), switch, default, raw)
+    return types[identifier]
 
 
-def _fixed(known, digits, scale):
+def _fixed(types, digits, scale):
     if not isinstance(digits, int) or not isinstance(scale, int):
         raise ValueError("not a number")
     return (FIXED, digits, scale)
@@ -150,11 +150,11 @@ _FORMS = {
     "enum": _enum,
     "struct": _struct,
     "union": _union,
-    "sequence": lambda known, element, bound: (SEQUENCE, _raw(element, known), bound),
-    "array": lambda known, element, length: (ARRAY, _raw(element, known), length),
-    "object": lambda known, identifier, name: (OBJECT, _text(identifier), _text(name)),
+    "sequence": lambda types, element, bound: (SEQUENCE, _raw(element, types), bound),
+    "array": lambda types, element, length: (ARRAY, _raw(element, types), length),
+    "object": lambda types, identifier, name: (OBJECT, _text(identifier), _text(name)),
     "fixed": _fixed,
-    "see": lambda known, identifier: known.get(_text(identifier)) or (INDIRECT, [identifier]),
+    "see": lambda types, identifier: types.get(_text(identifier)) or (INDIRECT, [identifier]),
 }
 
 

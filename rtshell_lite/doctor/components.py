@@ -92,30 +92,30 @@ async def findings(snapshots, rates, culprits, stated=False, logs=None):
     logs      see `logs`
     stated    whether a profile says which states they should have
     """
-    found = []
+    all_findings = []
     reporting = {snapshot.node.endpoint for snapshot in snapshots if "ports" in snapshot.known}
     for snapshot in snapshots:
         troubles = await _troubles(snapshot, (logs or {}).get(snapshot.where, ""))
         if snapshot.error is not None:
             troubles.append(await _stopped_answering(snapshot, culprits, reporting))
         troubles += rates.get(snapshot.where, [])
-        found += troubles
+        all_findings += troubles
         has_failed = any(finding.level == "fail" for finding in troubles)
         if not has_failed and snapshot.error is None:
-            found.append(ok("component", snapshot.where, await _summary(snapshot)))
-    found.sort(key=lambda finding: finding.path)
-    failed = {finding.path for finding in found if finding.level == "fail"}
+            all_findings.append(ok("component", snapshot.where, await _summary(snapshot)))
+    all_findings.sort(key=lambda finding: finding.path)
+    failed = {finding.path for finding in all_findings if finding.level == "fail"}
     if stated:
-        return found
-    return found + started.findings(snapshots, failed)
+        return all_findings
+    return all_findings + started.findings(snapshots, failed)
 
 
 async def _troubles(snapshot, log):
     """Findings on what a component has reported."""
-    found = _names(snapshot) + _ports(snapshot)
+    troubles = _names(snapshot) + _ports(snapshot)
     if "states" in snapshot.known:
-        found += _contexts(snapshot, log)
-    return found
+        troubles += _contexts(snapshot, log)
+    return troubles
 
 
 async def _summary(snapshot):
@@ -206,24 +206,24 @@ def _names(snapshot):
         return []
     own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
     nodes = [snapshot.node, *snapshot.others]
-    known = []
+    near = []
     for node in nodes:
         if _bound_as(node) in own.split(","):
-            known.append(node)
-    strange = [node for node in nodes if node not in known]
-    if known:
-        message = "the same component as " + str(known[0].path)
+            near.append(node)
+    strange = [node for node in nodes if node not in near]
+    if near:
+        message = "the same component as " + str(near[0].path)
         cure = "name of another"
     else:
         message = "somebody else's name: this component calls itself " + printable(own)
         cure = "name taken"
         if len(nodes) == 1:
             cure = "renamed"
-    found = [_on_name(node, message, cure) for node in strange[:MOST]]
+    findings = [_on_name(node, message, cure) for node in strange[:MOST]]
     if strange[MOST:]:
         more = f"and {counted(len(strange) - MOST, 'name')} like it"
-        found.append(_on_name(strange[MOST], more, cure))
-    return found
+        findings.append(_on_name(strange[MOST], more, cure))
+    return findings
 
 
 def _on_name(node, message, cure):
@@ -246,9 +246,9 @@ def _bound_as(node):
 
 
 def _ports(snapshot):
-    found = [_refusing(snapshot, *port) for port in snapshot.refusing]
+    findings = [_refusing(snapshot, *port) for port in snapshot.refusing]
     message = "had a connection whose far end is dead, and dropped it when asked"
-    return found + [
+    return findings + [
         warn("connection", ports.label(port), message, remedies.words("restart far end"))
         for port in snapshot.dropped
     ]
@@ -278,31 +278,31 @@ def _contexts(snapshot, log):
     where = snapshot.where
     if not snapshot.contexts:
         return [fail("context", where, "has no execution context: nothing executes it", _restart(snapshot))]
-    found = []
+    findings = []
     for index, (context, state) in enumerate(zip(snapshot.contexts, snapshot.states)):
         if context.handle is None:
             message = f"its execution context {index} belongs to another component, which does not answer"
             cure = remedies.words("look at contexts", path=shell_word(where))
-            found.append(warn("context", where, message, cure))
+            findings.append(warn("context", where, message, cure))
         elif state == "Error":
-            found.append(_in_error(where, index, log))
+            findings.append(_in_error(where, index, log))
     active = [str(index) for index, state in enumerate(snapshot.states) if state == "Active"]
     if len(active) > 1:
         listed = " and ".join(active)
         message = f"Active in its execution contexts {listed} at once: each that runs executes it"
         cure = remedies.words("active once", path=shell_word(where))
-        found.append(warn("context", where, message, cure))
+        findings.append(warn("context", where, message, cure))
     alive = [context for context in snapshot.contexts if context.handle is not None]
     if alive and not any(context.running for context in alive):
         message = "its execution context is stopped: nothing executes it"
-        found.append(fail("context", where, message, remedies.command("start context", path=where)))
+        findings.append(fail("context", where, message, remedies.command("start context", path=where)))
     for index, context in enumerate(snapshot.contexts):
         if _is_periodic(context) and not context.rate > 0:
             message = f"its execution context has a rate of {context.rate:g} Hz"
             option = remedies.option(index)
             cure = remedies.command("set rate", option=option, path=where, rate=100)
-            found.append(fail("context", where, message, cure))
-    return found
+            findings.append(fail("context", where, message, cure))
+    return findings
 
 
 def _in_error(where, index, log):

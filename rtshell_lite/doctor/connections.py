@@ -23,7 +23,7 @@ async def findings(snapshots, ends, culprits):
     at twice: it may just be changing.
     """
     links = _links(snapshots)
-    found = []
+    all_findings = []
     for link in links:
         troubles = await _troubles(link, ends, culprits)
         if troubles:
@@ -32,9 +32,9 @@ async def findings(snapshots, ends, culprits):
                 troubles = await _troubles(again, ends, culprits)
             else:
                 troubles = []
-        found += troubles
+        all_findings += troubles
     return sorted(
-        found + await _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path
+        all_findings + await _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path
     )
 
 
@@ -50,20 +50,20 @@ async def _forgotten(snapshots):
         for port, connector in snapshot.of_tools
         for ref in _served(snapshot, port, connector)
     ]
-    found = []
+    findings = []
     for (snapshot, port, connector, ref), answer in zip(
         held, await session.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref), orb.at_object)
     ):
         is_dead = isinstance(answer, errors.Error) and await liveness.shows_death(answer, orb.endpoint(ref))
         if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):
-            found.append(
+            findings.append(
                 warn(
                     "connection", ports.label(port),
                     f"connection {_called(connector)} was left by a tool that is gone",
                     remedies.command("disconnect", id=connector.id, port=ports.label(port)),
                 )
             )
-    return found
+    return findings
 
 
 def _served(snapshot, port, connector):
@@ -89,23 +89,23 @@ def _unserved(snapshots):
         for port in snapshot.ports
         if port.type == "CorbaPort" and not port.connectors
     ]
-    found = []
+    findings = []
     for snapshot, port in free:
         if port not in snapshot.dropped and component.merged(snapshot.states) != "Active":
             continue
-        wanted = {interface.type_name for interface in port.interfaces if interface.polarity == "Required"}
+        required = {interface.type_name for interface in port.interfaces if interface.polarity == "Required"}
         fitting = [
             ports.label(other)
             for _, other in free
             for interface in other.interfaces
-            if interface.polarity == "Provided" and interface.type_name in wanted
+            if interface.polarity == "Provided" and interface.type_name in required
         ]
         if fitting:
             message = (
-                f"requires {printable(' and '.join(sorted(wanted)))} and is not connected, though "
+                f"requires {printable(' and '.join(sorted(required)))} and is not connected, though "
                 f"{listed(fitting)} provides it to nobody"
             )
-            found.append(
+            findings.append(
                 warn(
                     "connection",
                     ports.label(port),
@@ -115,7 +115,7 @@ def _unserved(snapshots):
                     ),
                 )
             )
-    return found
+    return findings
 
 
 def _links(snapshots):
@@ -203,15 +203,15 @@ async def _troubles(link, ends, culprits):
     others = [
         ends[identity] for identity, ref in _refs(connector).items() if not orb.same(ref, link.port.ref)
     ]
-    found = []
+    troubles = []
     for end in others:
         if end.port is None:
-            found.append(await _lost(link, where, end, undo, culprits))
+            troubles.append(await _lost(link, where, end, undo, culprits))
         elif connector.id not in [connector.id for connector in end.port.connectors]:
             message = f"connection {_called(connector)} is one-sided: {_name(end)} does not know it"
-            found.append(fail("connection", where, message, _redo(link, others)))
+            troubles.append(fail("connection", where, message, _redo(link, others)))
         else:
-            found += _differences(link, end, _redo(link, others))
+            troubles += _differences(link, end, _redo(link, others))
             if end.port.node is None:
                 place = f"{printable(end.port.name)} at {orb.at_address(end.ref)}"
                 message = (
@@ -219,10 +219,10 @@ async def _troubles(link, ends, culprits):
                     "name server that is known here"
                 )
                 cure = remedies.words("unbound", path=shell_word(where))
-                found.append(warn("connection", where, message, cure))
+                troubles.append(warn("connection", where, message, cure))
     if all(end.port is not None for end in others):
-        found += _mismatches(link, where, [link.port] + [end.port for end in others], undo)
-    return found
+        troubles += _mismatches(link, where, [link.port] + [end.port for end in others], undo)
+    return troubles
 
 
 def _called(connector):
@@ -280,10 +280,10 @@ def _differences(link, end, remedy):
     """Properties on which the two ends of a connection differ."""
     where = ports.label(link.port)
     connector = link.connector
-    own = [each for each in end.port.connectors if each.id == connector.id]
+    own = [other for other in end.port.connectors if other.id == connector.id]
     far = dict(own[0].properties)
     near = dict(connector.properties)
-    found = []
+    differing = []
     keys = set(near) & set(far)
     keys.update(key for key in SETTLED if key in near or key in far)
     for key in sorted(keys):
@@ -296,8 +296,8 @@ def _differences(link, end, remedy):
         if _plain(key, here) == _plain(key, there):
             continue
         message = f"{printable(key)} is {_shown(here)} here, {_shown(there)} at {_name(end)}"
-        found.append(warn("connection", where, message, remedy))
-    return found
+        differing.append(warn("connection", where, message, remedy))
+    return differing
 
 
 def _is_reference(key, value):

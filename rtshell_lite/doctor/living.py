@@ -24,17 +24,19 @@ async def find_living(profile, missing):
     """{path as text: where it answers, in words} of those `missing` Components of a profile that live, and
     {path: (why, its port)} of those that may.
     """
-    known, doubts = await _at_references(profile, missing)
-    still_missing = [each for each in missing if capture.shown_path(each) not in known]
-    known.update(await _at_managers(still_missing))
-    return known, doubts
+    living, doubts = await _at_references(profile, missing)
+    still_missing = [component for component in missing if capture.shown_path(component) not in living]
+    living.update(await _at_managers(still_missing))
+    return living, doubts
 
 
-def findings(profile, missing, known):
-    """A Finding on each name server without any of its Components in the file, of which `known` ones live."""
+def findings(profile, missing, addresses):
+    """A Finding on each name server without any of its Components in the file, of which some live: those at
+    the paths that `addresses` has.
+    """
     for server, components in sorted(_by_server(profile.components).items()):
-        living = [path for path in map(capture.shown_path, components) if path in known]
-        if living and all(each in missing for each in components):
+        living = [path for path in map(capture.shown_path, components) if path in addresses]
+        if living and all(component in missing for component in components):
             verb = "lives" if len(living) == 1 else "live"
             message = (
                 f"has none of its {counted(len(components), 'component')} in the file, though "
@@ -46,12 +48,12 @@ def findings(profile, missing, known):
 
 def _by_server(components):
     servers = {}
-    for each in components:
+    for component in components:
         try:
-            where = capture.path_of(each)
+            where = capture.path_of(component)
         except errors.BadPath:
             continue
-        servers.setdefault(str(where._replace(names=())), []).append(each)
+        servers.setdefault(str(where._replace(names=())), []).append(component)
     return servers
 
 
@@ -69,13 +71,13 @@ async def _at_references(profile, missing):
         elif ref is not None:
             refs[where] = ref, "it answers"
     for connector in profile.connectors:
-        for each in connector.properties:
-            end = SIDES.get(each.name)
+        for item in connector.properties:
+            end = SIDES.get(item.name)
             component = locate(connector.ends[end]) if end is not None and connector.ends else None
             if component not in missing:
                 continue
             try:
-                ref = orb.from_text(connector.name, each.value or "")
+                ref = orb.from_text(connector.name, item.value or "")
             except errors.Unreachable:
                 continue
             refs.setdefault(capture.shown_path(component), (ref, "its port answers"))
@@ -91,21 +93,21 @@ async def _at_references(profile, missing):
 
 
 async def _at_managers(missing):
-    """`found`, by the managers that list a component of this name."""
-    wanted = {}  # paths by the address of a manager and the name of an instance
-    for each in missing:
-        for word in _managers(each):
-            wanted.setdefault(word, {})[each.instance_name] = capture.shown_path(each)
-    words = sorted(wanted)[:MOST]
+    """{path: where it answers, in words}, by the managers that list a component of this name."""
+    paths = {}  # paths by the address of a manager and the name of an instance
+    for component in missing:
+        for word in _managers(component):
+            paths.setdefault(word, {})[component.instance_name] = capture.shown_path(component)
+    words = sorted(paths)[:MOST]
     answers = await session.each(words, _listed_by, lambda word: (word, word))
-    found = {}
+    living = {}
     for word, answer in zip(words, answers):
         if isinstance(answer, errors.Error):
             continue
         listed = {name for name, _ in answer}
-        for name in listed & set(wanted[word]):
-            found[wanted[word][name]] = f"the manager {word} has it"
-    return found
+        for name in listed & set(paths[word]):
+            living[paths[word][name]] = f"the manager {word} has it"
+    return living
 
 
 async def _listed_by(word):

@@ -29,13 +29,13 @@ async def findings():
     """Findings on Python and omniORB, their settings, the names of this host, our environment,
     and mounted trees.
     """
-    found = _programs()
+    all_findings = _programs()
     lacking = limits.findings()
     if lacking:
-        return found + lacking
-    found += _settings(started=found[-1].level != "fail")
+        return all_findings + lacking
+    all_findings += _settings(started=all_findings[-1].level != "fail")
     return (
-        found
+        all_findings
         + await _host_name()
         + await _localhost()
         + await _name_servers()
@@ -59,10 +59,10 @@ def _programs():
                 remedies.command("unset", variable="RTSHELL_ORB"),
             )
         ]
-    found = [ok("ORB", HERE, f"{python}, {version}")]
+    findings = [ok("ORB", HERE, f"{python}, {version}")]
     name, _, number = version.partition(" ")
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
-        found = [
+        findings = [
             warn(
                 "ORB", HERE, f"{python}, {version}: older than 4.0, untried",
                 remedies.words("newer omniORBpy"),
@@ -72,13 +72,13 @@ def _programs():
         orb.start()
     except errors.Error:
         where = " or ".join(name for name, _ in _sources()) or "its settings"
-        found.append(
+        findings.append(
             fail(
                 "ORB", HERE, "the ORB does not start: it does not understand " + where,
                 remedies.words("correct settings"),
             )
         )
-    return found
+    return findings
 
 
 def _number(word):
@@ -94,36 +94,36 @@ def _settings(started):
     """Settings of omniORB that break things, whatever their source.
     The last source wins, but each is reported.
     """
-    found = []
+    findings = []
     sources = _sources()
     named = os.environ.get("OMNIORB_CONFIG")
     if named and not os.path.exists(named):
         message = "OMNIORB_CONFIG names a file that is not there: " + printable(named)
-        found.append(warn("ORB", HERE, message, remedies.command("unset", variable="OMNIORB_CONFIG")))
+        findings.append(warn("ORB", HERE, message, remedies.command("unset", variable="OMNIORB_CONFIG")))
     for source, settings in sources:
         for option, value in settings:
             why = _harm(option, value, OURS) if source == ARGUMENTS else _harm(option, value, THEIRS)
             if why and (source != ARGUMENTS or orb.obeys(option)):
-                found.append(
+                findings.append(
                     warn(
                         "ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)
                     )
                 )
-    if not found and sources and started:
-        found.append(
+    if not findings and sources and started:
+        findings.append(
             ok(
                 "ORB", HERE,
                 "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources),
             )
         )
-    return found
+    return findings
 
 
 def _sources():
     """(name, [(option, value)]) of each source of settings: file, variables ORB…, RTCTREE_ORB_ARGS."""
     name = os.path.abspath(os.environ.get("OMNIORB_CONFIG") or CONFIGURATION)
-    found = [(printable(name), _configured(name))]
-    found += [
+    settings = [(printable(name), _configured(name))]
+    settings += [
         (key, [(key[3:], value)])
         for key, value in sorted(os.environ.items())
         if re.match("ORB[a-z]+[A-Za-z]*$", key)
@@ -133,7 +133,7 @@ def _sources():
         if word:
             words.append(word)
     arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
-    sources = [source for source in found if source[1]]
+    sources = [source for source in settings if source[1]]
     if words:
         sources.append((ARGUMENTS, arguments))
     return sources
@@ -219,18 +219,18 @@ async def _host_name():
     shown = f"this host's name, {printable(name)}, "
     cure = remedies.words("name of host")
     try:
-        known = await addresses.resolve(name)
+        numbers = await addresses.resolve(name)
     except errors.Error as e:
         return [warn("host name", HERE, shown + f"is not known here ({reason(e)})", cure)]
-    means = ", ".join(known)
-    if all(addresses.is_loopback(address) for address in known):
+    means = ", ".join(numbers)
+    if all(addresses.is_loopback(address) for address in numbers):
         return [
             warn(
                 "host name", HERE,
                 shown + f"means {means}: components that publish it cannot be reached from elsewhere", cure,
             )
         ]
-    if not any(addresses.is_own(address) for address in known):
+    if not any(addresses.is_own(address) for address in numbers):
         return [warn("host name", HERE, shown + f"means {means}, which is not this host", cure)]
     return [ok("host name", HERE, shown + "means " + means)]
 
@@ -238,11 +238,11 @@ async def _host_name():
 async def _localhost():
     cure = remedies.words("localhost")
     try:
-        known = await addresses.resolve("localhost")
+        numbers = await addresses.resolve("localhost")
     except errors.Error as e:
         return [fail("host name", HERE, f"localhost is not known here ({reason(e)})", cure)]
-    if not all(addresses.is_loopback(address) for address in known):
-        return [fail("host name", HERE, f"localhost means {', '.join(known)}", cure)]
+    if not all(addresses.is_loopback(address) for address in numbers):
+        return [fail("host name", HERE, f"localhost means {', '.join(numbers)}", cure)]
     return []
 
 

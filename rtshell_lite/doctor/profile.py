@@ -19,7 +19,7 @@ async def findings(profile, file, state):
     those on optional things are warnings.
     """
     result = await compare.compare(profile, state)
-    found = [_unknown(e) for e in result.failures]
+    all_findings = [_unknown(e) for e in result.failures]
     differences = [difference for difference in result.differences if difference.check != compare.OTHER_ID]
     absent = {difference.path: difference for difference in reversed(differences) if _is_missing(difference)}
     differences = [
@@ -27,16 +27,16 @@ async def findings(profile, file, state):
         for difference in differences  # each once: ends of connections are missing, too
         if not _is_missing(difference) or absent[difference.path] is difference
     ]
-    missing = [each for each in profile.components if capture.shown_path(each) in absent]
+    missing = [component for component in profile.components if capture.shown_path(component) in absent]
     if missing:
-        known, doubts = await living.find_living(profile, missing)
+        addresses, doubts = await living.find_living(profile, missing)
     else:
-        known = doubts = {}
-    found += living.findings(profile, missing, known)
+        addresses = doubts = {}
+    all_findings += living.findings(profile, missing, addresses)
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
         paths = ", ".join(difference.path for difference in idle)
-        found.append(
+        all_findings.append(
             fail(
                 "profile", str(path.ROOT),
                 f"{len(idle)} components are Inactive, in the file Active: {paths}",
@@ -46,21 +46,25 @@ async def findings(profile, file, state):
         differences = [difference for difference in differences if difference not in idle]
     for difference in differences:
         report = fail if difference.required else warn
-        if difference.path in known and _is_missing(difference):
-            message = f"{safe(difference.brief)}, but it lives: {safe(known[difference.path])}"
-            found.append(report("profile", difference.path, message, remedies.words("bind again")))
+        if difference.path in addresses and _is_missing(difference):
+            message = f"{safe(difference.brief)}, but it lives: {safe(addresses[difference.path])}"
+            all_findings.append(report("profile", difference.path, message, remedies.words("bind again")))
             continue
         if difference.path in doubts and _is_missing(difference):
             why, port = doubts[difference.path]
             message = f"{safe(difference.brief)}, but it may live: {safe(why)}"
-            found.append(report("profile", difference.path, message, remedies.words("firewall", port=port)))
+            all_findings.append(
+                report("profile", difference.path, message, remedies.words("firewall", port=port))
+            )
             continue
-        found.append(report("profile", difference.path, safe(difference.brief), _remedy(difference, file)))
-    found += await _rates(profile)
+        all_findings.append(
+            report("profile", difference.path, safe(difference.brief), _remedy(difference, file))
+        )
+    all_findings += await _rates(profile)
     content = (
         f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
     )
-    return found or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
+    return all_findings or [ok("profile", str(path.ROOT), "as the profile says: " + content)]
 
 
 def _unknown(e):
@@ -89,39 +93,40 @@ async def _owned_contexts(node):
 
 async def _rates(profile):
     """Findings on execution contexts whose rates differ from those in the file, which the components have."""
-    found = []
+    findings = []
     answers = await capture.ask_each(profile, _owned_contexts)
     for component, owned in zip(profile.components, answers):
         if isinstance(owned, errors.Error):
             continue  # reported before
         report = fail if component.is_required else warn
         where = capture.shown_path(component)
-        for wanted in component.execution_contexts:
+        for described in component.execution_contexts:
             if (
-                not wanted.id.isdigit()
-                or not 0 < wanted.rate < float("inf")
-                or not wanted.kind.upper().startswith("PERIODIC")
+                not described.id.isdigit()
+                or not 0 < described.rate < float("inf")
+                or not described.kind.upper().startswith("PERIODIC")
             ):
                 continue
             for index, context in enumerate(owned):
-                if context.handle != int(wanted.id):
+                if context.handle != int(described.id):
                     continue
-                if not contexts.same_rate(context.rate, wanted.rate):
+                if not contexts.same_rate(context.rate, described.rate):
                     message = (
                         f"its execution context has a rate of {context.rate:g} Hz, in the file it is "
-                        f"{wanted.rate:g} Hz"
+                        f"{described.rate:g} Hz"
                     )
-                    found.append(
+                    findings.append(
                         report(
                             "profile",
                             where,
                             message,
                             remedies.command(
-                                "set rate", option=remedies.option(index), path=where, rate=f"{wanted.rate:g}"
+                                "set rate", option=remedies.option(index), path=where,
+                                rate=f"{described.rate:g}",
                             ),
                         )
                     )
-    return found
+    return findings
 
 
 def _remedy(difference, file):

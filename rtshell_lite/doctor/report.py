@@ -54,13 +54,13 @@ def findings_in(text, name):
     """The Findings in the text of a report. Raises errors.Failed."""
     page_file.profile(text, name)  # other pages have none
     try:
-        found = [
-            Finding(*[str(dict({"cause": ""}, **each)[field]) for field in Finding._fields])
-            for each in page_file.read(text, name)["findings"]
+        findings = [
+            Finding(*[str(dict({"cause": ""}, **row)[field]) for field in Finding._fields])
+            for row in page_file.read(text, name)["findings"]
         ]
     except (KeyError, TypeError):
         raise errors.Failed(name, "not a report of rtdoctor")
-    return [each for each in found if each.level in LEVELS]
+    return [finding for finding in findings if finding.level in LEVELS]
 
 
 def _contents(log, values, environment):
@@ -93,7 +93,7 @@ def _system(seen):
     lost = [snapshot.node for snapshot in rest]
     for visit in seen.visits:
         lost += [node for node in visit.nodes if node.kind in ("zombie", *tree.DOUBTFUL)]
-    states = {each.where: component.merged(each.states) for each in rest if "states" in each.known}
+    states = {look.where: component.merged(look.states) for look in rest if "states" in look.known}
     return system, {str(node.path): node.endpoint for node in lost}, states
 
 
@@ -120,17 +120,17 @@ def _leave_out_values(snapshots):
 
 def _sections(seen, environment):
     """[(heading, text)]"""
-    found = []
+    sections = []
     numbers = set()
     if seen is not None:
-        found.append(("Name servers, and what is bound", "\n".join(_bound(seen.visits))))
-        found.append(("Managers", "\n".join(_managers(seen.managers))))
+        sections.append(("Name servers, and what is bound", "\n".join(_bound(seen.visits))))
+        sections.append(("Managers", "\n".join(_managers(seen.managers))))
         numbers = _ports(seen.visits)
-        found.append(("Clocks of others against this host's", "\n".join(_clocks(seen.snapshots))))
-    found.append(("Versions and clock", host.versions()))
+        sections.append(("Clocks of others against this host's", "\n".join(_clocks(seen.snapshots))))
+    sections.append(("Versions and clock", host.versions()))
     if environment:
-        found += host.surroundings(numbers)
-    return found
+        sections += host.surroundings(numbers)
+    return sections
 
 
 def _bound(visits):
@@ -161,22 +161,22 @@ def _managers(answers):
 
 def _clocks(snapshots):
     """How far the clocks are apart of hosts on which a component puts the time into its values."""
-    for each in snapshots:
-        if each.stamp is not None:
-            host, number = each.node.endpoint
-            port = ports.short_name(each.written[0].name, each.node.path.instance)
-            stamped = clocks.distance(*each.stamp)
-            yield f"{each.where}  at {host}:{number}: a value of {port} was {stamped}"
+    for look in snapshots:
+        if look.stamp is not None:
+            host, number = look.node.endpoint
+            port = ports.short_name(look.written[0].name, look.node.path.instance)
+            stamped = clocks.distance(*look.stamp)
+            yield f"{look.where}  at {host}:{number}: a value of {port} was {stamped}"
 
 
 def _ports(visits):
     """The TCP ports that references and name servers have."""
-    found = set()
+    numbers = set()
     for visit in visits:
         for node in visit.nodes:
             if node.ref is not None:
-                found.update(port for _, port in orb.addresses(node.ref) if port)
-    return found
+                numbers.update(port for _, port in orb.addresses(node.ref) if port)
+    return numbers
 
 
 # ---- a log ----

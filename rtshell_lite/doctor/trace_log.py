@@ -14,20 +14,20 @@ def recorded(log, start, to=None, against=False, seconds=None):
     """The trace.Trace from a Path with a port on, `to` another one if given; of the last `seconds` of a log,
     None for all of it. Raises errors.Failed, NoSuch.
     """
-    made = trace.Trace(against)
+    traced = trace.Trace(against)
     profile = _profile(log)
     channels = _channels(log)
     links = _links(profile)
-    _follow(made, start, links, channels)
-    for stage in made.stages.values():
+    _follow(traced, start, links, channels)
+    for stage in traced.stages.values():
         stage.error = None
     if to is not None:
         back = trace.Trace(against=True)
         _follow(back, to, links, {})
-        made.limit(str(to.object()), back)
-    _measure(made, log, channels, seconds)
-    made.note_delays()
-    return made
+        traced.limit(str(to.object()), back)
+    _measure(traced, log, channels, seconds)
+    traced.note_delays()
+    return traced
 
 
 def _profile(log):
@@ -62,55 +62,55 @@ def _links(profile):
     return links
 
 
-def _follow(made, start, links, channels):
+def _follow(traced, start, links, channels):
     """Find the Stages and Links from a port on."""
-    known = {end.object() for link in links for end in link}
-    if start.object() not in known:
+    recorded_components = {end.object() for link in links for end in link}
+    if start.object() not in recorded_components:
         raise errors.NoSuch(
             str(start), "component with connections in the profile of this log", str(start.object())
         )
     waiting = [(start.object(), 0)]
     while waiting:
         where, depth = waiting.pop(0)
-        _stage(made, where, depth)
+        _stage(traced, where, depth)
         for out, into in links:
             is_start = not depth
-            near, far = (into, out) if made.against else (out, into)
+            near, far = (into, out) if traced.against else (out, into)
             if near.object() != where or is_start and near.port != start.port:
                 continue
             far = far.object()
-            if str(far) not in made.stages:
+            if str(far) not in traced.stages:
                 waiting.append((far, depth + 1))
-            if made.against:
-                _join(made, out, into, depth + 1, channels)
+            if traced.against:
+                _join(traced, out, into, depth + 1, channels)
             else:
-                _join(made, out, into, depth, channels)
-            _stage(made, far, depth + 1)
-    begin = made.stages[str(start.object())]
-    if not made.against and begin.watches == []:
-        _watch(made, start, 0, channels)
+                _join(traced, out, into, depth, channels)
+            _stage(traced, far, depth + 1)
+    begin = traced.stages[str(start.object())]
+    if not traced.against and begin.watches == []:
+        _watch(traced, start, 0, channels)
 
 
-def _stage(made, where, depth):
+def _stage(traced, where, depth):
     """The trace.Stage of a component's Path."""
-    return made.stages.setdefault(str(where), trace.Stage(tree.Node(where, "component"), depth))
+    return traced.stages.setdefault(str(where), trace.Stage(tree.Node(where, "component"), depth))
 
 
-def _join(made, out, into, depth, channels):
-    watch = _watch(made, out, depth, channels)
-    if made.against:
+def _join(traced, out, into, depth, channels):
+    watch = _watch(traced, out, depth, channels)
+    if traced.against:
         depth -= 1
     else:
         depth += 1
-    stage = _stage(made, into.object(), depth)
-    is_known = any(link.watch is watch and link.port == into for link in made.links)
+    stage = _stage(traced, into.object(), depth)
+    is_known = any(link.watch is watch and link.port == into for link in traced.links)
     if not is_known:
-        made.links.append(trace.Link(watch, stage, into, True))
+        traced.links.append(trace.Link(watch, stage, into, True))
 
 
-def _watch(made, out, depth, channels):
+def _watch(traced, out, depth, channels):
     """The trace.Watch of an out port's Path."""
-    stage = _stage(made, out.object(), depth)
+    stage = _stage(traced, out.object(), depth)
     for watch in stage.watches:
         if watch.port.name == out.port:
             return watch
@@ -125,9 +125,9 @@ def _watch(made, out, depth, channels):
     return watch
 
 
-def _measure(made, log, channels, seconds):
+def _measure(traced, log, channels, seconds):
     """Give the values of a log to the Watches."""
-    watches = {watch.name: watch for stage in made.stages.values() for watch in stage.watches}
+    watches = {watch.name: watch for stage in traced.stages.values() for watch in stage.watches}
     by_channel = {}
     for name, (number, _) in channels.items():
         if name in watches:

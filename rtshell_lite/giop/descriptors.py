@@ -158,10 +158,10 @@ class Item:
 
 def struct(type_id, name, members):
     """The descriptor of a struct with a class of its own; `members`: (name, descriptor) pairs."""
-    made = type(
+    new_class = type(
         name, (Struct,), {"_NP_RepositoryId": type_id, "_members": tuple(member for member, _ in members)}
     )
-    return (STRUCT, made, type_id, name) + tuple(part for member in members for part in member)
+    return (STRUCT, new_class, type_id, name) + tuple(part for member in members for part in member)
 
 
 def exception(type_id, name, members):
@@ -176,7 +176,7 @@ def union(type_id, name, switched_by, given, default=-1):
     given = tuple(Case(case) for case in given)
     other = given[default] if default >= 0 else None
     by_label = {case.label: case for case in given if case is not other}
-    made = type(
+    new_class = type(
         name,
         (Union,),
         {
@@ -185,7 +185,7 @@ def union(type_id, name, switched_by, given, default=-1):
             "_d_to_m": {label: case.member for label, case in by_label.items()},
         },
     )
-    return (UNION, made, type_id, name, switched_by, default, given, other, by_label)
+    return (UNION, new_class, type_id, name, switched_by, default, given, other, by_label)
 
 
 def enum(type_id, name, items):
@@ -508,25 +508,25 @@ class Adoption:
         if kind(inner) in (ALIAS, SEQUENCE, ARRAY):
             return self.take(inner, depth - 1)
         if isinstance(inner, str):
-            wanted = inner
+            name = inner
         elif isinstance(inner, tuple) and len(inner) > 2:
-            wanted = inner[2]
+            name = inner[2]
         else:
-            wanted = None
-        if self.open.get(wanted):
-            hole, sequences = self.open[wanted]
+            name = None
+        if self.open.get(name):
+            hole, sequences = self.open[name]
             if sequences == self.sequences:
-                raise errors.BadType(dotted(wanted), "contains itself")
+                raise errors.BadType(dotted(name), "contains itself")
             return (INDIRECT, hole)
         if isinstance(inner, tuple):
-            found = inner
-        elif self.find and wanted:
-            found = self.find(wanted)
+            descriptor = inner
+        elif self.find and name:
+            descriptor = self.find(name)
         else:
-            found = None
-        if found is None or kind(found) == INDIRECT:
-            raise errors.BadType(dotted(str(wanted)), "is used, but nowhere defined")
-        return self.take(found, depth - 1)
+            descriptor = None
+        if descriptor is None or kind(descriptor) == INDIRECT:
+            raise errors.BadType(dotted(str(name)), "is used, but nowhere defined")
+        return self.take(descriptor, depth - 1)
 
 
 def check_identifier(word):

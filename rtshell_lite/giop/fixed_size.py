@@ -64,8 +64,8 @@ def fixed(descriptor):
     descriptor = plain(descriptor)  # recursive types have no size
     sort = kind(descriptor)
     if sort == ENUM:
-        known = items(descriptor)
-        return Fixed(["I"], lambda leaves, i: _item(known, leaves[i]), lambda value: (value._v,))
+        enumerators = items(descriptor)
+        return Fixed(["I"], lambda leaves, i: _item(enumerators, leaves[i]), lambda value: (value._v,))
     if sort == CHAR:
         return Fixed(
             ["c"], lambda leaves, i: leaves[i].decode("latin-1"), lambda value: (value.encode("latin-1"),)
@@ -79,10 +79,10 @@ def fixed(descriptor):
     return None
 
 
-def _item(known, number):
-    if number >= len(known):
-        raise Fault(f"enum item number {number} of {len(known)}")
-    return known[number]
+def _item(enumerators, number):
+    if number >= len(enumerators):
+        raise Fault(f"enum item number {number} of {len(enumerators)}")
+    return enumerators[number]
 
 
 def _fixed_struct(descriptor):
@@ -91,23 +91,25 @@ def _fixed_struct(descriptor):
         return None
     if sum(len(part.codes) for part in parts) > FEW:
         return None
-    made = factory(descriptor)
+    make_struct = factory(descriptor)
     names = [name for name, _ in members(descriptor)]
     codes = [code for part in parts for code in part.codes]
     if all(part.make is None for part in parts):
         size = len(parts)
         return Fixed(
-            codes, lambda leaves, i: made(*leaves[i : i + size]),
+            codes, lambda leaves, i: make_struct(*leaves[i : i + size]),
             lambda value: [getattr(value, n) for n in names],
         )
     places = []
-    at = 0
+    index = 0
     for part in parts:
-        places.append((part.make, at))
-        at += len(part.codes)
+        places.append((part.make, index))
+        index += len(part.codes)
 
     def make(leaves, i):
-        return made(*[inner(leaves, i + at) if inner else leaves[i + at] for inner, at in places])
+        return make_struct(
+            *[inner(leaves, i + index) if inner else leaves[i + index] for inner, index in places]
+        )
 
     def flatten(value):
         return [leaf for part, name in zip(parts, names) for leaf in part.flatten(getattr(value, name))]
@@ -129,7 +131,7 @@ def _fixed_array(descriptor):
     def make(leaves, i):
         if part.make is None:
             return list(leaves[i : i + count])
-        return [part.make(leaves, at) for at in range(i, i + count * size, size)]
+        return [part.make(leaves, index) for index in range(i, i + count * size, size)]
 
     def flatten(value):
         if len(value) != count:
@@ -151,10 +153,10 @@ class Forms(dict):
 
     def __missing__(self, start):
         text = self.order
-        at = start
+        offset = start
         for code in self.codes:
-            padding = -at % SIZES[code]
+            padding = -offset % SIZES[code]
             text += "x" * padding + code
-            at += padding + SIZES[code]
+            offset += padding + SIZES[code]
         self[start] = form = struct.Struct(text)
         return form

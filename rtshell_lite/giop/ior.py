@@ -71,13 +71,13 @@ def parsed(type_id, profiles):
                 end = 8 + ulong(profile, 4)[0]  # of the host, after the version
                 if end > len(profile):  # no place for unpack on a 32-bit system
                     raise IndexError
-                at = (end + 3 & ~1) + 3 & ~3  # after the port
-                size = ulong(profile, at)[0]
-                if at + 4 + size > len(profile):
+                offset = (end + 3 & ~1) + 3 & ~3  # after the port
+                size = ulong(profile, offset)[0]
+                if offset + 4 + size > len(profile):
                     raise IndexError
                 host = profile[8 : end - 1].decode("utf-8", "surrogateescape")
                 port = ushort(profile, end + 1 & ~1)[0]
-                key = profile[at + 4 : at + 4 + size]
+                key = profile[offset + 4 : offset + 4 + size]
                 if not port:  # it has no TCP, or names that as an alternative
                     without_tcp = without_tcp or Address((type_id, host, 0, key))
                     host, port = next(filter(_has_port, _of_profile(profile)[0]), ("", 0))
@@ -103,23 +103,23 @@ def addresses(text):
     """Every (host, port) that a stringified IOR offers, in its order:
     IIOP profiles and the alternatives named in them; not those without a port, see `transports`.
     """
-    found, _ = _offered(text)
-    return [address for address in found if address[1]]
+    offered, _ = _offered(text)
+    return [address for address in offered if address[1]]
 
 
 def transports(text):
     """In words, how else than with TCP the object of a stringified IOR can be called: ["TLS"]; [] if no other
     way is known.
     """
-    found, others = _offered(text)
-    if not others and any(not port for _, port in found):
+    offered, others = _offered(text)
+    if not others and any(not port for _, port in offered):
         return [OTHER]
     return others
 
 
 def _offered(text):
     """(every (host, port), transports in words) that a stringified IOR offers, each once."""
-    found = []
+    offered = []
     others = []
     try:
         reader = _Cdr(_unhexed(text))
@@ -131,33 +131,33 @@ def _offered(text):
                 others.append(OTHER)
                 continue
             addresses_there, others_there = _of_profile(profile)
-            found += addresses_there
+            offered += addresses_there
             others += others_there
     except (IndexError, struct.error):
         pass  # keep what came before the garbage
-    return list(dict.fromkeys(found)), list(dict.fromkeys(others))
+    return list(dict.fromkeys(offered)), list(dict.fromkeys(others))
 
 
 def _of_profile(profile):
     """([(host, port)], [transport in words]) that an IIOP profile offers."""
-    found = []
+    offered = []
     others = []
     try:
         body = _Cdr(profile)
         minor = profile[2]
         body.at = body.at + 2
-        found.append(body.host_and_port())
+        offered.append(body.host_and_port())
         body.octets()  # the object key
         for _ in range(body.ulong() if minor else 0):
             component = body.ulong()
             data = body.octets()
             if component == ALTERNATE:
-                found.append(_Cdr(data).host_and_port())
+                offered.append(_Cdr(data).host_and_port())
             elif component in TRANSPORTS:
                 others.append(TRANSPORTS[component])
     except (IndexError, struct.error):
         pass  # keep what came before the garbage
-    return found, others
+    return offered, others
 
 
 def _has_port(address):
@@ -178,14 +178,14 @@ class _Cdr:
         self._ulong, self._ushort = _LITTLE if data[0] & 1 else _BIG
 
     def ulong(self):
-        at = self.at + 3 & ~3
-        self.at = at + 4
-        return self._ulong(self.data, at)[0]
+        start = self.at + 3 & ~3
+        self.at = start + 4
+        return self._ulong(self.data, start)[0]
 
     def ushort(self):
-        at = self.at + 1 & ~1
-        self.at = at + 2
-        return self._ushort(self.data, at)[0]
+        start = self.at + 1 & ~1
+        self.at = start + 2
+        return self._ushort(self.data, start)[0]
 
     def octets(self):
         size = self.ulong()

@@ -112,14 +112,14 @@ def whole(kind, payload=b"", minor=2, order="<", more=False):
     return b"GIOP\1" + bytes([minor, flags, kind]) + struct.pack(order + "I", len(payload)) + payload
 
 
-def size(data, at=0):
+def size(data, start=0):
     """How many octets follow the header at a place of `data`. Raises Garbled."""
-    magic, minor, _, kind, found = _HEADERS[data[at + 6] & LITTLE].unpack_from(data, at)
+    magic, minor, _, kind, octets = _HEADERS[data[start + 6] & LITTLE].unpack_from(data, start)
     if magic != b"GIOP\1" or minor > 2 or kind > FRAGMENT:
         raise Garbled("not GIOP")
-    if found > LARGEST:
-        raise Garbled(f"a message of {found} octets")
-    return found
+    if octets > LARGEST:
+        raise Garbled(f"a message of {octets} octets")
+    return octets
 
 
 def number(data):
@@ -132,33 +132,33 @@ def reply(data):
     Raises Garbled, struct.error.
     """
     little = data[6] & LITTLE
-    one, two, three = _ORDERS[little]
+    ulong, two, three = _ORDERS[little]
     if data[5] < 2:
-        at = after_contexts(data, HEADER, one)
-        number, status = two.unpack_from(data, at)
-        return number, status, little, at + 8
+        offset = after_contexts(data, HEADER, ulong)
+        number, status = two.unpack_from(data, offset)
+        return number, status, little, offset + 8
     number, status, contexts = three.unpack_from(data, HEADER)
     if not contexts:
         return number, status, little, HEADER + 12  # which is a multiple of 8
-    at = after_contexts(data, HEADER + 8, one)
-    return number, status, little, at + -at % 8
+    offset = after_contexts(data, HEADER + 8, ulong)
+    return number, status, little, offset + -offset % 8
 
 
-def after_contexts(data, at, one):
-    """Where the service contexts at `at` end; `one` reads a number in their byte order.
+def after_contexts(data, offset, ulong):
+    """Where the service contexts at `offset` end; `ulong` reads a number in their byte order.
     Raises Garbled, struct.error.
     """
-    at += -at % 4
-    (count,) = one.unpack_from(data, at)
+    offset += -offset % 4
+    (count,) = ulong.unpack_from(data, offset)
     if count > MOST_CONTEXTS:
         raise Garbled(f"{count} service contexts")
-    at += 4
+    offset += 4
     for _ in range(count):
-        (size,) = one.unpack_from(data, at + 4 + -at % 4)
-        at += -at % 4 + 8 + size
-        if at > len(data):
+        (size,) = ulong.unpack_from(data, offset + 4 + -offset % 4)
+        offset += -offset % 4 + 8 + size
+        if offset > len(data):
             raise Garbled("service contexts without an end")
-    return at + -at % 4
+    return offset + -offset % 4
 
 
 class Fragments:

@@ -32,9 +32,9 @@ LABELS = {
 }
 
 
-def read(data, at, order):
-    """(descriptor, where it ends) of the TypeCode at `at`. Raises Fault, struct.error, IndexError."""
-    reader = _Reader(data, at, order, 0)
+def read(data, start, order):
+    """(descriptor, where it ends) of the TypeCode at `start`. Raises Fault, struct.error, IndexError."""
+    reader = _Reader(data, start, order, 0)
     adoption = descriptors.Adoption(most=allowance.spend(0), each=allowance.CLASS)
     try:
         return adoption.take(reader.typecode({}, descriptors.DEEPEST), descriptors.DEEPEST), reader.at
@@ -49,9 +49,9 @@ class _Reader:
     the message, or the encapsulation around.
     """
 
-    def __init__(self, data, at, order, base):
+    def __init__(self, data, start, order, base):
         self.data = data
-        self.at = at
+        self.at = start
         self.order = order
         self.base = base
 
@@ -73,11 +73,11 @@ class _Reader:
 
     def count(self):
         """A count of parts, each of at least four octets."""
-        found = self.number()
-        if found * 4 > len(self.data) - self.at:
-            raise Fault("%d parts are announced, but %d octets are left" % (found, len(self.data) - self.at))
-        allowance.spend(found)
-        return found
+        count = self.number()
+        if count * 4 > len(self.data) - self.at:
+            raise Fault("%d parts are announced, but %d octets are left" % (count, len(self.data) - self.at))
+        allowance.spend(count)
+        return count
 
     def inside(self):
         """A reader of the encapsulation that begins here, which is passed over."""
@@ -88,57 +88,57 @@ class _Reader:
             raise Fault("an encapsulation without an end")
         return _Reader(self.data, start + 1, "<" if self.data[start] & 1 else ">", start)
 
-    def typecode(self, known, depth):
-        """The descriptor here; `known` {place:
+    def typecode(self, by_offset, depth):
+        """The descriptor here; `by_offset` {where a TypeCode begins:
         descriptor, or the list that will hold it} is for indirections to it.
         """
         if depth < 0:
             raise Fault("types inside types, deeper than %d" % descriptors.DEEPEST)
         kind = self.number()
-        place = self.at - 4
+        start = self.at - 4
         if kind == INDIRECTION:
             offset = self.number("i")
-            found = known.get(self.at - 4 + offset)
-            if found is None:
+            descriptor = by_offset.get(self.at - 4 + offset)
+            if descriptor is None:
                 raise Fault("an indirection to nowhere")
-            if isinstance(found, list):
-                return (INDIRECT, found)
-            return found
+            if isinstance(descriptor, list):
+                return (INDIRECT, descriptor)
+            return descriptor
         if kind in PLAIN:
             return kind
         if kind in (STRING, WSTRING):
-            found = (kind, self.number())
+            descriptor = (kind, self.number())
         elif kind == FIXED:
-            found = (kind, self.number("H"), self.number("h"))
+            descriptor = (kind, self.number("H"), self.number("h"))
         else:
-            hole = known[place] = [None]
-            hole[0] = found = self.inside().parts(kind, known, depth - 1)
-        known[place] = found
-        return found
+            hole = by_offset[start] = [None]
+            hole[0] = descriptor = self.inside().parts(kind, by_offset, depth - 1)
+        by_offset[start] = descriptor
+        return descriptor
 
-    def parts(self, kind, known, depth):
+    def parts(self, kind, by_offset, depth):
         """The descriptor of a type whose parts are in this encapsulation."""
         if kind in (SEQUENCE, ARRAY):
-            return kind, self.typecode(known, depth), self.number()
+            return kind, self.typecode(by_offset, depth), self.number()
         type_id = self.text()
         name = self.text()
         if kind == OBJECT:
             return kind, type_id, name
         if kind == ALIAS:
-            return kind, type_id, name, self.typecode(known, depth)
+            return kind, type_id, name, self.typecode(by_offset, depth)
         if kind == ENUM:
             return descriptors.enum(type_id, name, [self.text() for _ in range(self.count())])
         if kind in (STRUCT, EXCEPTION):
-            members = [(self.text(), self.typecode(known, depth)) for _ in range(self.count())]
+            members = [(self.text(), self.typecode(by_offset, depth)) for _ in range(self.count())]
             if kind == EXCEPTION:  # whose value begins with its id
                 members.insert(0, ("_id", (STRING, 0)))
             return (STRUCT, None, type_id, name) + tuple(part for member in members for part in member)
         if kind == UNION:
-            return self.union(type_id, name, known, depth)
+            return self.union(type_id, name, by_offset, depth)
         raise Fault(f"a type of kind {kind}")
 
-    def union(self, type_id, name, known, depth):
-        switch = self.typecode(known, depth)
+    def union(self, type_id, name, by_offset, depth):
+        switch = self.typecode(by_offset, depth)
         default = self.number("i")
         sort = descriptors.kind(descriptors.plain(switch))
         code = LABELS.get(sort)
@@ -151,7 +151,7 @@ class _Reader:
                 label = chr(label)
             if number == default and sort != descriptors.CHAR:
                 label = 0
-            cases.append((descriptors.label(switch, label), self.text(), self.typecode(known, depth)))
+            cases.append((descriptors.label(switch, label), self.text(), self.typecode(by_offset, depth)))
         if not -1 <= default < len(cases):
             raise Fault("a union whose default is not one of its cases")
         described = tuple(descriptors.Case(case) for case in cases)
@@ -168,15 +168,15 @@ def write(out, descriptor, order):
 
 
 class _Writer:
-    """Appends to `out`; `base` is where alignment counts from, `known` {identity of a struct or union: place}
-    is for types inside themselves.
+    """Appends to `out`; `base` is where alignment counts from, `offsets` {identity of a struct or union:
+    where its TypeCode begins} is for types inside themselves.
     """
 
-    def __init__(self, out, order, base, known):
+    def __init__(self, out, order, base, offsets):
         self.out = out
         self.order = order
         self.base = base
-        self.known = known
+        self.offsets = offsets
 
     def number(self, value, code="I"):
         form = struct.Struct(self.order + code)
@@ -192,9 +192,9 @@ class _Writer:
         if kind == INDIRECT:
             descriptor = descriptors.around(descriptor)
             kind = descriptors.kind(descriptor)
-        if id(descriptor) in self.known:
+        if id(descriptor) in self.offsets:
             self.number(INDIRECTION)
-            self.number(self.known[id(descriptor)] - len(self.out), "i")
+            self.number(self.offsets[id(descriptor)] - len(self.out), "i")
             return
         self.number(kind)
         if kind in (STRING, WSTRING):
@@ -205,15 +205,15 @@ class _Writer:
         elif kind not in PLAIN:
             self.encapsulated(descriptor, len(self.out) - 4)
 
-    def encapsulated(self, descriptor, place):
+    def encapsulated(self, descriptor, offset):
         self.number(0)
         start = len(self.out)
         self.out += b"\1" if self.order == "<" else b"\0"
-        inner = _Writer(self.out, self.order, start, self.known)
+        inner = _Writer(self.out, self.order, start, self.offsets)
         if descriptors.kind(descriptor) in (STRUCT, UNION):
-            self.known[id(descriptor)] = place
+            self.offsets[id(descriptor)] = offset
         inner.parts(descriptor)
-        self.known.pop(id(descriptor), None)
+        self.offsets.pop(id(descriptor), None)
         struct.pack_into(self.order + "I", self.out, start - 4, len(self.out) - start)
 
     def parts(self, descriptor):

@@ -37,18 +37,18 @@ class Names:
         if self.contexts >= MOST_CONTEXTS:
             raise Thrown("NO_RESOURCES")
         self.contexts += 1
-        made = self._make(self)
-        made.withdraw = orb.publish(made, self.host)
-        return made
+        context = self._make(self)
+        context.withdraw = orb.publish(context, self.host)
+        return context
 
     def iterator(self, bindings):
         """A reference to an iterator over these bindings; the oldest goes if there are too many."""
-        made = Iterator(bindings)
-        made.withdraw = orb.publish(made, self.host)
-        self.iterators.append(made)
+        iterator = Iterator(bindings)
+        iterator.withdraw = orb.publish(iterator, self.host)
+        self.iterators.append(iterator)
         if len(self.iterators) > MOST_ITERATORS:
             self.iterators.pop(0).withdraw()
-        return made.reference
+        return iterator.reference
 
 
 class Context:
@@ -79,13 +79,13 @@ class Context:
         self._put(name, reference, True, again=True)
 
     def bind_new_context(self, name):
-        made = self._names.context()
+        context = self._names.context()
         try:
-            self._put(name, made.reference, True, again=False)
+            self._put(name, context.reference, True, again=False)
         except Thrown:
-            made.end()
+            context.end()
             raise
-        return made.reference
+        return context.reference
 
     def new_context(self):
         return self._names.context().reference
@@ -98,11 +98,11 @@ class Context:
 
     def unbind(self, name):
         context, last = self._place(name)
-        known = context.bound.pop(last, None)
-        if known is None:
+        binding = context.bound.pop(last, None)
+        if binding is None:
             raise Thrown(_NOT_FOUND, _why("missing_node"), name[-1:])
         self._names.count -= 1
-        self._names.octets -= _octets(last, known[0])
+        self._names.octets -= _octets(last, binding[0])
 
     def destroy(self):
         if self.bound:
@@ -116,17 +116,17 @@ class Context:
             self._names.contexts -= 1
 
     def list(self, how_many):
-        found = [_binding(name, is_context) for name, (_, is_context) in self.bound.items()]
-        rest = found[how_many:]
+        bindings = [_binding(name, is_context) for name, (_, is_context) in self.bound.items()]
+        rest = bindings[how_many:]
         if not rest:
-            return found, None
-        return found[:how_many], self._names.iterator(rest)
+            return bindings, None
+        return bindings[:how_many], self._names.iterator(rest)
 
     # ---- operations of NamingContextExt ----
 
     def to_string(self, name):
         _check(name)
-        return "/".join(_spelt(each.id, each.kind) for each in name)
+        return "/".join(_spelt(part.id, part.kind) for part in name)
 
     def to_name(self, text):
         return [orb.struct("CosNaming.NameComponent")(*pair) for pair in parsed(text)]
@@ -146,8 +146,8 @@ class Context:
         """(the Context that the last part of a name is in, that part)"""
         _check(name)
         context = self
-        for number, each in enumerate(name[:-1]):
-            reference, is_context = context.bound.get((each.id, each.kind), (None, False))
+        for number, part in enumerate(name[:-1]):
+            reference, is_context = context.bound.get((part.id, part.kind), (None, False))
             if reference is None:
                 raise Thrown(_NOT_FOUND, _why("missing_node"), name[number:])
             if not is_context:
@@ -161,17 +161,17 @@ class Context:
         context, last = self._place(name)
         if reference is None:
             raise Thrown("BAD_PARAM")
-        known = context.bound.get(last)
-        if known is not None and not again:
+        binding = context.bound.get(last)
+        if binding is not None and not again:
             raise Thrown("CosNaming.NamingContext.AlreadyBound")
-        if known is not None and known[1] != is_context:
+        if binding is not None and binding[1] != is_context:
             raise Thrown(_NOT_FOUND, _why("not_context" if is_context else "not_object"), name[-1:])
         more = _octets(last, reference)
-        if known is not None:
-            more -= _octets(last, known[0])
-        if known is None and self._names.count >= MOST_NAMES or self._names.octets + more > MOST_OCTETS:
+        if binding is not None:
+            more -= _octets(last, binding[0])
+        if binding is None and self._names.count >= MOST_NAMES or self._names.octets + more > MOST_OCTETS:
             raise Thrown("NO_RESOURCES")
-        if known is None:
+        if binding is None:
             self._names.count += 1
         self._names.octets += more
         context.bound[last] = reference, is_context
@@ -195,9 +195,9 @@ class Iterator:
     def next_n(self, how_many):
         if not how_many:
             raise Thrown("BAD_PARAM")
-        found = self._bindings[:how_many]
+        bindings = self._bindings[:how_many]
         del self._bindings[:how_many]
-        return bool(found), found
+        return bool(bindings), bindings
 
     def destroy(self):
         self.withdraw()
@@ -214,7 +214,7 @@ def _why(word):
 
 
 def _check(name):
-    if not name or any(len(each.id) + len(each.kind) > LONGEST for each in name):
+    if not name or any(len(part.id) + len(part.kind) > LONGEST for part in name):
         raise Thrown("CosNaming.NamingContext.InvalidName")
 
 
@@ -241,12 +241,12 @@ def parsed(text):
     invalid = Thrown("CosNaming.NamingContext.InvalidName")
     if len(text) > LONGEST_TEXT:
         raise invalid
-    found = [["", None]]
+    parts = [["", None]]
     letters = iter(text)
     for letter in letters:
-        part = found[-1]
+        part = parts[-1]
         if letter == "/":
-            found.append(["", None])
+            parts.append(["", None])
             continue
         if letter == "." and part[1] is None:
             part[1] = ""
@@ -261,9 +261,9 @@ def parsed(text):
             part[0] += letter
         else:
             part[1] += letter
-    pairs = [(id, kind or "") for id, kind in found]
-    is_empty = any(not id and kind is None for id, kind in found)
-    is_cut = any(id and kind == "" for id, kind in found)
+    pairs = [(id, kind or "") for id, kind in parts]
+    is_empty = any(not id and kind is None for id, kind in parts)
+    is_cut = any(id and kind == "" for id, kind in parts)
     if is_empty or is_cut:
         raise invalid
     return list(itertools.islice(pairs, MOST_NAMES))

@@ -75,8 +75,8 @@ class Port:
         return list(self.connectors.values())
 
     def get_connector_profile(self, connector_id):
-        found = self.connectors.get(connector_id)
-        return found or orb.struct("RTC.ConnectorProfile")("", "", [], [])
+        profile = self.connectors.get(connector_id)
+        return profile or orb.struct("RTC.ConnectorProfile")("", "", [], [])
 
     async def connect(self, profile):
         profile = _plain(profile)
@@ -86,13 +86,13 @@ class Port:
             return code("PRECONDITION_NOT_MET"), profile
         profile = _with_id(profile)
         try:
-            result, made = await _ask(profile.ports[0], "notify_connect", profile)
+            result, answered = await _ask(profile.ports[0], "notify_connect", profile)
         except errors.Error:
             result = code("BAD_PARAMETER")
-            made = profile
+            answered = profile
         if result._n != "RTC_OK" and profile.connector_id in self.connectors:
             await self.disconnect(profile.connector_id)
-        return result, made
+        return result, answered
 
     async def notify_connect(self, profile):
         profile = _plain(profile)
@@ -138,7 +138,7 @@ class Port:
 
     def _places(self, profile):
         """The numbers of the ports of a ConnectorProfile that are this one."""
-        return [at for at, end in enumerate(profile.ports) if orb.same(end, self.reference)]
+        return [number for number, end in enumerate(profile.ports) if orb.same(end, self.reference)]
 
     def _is_double(self, profile):
         """Whether another connector joins it with one of these ports."""
@@ -146,8 +146,8 @@ class Port:
         if given.get("dataport.allow_dup_connection", "").upper() == "YES":
             return False
         others = {orb.identity(end) for end in profile.ports if not orb.same(end, self.reference)}
-        for known in self.connectors.values():
-            if others.intersection(orb.identity(end) for end in known.ports if end):
+        for other_profile in self.connectors.values():
+            if others.intersection(orb.identity(end) for end in other_profile.ports if end):
                 return True
         return False
 
@@ -215,9 +215,9 @@ class DataPort(Port):
             raise _Refusal("UNSUPPORTED")
         if "dataport.serializer.cdr.endian" not in given:
             profile.properties += nvlist([("dataport.serializer.cdr.endian", "little,big")])
-        made = self.kinds[flow](self, interface, little, given)
-        profile.properties += nvlist(made.published())
-        return made
+        carrier = self.kinds[flow](self, interface, little, given)
+        profile.properties += nvlist(carrier.published())
+        return carrier
 
 
 class OutPort(DataPort):
@@ -237,8 +237,8 @@ class OutPort(DataPort):
 
     def lost(self, carrier):
         """Remove the connector of a carrier whose far end is gone: a coroutine."""
-        for connector_id, known in list(self.carriers.items()):
-            if known is carrier:
+        for connector_id, other in list(self.carriers.items()):
+            if other is carrier:
                 return self.disconnect(connector_id)
         return None
 
@@ -289,8 +289,8 @@ def _with_id(profile):
     if profile.connector_id:
         return profile
     digits = loop.world().octets(16).hex()
-    made = f"{digits[:8]}-{digits[8:12]}-4{digits[13:16]}-a{digits[17:20]}-{digits[20:]}"
-    return _made(profile.name, made, profile.ports, profile.properties)
+    uuid = f"{digits[:8]}-{digits[8:12]}-4{digits[13:16]}-a{digits[17:20]}-{digits[20:]}"
+    return _made(profile.name, uuid, profile.ports, profile.properties)
 
 
 async def _ask(end, operation, argument):

@@ -204,12 +204,12 @@ async def create(node, argument, wait=None):
     known of the reason.
     """
     before = await components(node)
-    wanted = dict(pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair).get(
-        "instance_name"
-    )
-    if wanted in [name for name, _ in before]:
+    instance_name = dict(
+        pair.split("=", 1) for pair in argument.partition("?")[2].split("&") if "=" in pair
+    ).get("instance_name")
+    if instance_name in [name for name, _ in before]:
         # managers do not refuse it: two components of one name crash their process later (C++ 1.x)
-        raise errors.Refused(str(node.path), f"has a component {printable(wanted)} already")
+        raise errors.Refused(str(node.path), f"has a component {printable(instance_name)} already")
     slaves = [slave.ref for slave in await tree.slaves(node)]
     ref = None
     for spelling in await _spellings(node, argument):
@@ -220,11 +220,11 @@ async def create(node, argument, wait=None):
         raise errors.Refused(str(node.path), f"does not create {printable(argument)} ({why})")
     created = tree.Node(node.path, "component", ref)
     name = from_wire(await component.uncertain_if_refused(created.call("get_sdo_id")))
-    if any(orb.same(ref, known.ref) for _, known in before):
+    if any(orb.same(ref, before_profile.ref) for _, before_profile in before):
         raise errors.Refused(
             str(node.path), f"created nothing new: it returned {printable(name)}, which was there"
         )
-    if name in [known for known, _ in before]:
+    if name in [before_name for before_name, _ in before]:
         raise errors.Refused(str(node.path), await _same_name(node, created, printable(name)))
     if wait is not None:
         await _until(
@@ -304,12 +304,12 @@ async def whole_id(node, ident):
     if len(fields) == 6 and fields[4]:
         return ident
     _, vendor, category, name = fields[:4]
-    wanted = {"vendor": vendor, "category": category, "version": fields[-1]}
+    fields_of_id = {"vendor": vendor, "category": category, "version": fields[-1]}
     for operation in ("get_factory_profiles", "get_loadable_modules"):
         for module in await modules(node, operation):
             is_named = name in (module.get("implementation_id"), module.get("type_name"))
             # Python may not find out all
-            if is_named and all(module.get(key, "") in ("", value) for key, value in wanted.items()):
+            if is_named and all(module.get(key, "") in ("", value) for key, value in fields_of_id.items()):
                 return component_id(module)
     return ident
 
@@ -317,13 +317,13 @@ async def whole_id(node, ident):
 async def _why_not(node, argument):
     """What can be found out of the reason: managers give none."""
     ident = argument.partition("?")[0]
-    wanted = ident.split(":")[3] if ident.count(":") > 3 else ident
+    bare_id = ident.split(":")[3] if ident.count(":") > 3 else ident
     factories = await modules(node, "get_factory_profiles")
-    alike = [factory for factory in factories if factory.get("implementation_id") == wanted]
+    alike = [factory for factory in factories if factory.get("implementation_id") == bare_id]
     if not alike:
-        known = sorted({factory.get("implementation_id", "") for factory in factories})
-        return f"no factory {printable(wanted)}; there are: {printable(', '.join(known)) or 'none'}"
-    if ident != wanted and ident not in map(component_id, alike):
+        ids = sorted({factory.get("implementation_id", "") for factory in factories})
+        return f"no factory {printable(bare_id)}; there are: {printable(', '.join(ids)) or 'none'}"
+    if ident != bare_id and ident not in map(component_id, alike):
         return "there is " + printable(", ".join(map(component_id, alike)))
     most = alike[0].get("max_instance", "0")
     limit = f"its max_instance of {printable(most)} is reached, " if most != "0" else ""
@@ -385,13 +385,13 @@ async def load(node, file_path, function):
     Returns how many factories there are that were not there before.
     """
     before = await _loaded(node)
-    known = len(await _modules(node, "get_factory_profiles"))
+    factories = len(await _modules(node, "get_factory_profiles"))
     code = str(await node.call("load_module", to_wire(file_path), to_wire(function), seconds=CREATE_TIME))
     after = await _loaded(node)
     is_loaded = meant(file_path, after) or len(after) > len(before)
     if code != "RTC_OK" or not is_loaded:
         raise errors.Refused(str(node.path), f"did not load {printable(file_path)} (it returned {code})")
-    return len(await _modules(node, "get_factory_profiles")) - known
+    return len(await _modules(node, "get_factory_profiles")) - factories
 
 
 def meant(word, paths):
@@ -406,15 +406,15 @@ def meant(word, paths):
     if word in paths:
         return [word]
     tail = re.sub(r"^(\.\./)*", "", _plain(re.sub(r"^.*\$[^/]*/", "", word)))
-    known = {path: _plain(path) for path in paths}
+    plain_paths = {path: _plain(path) for path in paths}
 
     def ends(path):
         return path == tail or path.endswith("/" + tail.lstrip("/"))
 
-    found = sorted(path for path, plain in known.items() if ends(plain))
-    if found:
-        return found
-    return sorted(path for path, plain in known.items() if ends(posixpath.splitext(plain)[0]))
+    exact = sorted(path for path, plain in plain_paths.items() if ends(plain))
+    if exact:
+        return exact
+    return sorted(path for path, plain in plain_paths.items() if ends(posixpath.splitext(plain)[0]))
 
 
 def _plain(path):
@@ -511,14 +511,14 @@ async def shut_down(node, wait=None, above=()):
     Slaves can only be found through their master, so it is left running if one of them is. A process may take
     `wait` seconds, or END_TIME; it has ended when nobody listens there any more.
     """
-    known = [node.ref] + list(above)
+    managers = [node.ref] + list(above)
     slaves = []
     for slave in await tree.slaves(node):
-        is_known = any(orb.same(slave.ref, ref) for ref in known)
+        is_known = any(orb.same(slave.ref, ref) for ref in managers)
         if slave.kind != "zombie" and not is_known:
             slaves.append(slave)
     parts = await session.each(
-        [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, known)
+        [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, managers)
     )
     results = []
     left = []
@@ -547,11 +547,11 @@ async def _delete_composites(node):
     for answer in await profiles(node, lambda child: child.endpoint == node.endpoint):
         if isinstance(answer, errors.Error):
             continue
-        child, known = answer
-        if known.category.startswith("composite."):
+        child, profile = answer
+        if profile.category.startswith("composite."):
             try:
                 await exiting.leave(child)
-                await node.call("delete_component", to_wire(known.instance_name), seconds=CREATE_TIME)
+                await node.call("delete_component", to_wire(profile.instance_name), seconds=CREATE_TIME)
             except errors.Error:
                 pass
 

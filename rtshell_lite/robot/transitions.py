@@ -42,14 +42,14 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
     return await session.each([_with_all(node) for node in nodes], change_one)
 
 
-def _with_all(found):
+def _with_all(error):
     """A WrongKind that names the option for what is below a directory; anything else as it is."""
-    if not isinstance(found, errors.WrongKind):
-        return found
-    where, wanted, kind = found.args
+    if not isinstance(error, errors.WrongKind):
+        return error
+    where, expected, kind = error.args
     if kind in ("directory", "name server", "root directory"):
         kind += "; --all takes the components in it"
-    return errors.WrongKind(where, wanted, kind)
+    return errors.WrongKind(where, expected, kind)
 
 
 async def change_below(paths, transition, index=None, wait=None, dry_run=False):
@@ -93,9 +93,9 @@ async def _command(node, transition, index):
         if context.state == "Active":
             return ""
         return _words(transition, context.index or None, node)
-    wanted = _to_leave(contexts)
-    _check_that_one_answers(node, wanted)
-    if wanted:
+    leaving = _to_leave(contexts)
+    _check_that_one_answers(node, leaving)
+    if leaving:
         return _words(transition, None, node)
     return ""
 
@@ -114,7 +114,7 @@ async def context_states(node):
     """
     owned = await component.owned_context_refs(node)
     participating = await component.participating_context_refs(node)
-    found = []
+    context_states = []
     for index, ref in enumerate(owned + participating):
         try:
             state = await component.state_in(node, ref)
@@ -128,10 +128,10 @@ async def context_states(node):
             if await _proves_death(e, ref, node):
                 continue
             state = "Unknown"
-        found.append(ContextState(index, ref, index < len(owned), state))
-    if not found:
+        context_states.append(ContextState(index, ref, index < len(owned), state))
+    if not context_states:
         raise errors.NoSuch(str(node.path), "execution context", "0 (it has 0)")
-    return found
+    return context_states
 
 
 async def _proves_death(failure, ref, node):
@@ -203,8 +203,8 @@ def _to_leave(contexts):
     """The contexts in which a component has to become Inactive.
     A context that does not know it (Created) is asked only if none does.
     """
-    known = [context for context in contexts if context.state != "Created"] or contexts[:1]
-    return [context for context in known if context.state != "Inactive"]
+    knowing = [context for context in contexts if context.state != "Created"] or contexts[:1]
+    return [context for context in knowing if context.state != "Inactive"]
 
 
 def _check_that_one_answers(node, contexts):
@@ -228,12 +228,12 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
     All contexts are asked before one is waited for: where a component stops slowly, or never, it stops
     elsewhere all the same.
     """
-    wanted = _to_leave(contexts)
+    leaving = _to_leave(contexts)
     asked = []
     failures = []
     reached = set()
     start = loop.now()
-    for context in wanted:
+    for context in leaving:
         try:
             _check_that_one_answers(node, [context])
             asked.append(
@@ -274,8 +274,8 @@ async def _to_activate(node, contexts):
     settled = _all_in(contexts, "Active") or _all_in(contexts, "Error")
     if settled or len(contexts) == 1:
         return (settled or contexts)[0]
-    known = [context for context in contexts if context.state != "Unknown"]
-    for context in known:
+    answering = [context for context in contexts if context.state != "Unknown"]
+    for context in answering:
         if await component.or_default(
             node, context.ref, orb.call(node.path, context.ref, "is_running"), False
         ):
@@ -342,10 +342,10 @@ async def _request(node, ref, transition, wait, called, stage):
     # C++ 1.1 answers a deactivation only after 10 periods, 10 s at 1 Hz: `wait` is for the answer, too
     code = await orb.call(node.path, ref, transition.operation, node.typed, seconds=wait)
     if str(code) == "BAD_PARAMETER":
-        known = await component.canonical(node)
-        if known is None:
+        reference = await component.canonical(node)
+        if reference is None:
             raise errors.Refused(str(node.path), "is not in " + called)
-        code = await orb.call(node.path, ref, transition.operation, known, seconds=wait)
+        code = await orb.call(node.path, ref, transition.operation, reference, seconds=wait)
     if str(code) == "RTC_OK":
         stage("accepted")
     return str(code)
@@ -378,10 +378,10 @@ async def state_as_planned(node, transition, wait):
     """
     contexts = await context_states(node)
     if transition is not ACTIVATE:
-        wanted = _to_leave(contexts)
-        _check_that_one_answers(node, wanted)
-        if wanted:
-            return component.merged([context.state for context in wanted])
+        leaving = _to_leave(contexts)
+        _check_that_one_answers(node, leaving)
+        if leaving:
+            return component.merged([context.state for context in leaving])
         return transition.target
     active = _all_in(contexts, "Active")
     if not active:

@@ -332,9 +332,9 @@ async def children(node, objects=()):
     names = await bound(node)
     nodes = []
     if objects:
-        known = {entry: objects.get(str(node.path.child(entry[0]))) for entry in names}
-        nodes = [found for found in known.values() if found is not None]
-        names = [entry for entry in names if known[entry] is None]
+        known_nodes = {entry: objects.get(str(node.path.child(entry[0]))) for entry in names}
+        nodes = [node for node in known_nodes.values() if node is not None]
+        names = [entry for entry in names if known_nodes[entry] is None]
     while names:
         batch = [(context, node.path.child(name), is_context) for name, is_context in names[-AT_ONCE:]]
         names = names[:-AT_ONCE]
@@ -466,8 +466,8 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
         servers, lambda server: _walk(server, depth, managers, aliases.Known(servers)),
         lambda server: (server.endpoint, str(server.path)),
     )
-    known = aliases.Known(servers)
-    found = []
+    entered = aliases.Known(servers)
+    nodes = []
     for server, part in zip(servers, parts):
         if isinstance(part, errors.Error):
             server.error = part
@@ -478,13 +478,13 @@ async def walk_servers(servers, depth=DEPTH, managers=True):
                 continue
             hidden = None
             if node.kind in ("directory", "manager") and node.path.names:
-                node.alias = await known.path(node) or node.alias
+                node.alias = await entered.path(node) or node.alias
                 if node.alias:
                     hidden = node.path.names
                 elif len(node.path.names) < depth:
-                    known.enter(node)
-            found.append(node)
-    return found
+                    entered.enter(node)
+            nodes.append(node)
+    return nodes
 
 
 class _Limit:
@@ -523,17 +523,17 @@ class _Limit:
         )
 
 
-async def _walk(node, depth, managers, known, objects=()):
+async def _walk(node, depth, managers, entered, objects=()):
     limit = _Limit(node)
-    found = []
-    entering = _enter(node, depth, managers, known, objects, limit, found, {})
+    nodes = []
+    entering = _enter(node, depth, managers, entered, objects, limit, nodes, {})
     if not await loop.race(entering, limit.pass_by()):
         limit.report()
-    return found or [node]
+    return nodes or [node]
 
 
-async def _enter(node, depth, managers, known, objects, limit, found, listed):
-    """Append a Node, and all below it, to the list `found`; False where the limit was reached. `listed`:
+async def _enter(node, depth, managers, entered, objects, limit, nodes, listed):
+    """Append a Node, and all below it, to the list `nodes`; False where the limit was reached. `listed`:
     {Node of a manager: its children}, as far as they have been asked for.
     """
     if not limit.takes(node):
@@ -541,17 +541,17 @@ async def _enter(node, depth, managers, known, objects, limit, found, listed):
     if node.kind == "unsure" and not node.path.names:
         (node,) = await check_alive([node])
     if node.kind in ("directory", "manager") and node.path.names:
-        node.alias = await known.path(node)
-    found.append(node)
+        node.alias = await entered.path(node)
+    nodes.append(node)
     if node.kind not in DIRECTORIES or node.alias is not None or depth <= 0:
         return True
-    known.enter(node)
+    entered.enter(node)
     below = []
     if managers or not node.path.names or node.kind != "manager":
         below = listed[node] if node in listed else await _below(node, objects)
-    listed = await _below_managers(below, known) if managers and depth > 1 else {}
+    listed = await _below_managers(below, entered) if managers and depth > 1 else {}
     for child in below:
-        if not await _enter(child, depth - 1, managers, known, objects, limit, found, listed):
+        if not await _enter(child, depth - 1, managers, entered, objects, limit, nodes, listed):
             return False
     return True
 
@@ -567,13 +567,13 @@ async def _below(node, objects):
         return []
 
 
-async def _below_managers(nodes, known):
+async def _below_managers(nodes, entered):
     """{Node: its children} of the managers among Nodes that have not been entered. All are asked at the same
     time: one after the other, each that hangs would cost a timeout.
     """
     asked = {}
     for node in nodes:
-        if node.kind == "manager" and await known.path(node) is None:
+        if node.kind == "manager" and await entered.path(node) is None:
             asked.setdefault(orb.identity(node.ref), node)
     listed = await loop.each(asked.values(), _below_manager, lambda node: node.endpoint)
     return dict(zip(asked.values(), listed))

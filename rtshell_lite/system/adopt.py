@@ -17,43 +17,43 @@ async def adopt(profile):
     listed = restore.places(profile)
     tops = sorted({placement.path._replace(names=()) for placement in listed}, key=str)
     now = await capture.capture(tops, all_components=True)
-    found = {}
-    for each, made in zip(now.found, now.profile.components):
-        found[each.node.path] = each, made
+    captured = {}
+    for answer, described in zip(now.found, now.profile.components):
+        captured[answer.node.path] = answer, described
     for placement in listed:
-        if placement.path not in found:
+        if placement.path not in captured:
             mine = [error for error in now.failures if error.where == placement.where]
             raise (mine + now.failures + [errors.NotFound(placement.where)])[0]
     for placement in listed:
-        _take_component(placement.component, *found[placement.path])
-    wanted = set()
-    for path, (_, made) in found.items():
+        _take_component(placement.component, *captured[placement.path])
+    ids = set()
+    for path, (_, described) in captured.items():
         if path in {placement.path for placement in listed}:
-            wanted.add(id(made))
+            ids.add(id(described))
     locate = capture.locator(now.profile)
     for kind in KINDS:
         present = [
             connector
             for connector in getattr(now.profile, kind)
-            if all(id(locate(end)) in wanted for end in connector.ends)
+            if all(id(locate(end)) in ids for end in connector.ends)
         ]
         setattr(profile, kind, _connectors(getattr(profile, kind), present))
 
 
-def _take_component(of_file, found, made):
-    """Change a model.Component to what its capture.ComponentState has; `made` is the one that rtcryo would
-    write.
+def _take_component(of_file, answer, described):
+    """Change a model.Component to what its capture.ComponentState has; `described` is the one that rtcryo
+    would write.
     """
-    values = {one.id: one.values for one in found.sets}
-    for one in of_file.configuration_sets:
-        for item in one.configuration_data:
-            item.data = values.get(one.id, {}).get(item.name, item.data)
-    if of_file.active_configuration_set and found.active:
-        of_file.active_configuration_set = found.active
-    rates = {str(context.handle): context.rate for context in found.owned}
+    values = {one_set.id: one_set.values for one_set in answer.sets}
+    for one_set in of_file.configuration_sets:
+        for item in one_set.configuration_data:
+            item.data = values.get(one_set.id, {}).get(item.name, item.data)
+    if of_file.active_configuration_set and answer.active:
+        of_file.active_configuration_set = answer.active
+    rates = {str(context.handle): context.rate for context in answer.owned}
     for context in of_file.execution_contexts:
         context.rate = rates.get(context.id, context.rate)
-    of_file.participants = made.participants
+    of_file.participants = described.participants
 
 
 def _connectors(listed, present):

@@ -47,16 +47,16 @@ async def restoring(profile, options):
 async def commands(profile, planned, options):
     """The commands that would bring the system to what a profile says now, its states by its Plan."""
     outcomes = await restoring(profile, options)
-    found = [outcome.step.command for outcome in outcomes if outcome.pending and not outcome.likely]
+    lines = [outcome.step.command for outcome in outcomes if outcome.pending and not outcome.likely]
     states = dict(zip(map(id, profile.components), await capture.states(profile)))
     for action in plan.in_order(planned.actions):
         state = states.pop(id(action.component), "Active")
         path = shell_word(action.path)
         if state == "Error":
-            found += ["rtreset --wait " + path]
+            lines += ["rtreset --wait " + path]
         if state in ("Error", "Inactive"):
-            found += ["rtact --wait " + path]
-    return found
+            lines += ["rtact --wait " + path]
+    return lines
 
 
 async def parts(listed, placement_of):
@@ -224,19 +224,19 @@ async def memberships(placement, placement_of):
 async def _configurations(placement):
     """Whether the parameters of each set have their values, and which set is active."""
     outcomes = []
-    for one in placement.component.configuration_sets:
-        wanted = steps.wanted_values(one)
+    for one_set in placement.component.configuration_sets:
+        expected = steps.wanted_values(one_set)
         unknown = steps.Values(
-            placement, one.id, wanted
+            placement, one_set.id, expected
         ).unknown()  # do not keep the others from their values
-        known = collections.OrderedDict(
-            (name, value) for name, value in wanted.items() if name not in unknown
+        existing = collections.OrderedDict(
+            (name, value) for name, value in expected.items() if name not in unknown
         )
-        parts = [{name: wanted[name]} for name in unknown]
-        if known:
-            parts.append(known)
+        parts = [{name: expected[name]} for name in unknown]
+        if existing:
+            parts.append(existing)
         for part in parts:
-            outcomes.append(await apply.assess(steps.Values(placement, one.id, part)))
+            outcomes.append(await apply.assess(steps.Values(placement, one_set.id, part)))
     if placement.component.active_configuration_set:
         active = await apply.assess(steps.Active(placement, placement.component.active_configuration_set))
         if active.status == ALREADY and any(outcome.pending for outcome in outcomes):
@@ -250,9 +250,9 @@ async def _configurations(placement):
 async def _rates(placement):
     """Whether the execution contexts that a component owns have their rates."""
     return [
-        await apply.assess(steps.Rate(placement, index, handle, wanted.rate))
-        for index, handle, wanted in steps.own_contexts(placement)
-        if 0 < wanted.rate < float("inf") and wanted.kind.upper()[:8] == "PERIODIC"
+        await apply.assess(steps.Rate(placement, index, handle, described.rate))
+        for index, handle, described in steps.own_contexts(placement)
+        if 0 < described.rate < float("inf") and described.kind.upper()[:8] == "PERIODIC"
     ]
 
 
@@ -261,11 +261,11 @@ async def _participations(placement, placement_of):
     a composite lists its members itself.
     """
     outcomes = []
-    for index, handle, wanted in steps.own_contexts(placement):
+    for index, handle, described in steps.own_contexts(placement):
         if placement.component.participants:
             others = []
         else:
-            others = steps.participants(placement, wanted, placement_of)
+            others = steps.participants(placement, described, placement_of)
         present = [other for other in others if other.error is None]
         absent = [other for other in others if other.error is not None]
         for part in (present, absent):
@@ -313,15 +313,15 @@ async def connections(connecting):
 
 def _strange_ends(step):
     """References of the ports that the rest of a connection joins, and that are not those of the profile."""
-    at = step.known_answers()
-    known = {orb.identity(port.ref) for port in at}
+    answers = step.known_answers()
+    own = {orb.identity(port.ref) for port in answers}
     refs = {
         orb.identity(ref): ref
-        for _, connector in step.leftovers(at)
+        for _, connector in step.leftovers(answers)
         for ref in connector.ports
         if ref is not None
     }
-    return [ref for key, ref in sorted(refs.items()) if key not in known]
+    return [ref for key, ref in sorted(refs.items()) if key not in own]
 
 
 # ---- tearing down ----

@@ -192,15 +192,15 @@ class Service:
         """The lines of the answer to a request of `rtkeep COMMAND NAME …`. Raises NoSuch."""
         command = request["command"]
         if command == "status":
-            kept = [*self.keeper.followed, *self.processes.all]
-            return [self.as_dict()] + [one.as_dict() for one in kept]
+            all_kept = [*self.keeper.followed, *self.processes.all]
+            return [self.as_dict()] + [kept.as_dict() for kept in all_kept]
         if command == "reload":
             self._reload()
         elif command == "stop" and not request["names"]:
             self._want("stop")
         elif command in ("pause", "resume", "stop"):
-            for one in self._named(request["names"]):
-                getattr(self, "_" + command)(one)
+            for kept in self._named(request["names"]):
+                getattr(self, "_" + command)(kept)
         else:
             raise errors.Usage(f"no such command: {command}")
         return []
@@ -219,35 +219,35 @@ class Service:
         """KeptComponents and Processes; all where there are no names."""
         if not names:
             return [*self.keeper.followed, *self.processes.all]
-        found = []
+        all_kept = []
         for name in names:
             meant = self.keeper.named(name) + self.processes.named(name)
             if not meant:
                 raise errors.NoSuch(self.name, "component or process in it", name)
             if len(meant) > 1:
-                paths = ", ".join(one.as_dict()["object"] for one in meant)
+                paths = ", ".join(kept.as_dict()["object"] for kept in meant)
                 raise errors.Ambiguous(name, paths)
-            found += meant
-        return found
+            all_kept += meant
+        return all_kept
 
-    def _pause(self, one):
-        if isinstance(one, KeptComponent):
-            one.is_paused = True
+    def _pause(self, kept):
+        if isinstance(kept, KeptComponent):
+            kept.is_paused = True
         else:
-            one.is_wanted = False
+            kept.is_wanted = False
 
-    def _resume(self, one):
-        if isinstance(one, KeptComponent):
-            one.take_back()
+    def _resume(self, kept):
+        if isinstance(kept, KeptComponent):
+            kept.take_back()
         else:
-            self.processes.resume(one)
+            self.processes.resume(kept)
 
-    def _stop(self, one):
-        if isinstance(one, KeptComponent):
-            one.is_paused = True
-            self.keeper.start(self.keeper.deactivate(one, "", "deactivated on request"))
+    def _stop(self, kept):
+        if isinstance(kept, KeptComponent):
+            kept.is_paused = True
+            self.keeper.start(self.keeper.deactivate(kept, "", "deactivated on request"))
         else:
-            self.keeper.start(self.processes.stop([one]))
+            self.keeper.start(self.processes.stop([kept]))
 
 
 def _has_terminal():

@@ -149,17 +149,17 @@ def _rows(columns, lines, width):
         wide = max(item.width for item in items) + BESIDE
         sizes.append((wide, sum(item.height + item.space for item in items)))
     total = sum(wide for wide, _ in sizes)
-    found = []
+    breaks = []
     count = 0
     while count < len(columns):
         count += 1 + count // 10
         # one row may be half a column wider than the others
         starts, height = _breaks(sizes, total / count + total / len(columns) / 2)
-        wanted = max(width, (height + lines * LANE) * PAGE[0] / PAGE[1])
+        row_width = max(width, (height + lines * LANE) * PAGE[0] / PAGE[1])
         # that it is too wide is worse
-        wider = math.log((total + 2 * lines * LANE) / count / wanted)
-        found.append((max(2 * wider, -wider), count, starts))
-    _, _, starts = min(found)
+        wider = math.log((total + 2 * lines * LANE) / count / row_width)
+        breaks.append((max(2 * wider, -wider), count, starts))
+    _, _, starts = min(breaks)
     rows = []
     for row, (start, end) in enumerate(zip(starts, starts[1:] + [len(columns)])):
         rows.append(columns[start:end])
@@ -198,10 +198,10 @@ def _way(edge, picture, boxes, rank, columns):
         passing.column = column
         columns[column].append(passing)
     stops = [boxes[source]] + way + [boxes[target]]
-    at = [_height(rights, out)] + [0.5] * len(way) + [_height(lefts, into)]
+    heights = [_height(rights, out)] + [0.5] * len(way) + [_height(lefts, into)]
     for place in range(len(stops) - 1):
-        stops[place].after.append((stops[place + 1], at[place + 1], at[place]))
-        stops[place + 1].before.append((stops[place], at[place], at[place + 1]))
+        stops[place].after.append((stops[place + 1], heights[place + 1], heights[place]))
+        stops[place + 1].before.append((stops[place], heights[place], heights[place + 1]))
     return way
 
 
@@ -221,10 +221,10 @@ def _sort(columns):
     fewest = _crossings(columns)
     for _ in range(_SWEEPS):
         for items in columns[1:]:
-            items.sort(key=lambda item: _mean([other.place + at for other, at, _ in item.before], item.place))
+            items.sort(key=lambda item: _mean([other.place + y for other, y, _ in item.before], item.place))
             _number(items)
         for items in reversed(columns[:-1]):
-            items.sort(key=lambda item: _mean([other.place + at for other, at, _ in item.after], item.place))
+            items.sort(key=lambda item: _mean([other.place + y for other, y, _ in item.after], item.place))
             _number(items)
         crossings = _crossings(columns)
         if crossings >= fewest:
@@ -255,12 +255,12 @@ def _crossings(columns):
 def _inversions(values):
     """How many pairs of values are in the wrong order."""
     seen = []
-    found = 0
+    inversions = 0
     for value in values:
         place = bisect.bisect_right(seen, value)
-        found += len(seen) - place
+        inversions += len(seen) - place
         seen.insert(place, value)  # to move the rest costs less than a tree, up to some 10,000
-    return found
+    return inversions
 
 
 def _mean(values, otherwise):
@@ -289,17 +289,17 @@ def _put_below(columns):
 
 def _wanted(item, lines):
     """The y at which the lines of an item are straight, on the average."""
-    wanted = [other.y + at * other.height - here * item.height for other, at, here in lines]
-    return _mean(wanted, item.y)
+    ys = [other.y + there * other.height - here * item.height for other, there, here in lines]
+    return _mean(ys, item.y)
 
 
-def _stack(items, wanted):
+def _stack(items, ys):
     """Put Items below each other, together as near to their wanted y as possible."""
     free = -float("inf")
-    for item, y in zip(items, wanted):
+    for item, y in zip(items, ys):
         item.y = max(y, free)
         free = item.y + item.height + item.space
-    shift = _mean([y - item.y for item, y in zip(items, wanted)], 0)
+    shift = _mean([y - item.y for item, y in zip(items, ys)], 0)
     for item in items:
         item.y = int(item.y + shift)
 
@@ -309,7 +309,7 @@ def _stack(items, wanted):
 
 def _detours(picture, boxes, ways, port_of):
     """The Detours of the edges that pass no Items; they are put into `ways`."""
-    found = []
+    detours = []
     for place, (source, out, target, into, _) in enumerate(picture.edges):
         if ways[place] is None:
             ends = []
@@ -317,8 +317,8 @@ def _detours(picture, boxes, ways, port_of):
                 _, y, side = port_of(item, port)
                 ends.append((item, y, side))
             ways[place] = Detour(ends)
-            found.append(ways[place])
-    return found
+            detours.append(ways[place])
+    return detours
 
 
 def _turns(detours):
@@ -330,7 +330,7 @@ def _turns(detours):
         for end, (item, y, side) in enumerate(detour.ends):
             order = (1, y, number, end) if detour.lanes[-end] < item.row else (0, -y, number, end)
             turns[item.column, side].append((order, detour, end))
-    return {key: sorted(found, key=lambda turn: turn[0]) for key, found in turns.items()}
+    return {key: sorted(ends, key=lambda turn: turn[0]) for key, ends in turns.items()}
 
 
 def _put_beside(rows, turns):

@@ -22,9 +22,9 @@ async def of_robot(tops, everything, with_snapshots=False):
     Where a connection leads to one, that is drawn: it may be gone.
     `with_snapshots`: all that rtcat shows. `results` are capture.ComponentState and errors.Error.
     """
-    found = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
-    lost = {failure.where: None for failure in found.failures}
-    return of_system(found, dict(lost, **found.lost))
+    system = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
+    lost = {failure.where: None for failure in system.failures}
+    return of_system(system, dict(lost, **system.lost))
 
 
 def of_system(system, lost, states=()):
@@ -33,15 +33,15 @@ def of_system(system, lost, states=()):
     """
     states = dict(states)
     profile = system.profile
-    looks = [Look(capture.state(each), each.node.endpoint, each.snapshot) for each in system.found]
+    looks = [Look(capture.state(answer), answer.node.endpoint, answer.snapshot) for answer in system.found]
     for where, process in lost.items():
         silent = _silent(where)
         if silent is not None:
             profile.components.append(silent)
             looks.append(SILENT._replace(process=process, state=states.get(where, SILENT.state)))
-    for each in system.loose:
-        _tie(each, profile, lost)
-    tied = {each.note for each in system.loose}
+    for loose in system.loose:
+        _tie(loose, profile, lost)
+    tied = {loose.note for loose in system.loose}
     notes = [line for line in system.notes if line not in tied]
     picture = _of(profile, looks)
     for box in picture.boxes[len(looks) :]:  # of ends that do not answer
@@ -57,7 +57,7 @@ def _tie(loose, profile, lost):
     """
     ends = loose.connector.ends
     where = [path for path, process in lost.items() if process == loose.endpoint]
-    there = [each for each in profile.components if capture.shown_path(each) in where]
+    there = [component for component in profile.components if capture.shown_path(component) in where]
     if len(there) == 1:
         path_id = model.Property(name=capture.PATH_ID, value=there[0].path_uri)
         other = model.TargetPort(
@@ -89,7 +89,7 @@ async def of_profile(profile):
     errors.Error.
     """
     results = await capture.ask_each(profile, _look)
-    looks = [SILENT if isinstance(each, errors.Error) else each for each in results]
+    looks = [SILENT if isinstance(result, errors.Error) else result for result in results]
     return graph.Drawing(_of(profile, looks), profile, results, [])
 
 
@@ -98,7 +98,7 @@ async def _look(node):
 
 
 def _of(profile, looks):
-    states = {each.path_uri: look.state for each, look in zip(profile.components, looks)}
+    states = {component.path_uri: look.state for component, look in zip(profile.components, looks)}
     picture = graph.of(profile, states)
     for box, look in zip(picture.boxes, looks):
         box.process = look.process
@@ -128,9 +128,9 @@ async def measure(picture, seconds):
     return failures
 
 
-def _out_ports(box, found):
+def _out_ports(box, drawn):
     """(name, port) of the DataOutPorts of a box that are drawn."""
-    for port in found:
+    for port in drawn:
         name = ports.short_name(port.name, box.name)
         if port.type == "DataOutPort" and name in box.right:
             yield name, port

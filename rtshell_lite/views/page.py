@@ -74,7 +74,7 @@ def _html(title, system, scripts, connect):
         "policy": _policy(script, style, connect),
         "system": system,
     }
-    return re.sub(r"\$(\w+)", lambda found: contents[found.group(1)], _file("page.html"))
+    return re.sub(r"\$(\w+)", lambda match: contents[match.group(1)], _file("page.html"))
 
 
 def _file(name):
@@ -122,7 +122,7 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
 def _box(picture, number, names, rows):
     box = picture.boxes[number]
     groups = [part.group_name(picture, number, kind) for kind in part.KINDS[1:]]
-    made = {
+    fields = {
         "name": shown(box.name),
         "path": box.path and str(box.path),
         "state": box.state,
@@ -133,23 +133,23 @@ def _box(picture, number, names, rows):
         "ports": [],
     }
     if isinstance(box.origin, model.Component):
-        made["parts"] = [(heading, rows.number(pairs)) for heading, pairs in page_details.parts(box)]
-        made["ports"] = [
+        fields["parts"] = [(heading, rows.number(pairs)) for heading, pairs in page_details.parts(box)]
+        fields["ports"] = [
             (shown(name), kind, rows.number(pairs)) for name, kind, pairs in page_details.port_parts(box)
         ]
-    return _without_defaults(made)
+    return _without_defaults(fields)
 
 
-def _without_defaults(made):
+def _without_defaults(fields):
     """A dict without what is empty, which the script adds again."""
-    return {name: value for name, value in made.items() if value not in (None, False, [])}
+    return {name: value for name, value in fields.items() if value not in (None, False, [])}
 
 
 def _connections(picture, profile, rows):
     """Those between boxes of the picture; the source first."""
     numbers = {_origin(box): number for number, box in enumerate(picture.boxes)}
     locate = capture.locator(profile)
-    found = []
+    connections = []
     for connector in profile.connectors:
         ends = [_end(end, locate, numbers) for end in connector.ends]
         if len(ends) == 1:
@@ -158,15 +158,15 @@ def _connections(picture, profile, rows):
                 ends.reverse()
         if any(number is None for number, _ in ends):
             continue
-        made = {
+        fields = {
             "name": shown(connector.name),
             "id": shown(connector.connector_id),
             "service": isinstance(connector, model.ServicePortConnector),
             "rows": rows.number(page_details.connection_rows(connector)),
             "ends": ends,
         }
-        found.append(_without_defaults(made))
-    return found
+        connections.append(_without_defaults(fields))
+    return connections
 
 
 def _origin(box):
@@ -185,16 +185,16 @@ def _end(end, locate, numbers):
 
 def origin(command):
     """The line of a page that says when and by what it was made."""
-    made = calendar.local("%Y-%m-%d %H:%M:%S %z")
-    return f"Made at {made} by {command} of rtshell_lite {rtshell_lite.__version__}"
+    moment = calendar.local("%Y-%m-%d %H:%M:%S %z")
+    return f"Made at {moment} by {command} of rtshell_lite {rtshell_lite.__version__}"
 
 
 def remarks(drawing, picture):
     """Remarks on what of a graph.Drawing failed, or is left out."""
-    failures = [each for each in drawing.results if isinstance(each, errors.Error)]
+    failures = [result for result in drawing.results if isinstance(result, errors.Error)]
     paths = {str(box.path) for box in picture.boxes if box.path}
-    found = [Remark("fail", "", each.where, each.why, "") for each in failures]
-    return found + [Remark("warn", "", _subject(line, paths), line, "") for line in drawing.notes]
+    listed = [Remark("fail", "", failure.where, failure.why, "") for failure in failures]
+    return listed + [Remark("warn", "", _subject(line, paths), line, "") for line in drawing.notes]
 
 
 def _subject(line, paths):
@@ -213,17 +213,17 @@ def _findings(findings, boxes):
     for number, box in enumerate(boxes):
         if "path" in box:
             numbers[box["path"]] = number
-    found = []
-    for each in findings:
-        owner = each.path.rpartition(":")[0]  # of a port
-        found.append(
+    rows = []
+    for finding in findings:
+        owner = finding.path.rpartition(":")[0]  # of a port
+        rows.append(
             {
-                "level": each.level,
-                "check": each.check,
-                "path": safe(each.path),
-                "message": safe(each.message),
-                "remedy": safe(each.remedy),
-                "box": numbers.get(each.path, numbers.get(owner)),
+                "level": finding.level,
+                "check": finding.check,
+                "path": safe(finding.path),
+                "message": safe(finding.message),
+                "remedy": safe(finding.remedy),
+                "box": numbers.get(finding.path, numbers.get(owner)),
             }
         )
-    return found
+    return rows

@@ -48,17 +48,18 @@ def shown(text):
 
 def parts(box):
     """(heading, rows) of a component, a graph.Box."""
-    found = []
+    parts_of_box = []
     if box.snapshot is not None:
-        found += _of_snapshot(box.snapshot)
+        parts_of_box += _of_snapshot(box.snapshot)
     else:
-        found += _of_file(box.origin)
-    for one in box.origin.configuration_sets:
-        heading = f"Configuration set {one.id}"
-        if one.id == box.origin.active_configuration_set:
+        parts_of_box += _of_file(box.origin)
+    for one_set in box.origin.configuration_sets:
+        heading = f"Configuration set {one_set.id}"
+        if one_set.id == box.origin.active_configuration_set:
             heading += " (active)"
-        found.append((heading, [(each.name, each.data) for each in one.configuration_data]))
-    return [(shown(heading), rows) for heading, rows in found if rows]
+        rows = [(item.name, item.data) for item in one_set.configuration_data]
+        parts_of_box.append((heading, rows))
+    return [(shown(heading), rows) for heading, rows in parts_of_box if rows]
 
 
 def port_parts(box):
@@ -69,13 +70,13 @@ def port_parts(box):
             (ports.short_name(port.name, instance), port.type, _port_rows(port))
             for port in box.snapshot.ports
         ]
-    found = []
+    rows_of_ports = []
     for port in box.origin.data_ports:
         name = ports.short_name(port.name, box.name)
-        found.append((name, _data_type(box, name), _file_rows(port)))
+        rows_of_ports.append((name, _data_type(box, name), _file_rows(port)))
     for port in box.origin.service_ports:
-        found.append((ports.short_name(port.name, box.name), "CorbaPort", _file_rows(port)))
-    return found
+        rows_of_ports.append((ports.short_name(port.name, box.name), "CorbaPort", _file_rows(port)))
+    return rows_of_ports
 
 
 # ---- what is running ----
@@ -84,16 +85,16 @@ def port_parts(box):
 def _of_snapshot(snapshot):
     profile = snapshot.profile
     process = "%s:%s" % tuple(snapshot.node.endpoint)
-    found = [_component(profile._asdict(), [("Parent", profile.parent), ("Process", process)])]
+    tables = [_component(profile._asdict(), [("Parent", profile.parent), ("Process", process)])]
     for organisation in snapshot.organisations:
         members = [("Member", path) for path in snapshot.members.get(organisation.id, ())]
-        found.append(("Composition", [("ID", organisation.id)] + members))
+        tables.append(("Composition", [("ID", organisation.id)] + members))
     for organisation_id, name, path in snapshot.composites:
-        found.append((f"Parent composition {name}", [("ID", organisation_id), ("Path", path)]))
+        tables.append((f"Parent composition {name}", [("ID", organisation_id), ("Path", path)]))
     for context, state in zip(snapshot.contexts, snapshot.states):
-        found.append(_context(context, state, snapshot))
-    found.append(("Extra properties", sorted(profile.properties)))
-    return found
+        tables.append(_context(context, state, snapshot))
+    tables.append(("Extra properties", sorted(profile.properties)))
+    return tables
 
 
 def _component(texts, others):
@@ -131,16 +132,16 @@ def _of_file(described):
     texts = dict(capture.identity(described.id), instance_name=described.instance_name)
     required = "yes" if described.is_required else "no"
     others = [("Id", described.id), ("Required", required), ("Comment", described.comment)]
-    found = [_component(texts, others)]
+    tables = [_component(texts, others)]
     members = [("Member", member.component.instance_name) for member in described.participants]
     if members:
-        found.append(("Composition", [("Type", described.composite_type)] + members))
+        tables.append(("Composition", [("Type", described.composite_type)] + members))
     for context in described.execution_contexts:
         rows = [("Kind", context.kind), ("Rate", f"{context.rate:g} Hz")]
-        rows += [("Participant", each.instance_name) for each in context.participants]
-        found.append((f"Execution context {context.id}", rows + _properties(context)))
-    found.append(("Properties", _properties(described)))
-    return found
+        rows += [("Participant", participant.instance_name) for participant in context.participants]
+        tables.append((f"Execution context {context.id}", rows + _properties(context)))
+    tables.append(("Properties", _properties(described)))
+    return tables
 
 
 def _data_type(box, port):
@@ -160,13 +161,13 @@ def _file_rows(port):
 
 
 def _properties(element):
-    return [(each.name, each.value) for each in element.properties]
+    return [(item.name, item.value) for item in element.properties]
 
 
 def connection_rows(connector):
     """Rows of a connection, a model.Connector."""
     return [
-        (each.name, each.value)
-        for each in connector.properties
-        if not capture.is_reference(each.name, each.value)
+        (item.name, item.value)
+        for item in connector.properties
+        if not capture.is_reference(item.name, item.value)
     ]

@@ -29,29 +29,30 @@ class Field:
         """Raises BadPath."""
         self.path = path
         self._steps = []
-        at = 0
-        while at < len(path):
-            step = _STEP.match(path, at)
+        end = 0
+        while end < len(path):
+            step = _STEP.match(path, end)
             if step is None:
                 raise errors.BadPath(printable(path), "not a field; one is written data.joints[0:3]")
             self._steps.append(step.groups())
-            at = step.end()
+            end = step.end()
 
     def numbers(self, value):
         """[(name, number, name of the enumerator or None)] in a value, which may be one of JSON. Raises
         NoSuch.
         """
-        found = []
-        self._take(value, "", 0, found)
-        return found[:MOST]
+        numbers = []
+        self._take(value, "", 0, numbers)
+        return numbers[:MOST]
 
-    def _take(self, value, name, place, found):
+    def _take(self, value, name, place, numbers):
         if place == len(self._steps):
-            _leaves(value, name, found, not self._steps)
+            _leaves(value, name, numbers, not self._steps)
             return
         member, start, end = self._steps[place]
         if member is not None:
-            self._take(self._member(value, member), f"{name}.{member}" if name else member, place + 1, found)
+            inner = self._member(value, member)
+            self._take(inner, f"{name}.{member}" if name else member, place + 1, numbers)
             return
         first = int(start)
         last = first + 1
@@ -60,7 +61,7 @@ class Field:
         if not isinstance(value, (list, tuple, bytes)):
             raise errors.NoSuch(self.path, "field", f"[{first}] (it is not a sequence)")
         for number, element in enumerate(value[first:last], first):
-            self._take(element, f"{name}[{number}]", place + 1, found)
+            self._take(element, f"{name}[{number}]", place + 1, numbers)
 
     def _member(self, value, member):
         members = value if isinstance(value, dict) else getattr(value, "__dict__", {})
@@ -68,8 +69,8 @@ class Field:
             return members[member]
         if "_d" in members and "_v" in members:  # a union, which may hold it at other times
             return _case(value, member)
-        known = ", ".join(sorted(map(printable, members))) or "none"
-        raise errors.NoSuch(self.path, "field", f"{member} (there are: {known})")
+        names = ", ".join(sorted(map(printable, members))) or "none"
+        raise errors.NoSuch(self.path, "field", f"{member} (there are: {names})")
 
 
 def _case(union, member):
@@ -79,24 +80,24 @@ def _case(union, member):
     return None
 
 
-def _leaves(value, name, found, is_all):
+def _leaves(value, name, numbers, is_all):
     """Append (name, number, enumerator) for all numbers in a value."""
-    if len(found) > MOST:
+    if len(numbers) > MOST:
         return
     if isinstance(value, (int, float)):
-        found.append((name, value, None))
+        numbers.append((name, value, None))
     elif isinstance(value, (list, tuple, bytes)):
         for number, element in enumerate(value[:MOST]):
-            _leaves(element, f"{name}[{number}]", found, is_all)
+            _leaves(element, f"{name}[{number}]", numbers, is_all)
     elif hasattr(value, "_n") and hasattr(value, "_v"):
-        found.append((name, value._v, value._n))
+        numbers.append((name, value._v, value._n))
     elif not isinstance(value, str) and value is not None:
         members = value
         if not isinstance(value, dict):
             members = vars(value)
         for member, inner in members.items():
             if member != "tm" or not is_all:
-                _leaves(inner, f"{name}.{member}" if name else member, found, is_all)
+                _leaves(inner, f"{name}.{member}" if name else member, numbers, is_all)
 
 
 # ---- series ----
@@ -253,10 +254,10 @@ class Panel:
         """(least, greatest) of the axis, or of the points of all series, apart; None without any."""
         if self.axis is not None:
             return self.axis
-        found = [point[1] for series in self.series.values() for point in series.points]
-        if not found:
+        heights = [point[1] for series in self.series.values() for point in series.points]
+        if not heights:
             return None
-        low, high = min(found), max(found)
+        low, high = min(heights), max(heights)
         if low == high:
             more = abs(low) * 0.1 or 1.0
             return low - more, high + more
@@ -309,12 +310,12 @@ def ticks(low, high, most):
     power = 10.0 ** math.floor(math.log10(rough))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough * 0.999)
     digits = max(0, -int(math.floor(math.log10(step) + 1e-9)))
-    found = []
+    ticks = []
     for place in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
         value = place * step
         words = "%.10g" % value if abs(value) >= 1e15 or digits > 5 else "%.*f" % (digits, value + 0.0)
-        found.append((value, words))
-    return found
+        ticks.append((value, words))
+    return ticks
 
 
 def time_ticks(first, last, most):

@@ -100,7 +100,7 @@ class Request:
         except (ValueError, StructError) as e:
             raise TypeError(f"{self.name}: {e}")
 
-    def answered(self, status, data, at, little):
+    def answered(self, status, data, start, little):
         """Take the reply; True if the request is to be sent again, to `ref`,
         which has forwarded it or wants another form.
         """
@@ -114,11 +114,11 @@ class Request:
                     read = self.operation.results[little]
                 else:
                     read = self.operation.of_part(self.call.part)[little]
-                value, end = read(data, at)
+                value, end = read(data, start)
                 if self.is_once:
                     check_end(data, end)
             elif status == messages.SYSTEM_EXCEPTION:
-                name, label, completed = _system_exception(data, at, little)
+                name, label, completed = _system_exception(data, start, little)
                 # the peer has lost a connection of its own
                 if name == "COMM_FAILURE" and self.is_idempotent and not self.retried:
                     self.retried = 1
@@ -127,9 +127,9 @@ class Request:
                 if self.is_once:
                     error.exception = name, completed
             elif status == messages.USER_EXCEPTION:
-                error = self._user_exception(data, at, little)
+                error = self._user_exception(data, start, little)
             else:
-                self._forward(status, data, at, little)
+                self._forward(status, data, start, little)
                 return True
         except GARBLED as e:
             error = self._error(e)
@@ -138,14 +138,14 @@ class Request:
         self.resume(value, error)
         return False
 
-    def _forward(self, status, data, at, little):
+    def _forward(self, status, data, start, little):
         if self._forwards:  # the first answer may have waited for those before it
             self._spent += loop.now() - self.sent
         self._forwards += 1
         if self._forwards > FORWARDS or self._spent > self.seconds:
             raise ValueError("forwarded again and again")
         if status == messages.NEEDS_ADDRESSING_MODE:
-            self._mode, _ = operations.reader(descriptors.SHORT, little)(data, at)
+            self._mode, _ = operations.reader(descriptors.SHORT, little)(data, start)
             if self._mode not in (messages.KEY, messages.PROFILE, messages.REFERENCE):
                 raise ValueError(f"addressing mode {self._mode}")
             return
@@ -153,14 +153,14 @@ class Request:
             raise ValueError(f"a reply of status {status}")
         interface = self.call.ref.interface
         descriptor = idl.descriptor(interface) if interface else _OBJECT
-        self.ref, _ = operations.reader(descriptor, little)(data, at)
+        self.ref, _ = operations.reader(descriptor, little)(data, start)
         if self.ref is None:
             raise ValueError("forwarded to nobody")
         self.endpoint = self.ref.address[1:3]
 
-    def _user_exception(self, data, at, little):
+    def _user_exception(self, data, offset, little):
         """The errors.Error for an exception of the IDL."""
-        type_id, start = operations.reader(marshal.TEXT, little)(data, at)
+        type_id, start = operations.reader(marshal.TEXT, little)(data, offset)
         if type_id not in self.operation.raised:
             return failures.system(str(self.call.where), "UNKNOWN", "CORBA.UNKNOWN")
         raised, _ = self.operation.exception_reader(type_id, little)(data, start)
@@ -216,13 +216,13 @@ def _words(e):
     return e
 
 
-def _system_exception(data, at, little):
+def _system_exception(data, offset, little):
     """(name, label, whether the operation was completed) of a system exception, which is sent as its id, its
     minor code, and that: 0 for yes, 1 for no, 2 for maybe.
     """
-    name, at = operations.reader(marshal.TEXT, little)(data, at)
-    minor, at = operations.reader(descriptors.ULONG, little)(data, at)
-    completed, at = operations.reader(descriptors.ULONG, little)(data, at)
+    name, offset = operations.reader(marshal.TEXT, little)(data, offset)
+    minor, offset = operations.reader(descriptors.ULONG, little)(data, offset)
+    completed, offset = operations.reader(descriptors.ULONG, little)(data, offset)
     name = name.split(":")[1].rpartition("/")[2] if name.count(":") == 2 else "UNKNOWN"
     meaning = idl.MINORS.get(name, {}).get(minor)
     if meaning:
@@ -230,7 +230,7 @@ def _system_exception(data, at, little):
     return name, "CORBA." + printable(name[:LONGEST_NAME]), completed
 
 
-def check_end(data, at):
-    """Raise ValueError if there are more octets in a reply than its results, which end at `at`."""
-    if len(data) - at > PADDING:
-        raise ValueError(f"{len(data) - at} octets more than it should have")
+def check_end(data, end):
+    """Raise ValueError if there are more octets in a reply than its results, which stop at `end`."""
+    if len(data) - end > PADDING:
+        raise ValueError(f"{len(data) - end} octets more than it should have")

@@ -71,13 +71,13 @@ def servant(ref):
     server = loop.current().server
     if server is None or ref is None:
         return None
-    found, _ = server.objects.get(ref.address.key, (None, None))
-    own = getattr(found, "reference", None)
+    servant, _ = server.objects.get(ref.address.key, (None, None))
+    own = getattr(servant, "reference", None)
     if own is None:
         return None
     if own.address[1:] != ref.address[1:]:
         return None
-    return found
+    return servant
 
 
 def _setting(name):
@@ -87,10 +87,10 @@ def _setting(name):
     words = os.environ.get("RTCTREE_ORB_ARGS", "").split(";")
     option = "-ORB" + name
     text = words[words.index(option) + 1] if option in words[:-1] else os.environ.get("ORB" + name, "")
-    found = _ENDPOINT.match(text)
-    if not found:
+    match = _ENDPOINT.match(text)
+    if not match:
         return "", 0
-    return found.group(1).strip("[]"), int(found.group(2) or 0)
+    return match.group(1).strip("[]"), int(match.group(2) or 0)
 
 
 # ---- connections ----
@@ -133,8 +133,8 @@ class Caller:
         self.begin = 0
         self.end = left
         if self.end == len(self.data):
-            wanted = messages.HEADER + messages.size(self.data) if self.end else 0
-            grown = bytearray(max(ROOM, min(wanted, 2 * self.end)))
+            size = messages.HEADER + messages.size(self.data) if self.end else 0
+            grown = bytearray(max(ROOM, min(size, 2 * self.end)))
             grown[: self.end] = self.data
             self.data = grown
         got = self.socket.recv_into(memoryview(self.data)[self.end :])
@@ -167,17 +167,17 @@ class Caller:
         """The Request in a message; most differ from an earlier one only in their ids and arguments.
         Raises as Request does.
         """
-        found = self.kept.get(requests.head(data, self.longest))
-        if found is not None:
-            found.take_on(data)
-            return found
-        found = requests.Request(data)
-        if self.has_called and found.at and found.minor == 2 and found.at <= LONGEST_KEPT:
-            self.longest = found.at
+        request = self.kept.get(requests.head(data, self.longest))
+        if request is not None:
+            request.take_on(data)
+            return request
+        request = requests.Request(data)
+        if self.has_called and request.at and request.minor == 2 and request.at <= LONGEST_KEPT:
+            self.longest = request.at
             if len(self.kept) >= MOST_KEPT:
                 self.kept.clear()
-            self.kept[requests.head(data, found.at)] = found
-        return found
+            self.kept[requests.head(data, request.at)] = request
+        return request
 
     def send(self, data=b""):
         """Send an answer, and those before it, as far as the caller takes them. Raises OSError."""
@@ -405,10 +405,10 @@ class Server:
             allowance.begin()
             data = bytes(request.data)
         arguments = []
-        at = request.at
+        offset = request.at
         try:
             for read in readers[request.little]:
-                value, at = read(data, at)
+                value, offset = read(data, offset)
                 if octets:
                     value = bytes(value)
                 arguments.append(value)

@@ -35,29 +35,29 @@ def _unreadable(parser, interface, is_attribute, fault):
     skipped = parser.skip()
     for name in _names(skipped):
         if is_attribute:
-            known = interface.attributes
-            made = Attribute(name, VOID, skipped[0].word == "readonly")
+            members = interface.attributes
+            member = Attribute(name, VOID, skipped[0].word == "readonly")
         else:
-            known = interface.operations
-            made = Operation(name)
-        made.fault = fault
-        known[:] = [each for each in known if each.name != name] + [made]
+            members = interface.operations
+            member = Operation(name)
+        member.fault = fault
+        members[:] = [other for other in members if other.name != name] + [member]
 
 
 def _names(tokens):
     """The names that an operation or a line of attributes declares: those before a comma or its end."""
-    found = []
+    names = []
     name = ""
     depth = 0
     for token in tokens:
         if token.word in CLAUSES or token.kind == "mark" and token.word in "(;":
-            return found + [name]
+            return names + [name]
         if token.kind == "name":
             name = token.word.lstrip("_")
         elif token.word == "," and not depth:
-            found.append(name)
+            names.append(name)
         depth += (token.word == "<") - (token.word == ">")
-    return found
+    return names
 
 
 def _operation(parser, depth):
@@ -90,7 +90,7 @@ def _parameter(parser, operation, depth):
     descriptor = types.type_spec(parser, depth)
     token = parser.token
     name = parser.name("a parameter")
-    if name.lower() in [each.name.lower() for each in operation.parameters]:
+    if name.lower() in [parameter.name.lower() for parameter in operation.parameters]:
         raise parser.fault(f"a second parameter of the name {name}", token)
     return Parameter(direction, name, descriptor)
 
@@ -117,9 +117,9 @@ def _attributes(parser, interface, depth):
 
 def _raised(parser, word):
     """The types of the exceptions in a clause that begins with `word`, if it comes next."""
-    found = []
+    exceptions = []
     if not parser.is_word(word):
-        return found
+        return exceptions
     parser.advance()
     parser.take("(")
     while True:
@@ -127,22 +127,22 @@ def _raised(parser, word):
         entry = parser.look_up()
         if entry.sort != "exception":
             raise parser.fault(f"not an exception: {entry.name}", token)
-        found.append(entry.what)
+        exceptions.append(entry.what)
         if not parser.is_mark(","):
             break
         parser.advance()
     parser.take(")")
-    return found
+    return exceptions
 
 
 def _texts(parser):
     parser.take("(")
-    found = []
+    texts = []
     while not parser.is_mark(")"):
         if parser.token.kind != "string":
             raise parser.fault("expected a text in quotes")
-        found.append(constants.text(parser, parser.advance()))
+        texts.append(constants.text(parser, parser.advance()))
         if not parser.is_mark(")"):
             parser.take(",")
     parser.take(")")
-    return found
+    return texts

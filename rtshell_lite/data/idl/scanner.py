@@ -18,101 +18,101 @@ _DOUBLE_MARKS = ("::", "<<", ">>")
 _CONTINUED = ("\\\n", "\\\r\n")  # a line goes on in the next one
 
 
-def piece(text, at):
-    """(kind, end) of the piece that begins at `at`: space, comment, directive, string, char, number, name or
-    mark; None and `at` for what cannot be read.
+def piece(text, start):
+    """(kind, end) of the piece that begins at `start`: space, comment, directive, string, char, number,
+    name or mark; None and `start` for what cannot be read.
     """
-    first = text[at]
+    first = text[start]
     if first in BLANKS:
-        return "space", run(text, at, BLANKS)
+        return "space", run(text, start, BLANKS)
     if first in LETTERS:
-        end = run(text, at, WORD)
-        if text[at:end] == "L" and text[end : end + 1] in ('"', "'"):
+        end = run(text, start, WORD)
+        if text[start:end] == "L" and text[end : end + 1] in ('"', "'"):
             return _quoted(text, end)
         return "name", end
     if first in _SINGLE_MARKS:
-        return "mark", at + 1
+        return "mark", start + 1
     if first in DIGITS or first == ".":
-        return _number(text, at)
+        return _number(text, start)
     if first in "\"'":
-        return _quoted(text, at)
+        return _quoted(text, start)
     if first == "#":
-        return "directive", _directive_end(text, at)
-    if text.startswith(_CONTINUED, at):
-        return "space", text.index("\n", at) + 1
-    if text.startswith(("//", "/*"), at):
-        return _comment(text, at)
-    if text.startswith(_DOUBLE_MARKS, at):
-        return "mark", at + 2
+        return "directive", _directive_end(text, start)
+    if text.startswith(_CONTINUED, start):
+        return "space", text.index("\n", start) + 1
+    if text.startswith(("//", "/*"), start):
+        return _comment(text, start)
+    if text.startswith(_DOUBLE_MARKS, start):
+        return "mark", start + 2
     if first in _OTHER_MARKS:
-        return "mark", at + 1
-    return None, at
+        return "mark", start + 1
+    return None, start
 
 
-def skipped(text, at):
+def skipped(text, start):
     """The same where a condition leaves the text out: space, comment, directive, string, and other for a
     single character, a quote without its end included.
     """
-    first = text[at]
+    first = text[start]
     if first == "#":
-        return "directive", _directive_end(text, at)
-    if text.startswith(("//", "/*"), at):
-        return _comment(text, at)
-    if first == '"' and _string_end(text, at):
-        return _quoted(text, at)
+        return "directive", _directive_end(text, start)
+    if text.startswith(("//", "/*"), start):
+        return _comment(text, start)
+    if first == '"' and _string_end(text, start):
+        return _quoted(text, start)
     if first in BLANKS:
-        return "space", run(text, at, BLANKS)
-    return "other", at + 1
+        return "space", run(text, start, BLANKS)
+    return "other", start + 1
 
 
-def words(text, at):
-    """(kind, word, end) of each piece from `at` on that is no blank and no comment; the last has the kind
+def words(text, start):
+    """(kind, word, end) of each piece from `start` on that is no blank and no comment; the last has the kind
     None where what follows cannot be read.
     """
-    while at < len(text):
-        kind, end = piece(text, at)
+    while start < len(text):
+        kind, end = piece(text, start)
         if kind not in ("space", "comment"):
-            yield kind, text[at:end], end
+            yield kind, text[start:end], end
         if kind is None:
             return
-        at = end
+        start = end
 
 
-def run(text, at, characters):
-    """Where a run of some characters ends that begins at `at`."""
-    for end in range(at, len(text)):
+def run(text, start, characters):
+    """Where a run of some characters ends that begins at `start`."""
+    for end in range(start, len(text)):
         if text[end] not in characters:
             return end
     return len(text)
 
 
-def _comment(text, at):
-    if text[at + 1] == "/":
-        end = text.find("\n", at)
+def _comment(text, start):
+    if text[start + 1] == "/":
+        end = text.find("\n", start)
         if end < 0:
             end = len(text)
         return "comment", end
-    end = text.find("*/", at + 2)
+    end = text.find("*/", start + 2)
     if end < 0:
-        return None, at
+        return None, start
     return "comment", end + 2
 
 
-def _quoted(text, at):
-    """The string or char whose quote is at `at`."""
-    if text[at] == '"':
+def _quoted(text, start):
+    """The string or char whose quote is at `start`."""
+    if text[start] == '"':
         kind = "string"
-        end = _string_end(text, at)
+        end = _string_end(text, start)
     else:
         kind = "char"
-        end = _char_end(text, at)
+        end = _char_end(text, start)
     if end is None:
-        return None, at
+        return None, start
     return kind, end
 
 
-def _string_end(text, at):
-    end = at + 1
+def _string_end(text, start):
+    end = start + 1
     while text[end : end + 1] not in ("", "\n"):
         if text[end] == '"':
             return end + 1
@@ -122,23 +122,23 @@ def _string_end(text, at):
     return None
 
 
-def _char_end(text, at):
-    inner = at + 1
+def _char_end(text, start):
+    inner = start + 1
     if text[inner : inner + 1] == "\\":
         inner += 1
     end = text.find("'", inner + 1, inner + 1 + LONGEST_CHAR)
-    if end < 0 or "\n" in text[at:end] or text[inner] == "'" and inner == at + 1:
+    if end < 0 or "\n" in text[start:end] or text[inner] == "'" and inner == start + 1:
         return None
     return end + 1
 
 
-def _number(text, at):
-    end = run(text, at, _NUMBER)
-    has_exponent = text[end - 1] in "eE" and text[at : at + 2] not in ("0x", "0X")
+def _number(text, start):
+    end = run(text, start, _NUMBER)
+    has_exponent = text[end - 1] in "eE" and text[start : start + 2] not in ("0x", "0X")
     if has_exponent and text[end : end + 1] in ("+", "-"):
         end = run(text, end + 1, _NUMBER)
-    if not _is_number(text[at:end]):
-        return None, at
+    if not _is_number(text[start:end]):
+        return None, start
     return "number", end
 
 
@@ -156,9 +156,9 @@ def _is_number(word):
     return "_" not in word
 
 
-def _directive_end(text, at):
+def _directive_end(text, start):
     """Where a # and its line end, which goes on in the next one after a backslash and within a comment."""
-    end = at + 1
+    end = start + 1
     while text[end : end + 1] not in ("", "\n"):
         if text.startswith("//", end):
             return end

@@ -167,13 +167,13 @@ def constructed(parser, depth):
     read = _union
     if word == "struct":
         read = _struct
-    made = within(parser, entry, lambda: read(parser, entry, name, depth))
+    descriptor = within(parser, entry, lambda: read(parser, entry, name, depth))
     parser.take("}")
     entry.sort = "type"
-    entry.what = made
-    entry.hole[0] = made
-    parser.made[id(entry)] = (descriptors.type_id(made), made)
-    return made
+    entry.what = descriptor
+    entry.hole[0] = descriptor
+    parser.made[id(entry)] = (descriptors.type_id(descriptor), descriptor)
+    return descriptor
 
 
 def _announced(parser, name, token):
@@ -199,26 +199,26 @@ def within(parser, entry, parse):
 
 
 def _struct(parser, entry, name, depth):
-    found = members(parser, depth)
-    if not found:
+    pairs = members(parser, depth)
+    if not pairs:
         raise parser.fault(f"a struct without members: {name}", entry.token)
-    return parser.weighed(descriptors.struct(entry.type_id, name, found), [inner for _, inner in found])
+    return parser.weighed(descriptors.struct(entry.type_id, name, pairs), [inner for _, inner in pairs])
 
 
 def members(parser, depth):
     """Read the members of a struct up to its closing brace: [(name, descriptor)]. Raises BadIdl."""
-    found = []
+    pairs = []
     names = set()
     while not parser.is_mark("}"):
         descriptor = type_spec(parser, depth + 1)
         while True:
             token, name, whole = declarator(parser, descriptor, "a member")
             _one_more(parser, name, names, token)
-            found.append((name, whole))
+            pairs.append((name, whole))
             if not parser.accept(","):
                 break
         parser.take(";")
-    return found
+    return pairs
 
 
 def _one_more(parser, name, names, token):
@@ -242,12 +242,12 @@ def _union(parser, entry, name, depth):
     labels = set()
     names = set()
     while not parser.is_mark("}"):
-        found = _labels(parser, switch, labels)
+        case_labels = _labels(parser, switch, labels)
         descriptor = type_spec(parser, depth + 1)
         token, member, whole = declarator(parser, descriptor, "a member")
         _one_more(parser, member, names, token)
         parser.take(";")
-        for label in found:
+        for label in case_labels:
             if label is None:
                 default = len(cases)
             cases.append((label, member, whole))
@@ -256,13 +256,13 @@ def _union(parser, entry, name, depth):
     if default >= 0:
         _, member, whole = cases[default]
         cases[default] = (_unused(parser, switch, labels, entry.token), member, whole)
-    made = descriptors.union(entry.type_id, name, switch, cases, default)
-    return parser.weighed(made, [switch] + [whole for _, _, whole in cases])
+    union = descriptors.union(entry.type_id, name, switch, cases, default)
+    return parser.weighed(union, [switch] + [whole for _, _, whole in cases])
 
 
 def _labels(parser, switch, labels):
     """The labels before a member of a union, None for default; adds them to the set `labels`."""
-    found = []
+    new_labels = []
     while parser.is_word("case", "default"):
         token = parser.advance()
         if token.word == "default":
@@ -271,12 +271,12 @@ def _labels(parser, switch, labels):
             label = constants.check(parser, switch, _label(parser, switch), token)
         if label in labels:
             raise parser.fault("the same case twice", token)
-        found.append(label)
+        new_labels.append(label)
         labels.add(label)
         parser.take(":")
-    if not found:
+    if not new_labels:
         raise parser.unexpected("case or default")
-    return found
+    return new_labels
 
 
 def _label(parser, switch):
@@ -322,11 +322,11 @@ def _enum(parser, name, token):
         if not parser.accept(",") or parser.is_mark("}"):  # a comma too many
             break
     parser.take("}")
-    made = parser.weigh(descriptors.enum(parser.new_id(name), name, items), 1, 1)
-    parser.define(made, name, token)
-    for item, where in zip(descriptors.items(made), tokens):
+    descriptor = parser.weigh(descriptors.enum(parser.new_id(name), name, items), 1, 1)
+    parser.define(descriptor, name, token)
+    for item, where in zip(descriptors.items(descriptor), tokens):
         parser.declare(Entry(item._n, "item", item), where)
-    return made
+    return descriptor
 
 
 def _incomplete(parser, descriptor):
