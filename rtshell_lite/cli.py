@@ -176,15 +176,15 @@ def _leave_soon(status):
         real.handle(number, real.IGNORED)
     done = allocate_lock()
     done.acquire()
-    found = []
+    statuses = []
 
     def flush():
-        found.append(_flushed(status))
+        statuses.append(_flushed(status))
         done.release()
 
     loop.world().start_thread(flush)
     done.acquire(timeout=FLUSH_LIMIT)
-    os._exit(found[0] if found else status)
+    os._exit(statuses[0] if statuses else status)
 
 
 def _flushed(status):

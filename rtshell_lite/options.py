@@ -226,14 +226,14 @@ class Parser(Words, argparse.ArgumentParser):
         spare = there - sum(least for least, _ in counts)
         if spare < 0 or "A" * there != pattern[-there:] and there:
             return super()._match_arguments_partial(actions, pattern)
-        found = []
+        taken = []
         for least, most in counts:
             more = min(spare, most - least)
             spare -= more
-            found.append(least + more)
-        if found:
-            found[0] += len(pattern) - there  # the `--` before them
-        return found
+            taken.append(least + more)
+        if taken:
+            taken[0] += len(pattern) - there  # the `--` before them
+        return taken
 
 
 def _counts(action):
@@ -385,14 +385,14 @@ def paths(parser, nargs="+", metavar="PATH", help="path in the RTC Tree"):
     return parser.add_argument("paths", nargs=nargs, metavar=metavar, help=help)
 
 
-def command(args, known):
+def command(args, words):
     """Check that args.command, which follows args.path, is one of these words. Raises Usage."""
-    if args.command in known:
+    if args.command in words:
         return
-    if args.path in known:
+    if args.path in words:
         raise errors.Usage(f"the path comes first: {text.shell_word(args.command)} {args.path} …")
     raise errors.Usage(
-        f"no such command: {text.printable(args.command)}{text.candidates(args.command, known)}"
+        f"no such command: {text.printable(args.command)}{text.candidates(args.command, words)}"
     )
 
 
@@ -585,13 +585,13 @@ def factor(value):
     return _positive(value, "a number above 0")
 
 
-def _positive(value, wanted):
+def _positive(value, expected):
     try:
         number = float(value)
     except ValueError:
         number = 0.0
     if not 0 < number < FOREVER:
-        raise argparse.ArgumentTypeError(f"not {wanted}: {text.printable(value)}")
+        raise argparse.ArgumentTypeError(f"not {expected}: {text.printable(value)}")
     return number
 
 

@@ -139,12 +139,12 @@ def parse(text, cwd=None):
     return follow(above, elements(text), text)
 
 
-def follow(above, wanted, text):
+def follow(above, elements, text):
     """The Path that `elements` lead to from a directory, a Path; `text`: the path as typed, for errors.
     Raises BadPath.
     """
     kept = []  # type: list
-    for element in wanted:
+    for element in elements:
         if element in ("", "."):
             continue
         if element != "..":
@@ -153,7 +153,7 @@ def follow(above, wanted, text):
             kept.pop()
         else:
             above = above.parent()
-    is_directory = wanted[-1] in ("", ".", "..")
+    is_directory = elements[-1] in ("", ".", "..")
     if not kept:
         if above.server is None:
             return ROOT
@@ -246,11 +246,11 @@ def _elements(text):
 
 def _standard(text):
     """OpenRTM's rtcname:// and rtcloc:// as a path of ours; other text as it is."""
-    found = _openrtm(text)
-    if not found:
+    match = _openrtm(text)
+    if not match:
         return text
-    form, protocol = found.groups()
-    host, _, rest = text[found.end() :].partition("/")
+    form, protocol = match.groups()
+    host, _, rest = text[match.end() :].partition("/")
     if protocol or not host or not rest:
         raise errors.BadPath(text, "not rtcname://HOST[:PORT]/…/NAME or rtcloc://HOST[:PORT]/CATEGORY/NAME")
     above, slash, last = rest.rpartition("/")
@@ -276,10 +276,10 @@ def _reference(text):
     first, *below = _cut(text, "/")
     if text.startswith("IOR:"):
         return [first] + below
-    found = re.match(CORBALOC, text, re.DOTALL)
-    if not found or split_address(found.group(1))[1] is None:
+    match = re.match(CORBALOC, text, re.DOTALL)
+    if not match or split_address(match.group(1))[1] is None:
         raise errors.BadPath(printable(text), "not corbaloc:iiop:HOST[:PORT][/KEY]")
-    address, rest = found.groups()
+    address, rest = match.groups()
     key, *below = _cut(rest or "manager", "/")
     if key == "NameService":
         return ["", address] + below
@@ -295,13 +295,13 @@ def _split_reference(server, text):
     """(server, port) where the server is an object, and a port of that may follow."""
     if not server.startswith(REFERENCES):
         return server, None
-    at = max(server.rfind("/"), 3) + 1
-    head, colon, port = server[at:].partition(":")
+    start = max(server.rfind("/"), 3) + 1
+    head, colon, port = server[start:].partition(":")
     if colon and not port:
         raise errors.BadPath(text, "no port after the colon")
     if server.startswith("IOR:") and not _is_hexadecimal(head):
         raise errors.BadPath(text, "not a stringified reference (IOR:…)")
-    return server[:at] + head, port or None
+    return server[:start] + head, port or None
 
 
 def _is_hexadecimal(text):

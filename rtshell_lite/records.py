@@ -53,16 +53,16 @@ def cached(most):
     """A decorator of functions of hashable positional arguments: they keep up to `most` results."""
 
     def decorate(function):
-        known = {}  # type: dict
+        results = {}  # type: dict
 
         def remember(*args):
             try:
-                return known[args]
+                return results[args]
             except KeyError:
                 pass
-            if len(known) >= most:
-                known.clear()
-            result = known[args] = function(*args)
+            if len(results) >= most:
+                results.clear()
+            result = results[args] = function(*args)
             return result
 
         remember.__doc__ = function.__doc__

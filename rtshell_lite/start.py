@@ -74,7 +74,7 @@ def _import_argparse():
 
     gettext = type(sys)("gettext")
     gettext.gettext = str
-    gettext.ngettext = lambda one, more, number: one if number == 1 else more
+    gettext.ngettext = lambda single, more, number: single if number == 1 else more
     stand_ins = {name: _Later(lambda name=name: imported(name)) for name in SELDOM}  # type: dict
     stand_ins["re"].ASCII = 256  # of an expression for --help
     stand_ins["re"].compile = compiled

@@ -141,34 +141,34 @@ def cut(s):
     return f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
 
 
-def near(word, known):
-    """What a message about a wrong word ends with: the one of the words `known` that resembles it;
+def near(word, words):
+    """What a message about a wrong word ends with: the one of the `words` that resembles it;
     '' if none does.
     """
-    close = closest(word, known)
+    close = closest(word, words)
     if close is not None:
         return f"; did you mean {printable(close)}?"
     return ""
 
 
-def closest(word, known, least=0.6):
-    """The one of the words `known` that resembles a word, by `least` of 1; None if none does."""
+def closest(word, words, least=0.6):
+    """The one of the `words` that resembles a word, by `least` of 1; None if none does."""
     try:
         import difflib
     except ImportError:  # Debian's python3-minimal has none
         return None
-    return next(iter(difflib.get_close_matches(word, known, 1, least)), None)
+    return next(iter(difflib.get_close_matches(word, words, 1, least)), None)
 
 
-def candidates(word, known):
+def candidates(word, words):
     """What a message about a wrong word ends with:
-    the one of the words `known` that resembles it, else the first CHOICES.
+    the one of the `words` that resembles it, else the first CHOICES.
     """
-    known = list(known)
-    choices = ", ".join(map(printable, known[:CHOICES]))
-    if len(known) > CHOICES:
+    words = list(words)
+    choices = ", ".join(map(printable, words[:CHOICES]))
+    if len(words) > CHOICES:
         choices += ", …"
-    return near(word, known) or f" (there are: {choices or 'none'})"
+    return near(word, words) or f" (there are: {choices or 'none'})"
 
 
 def listed(words):

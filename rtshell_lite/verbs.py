@@ -14,13 +14,13 @@ from rtshell_lite.records import record
 Verb = record("Verb", "arguments run doc idle")
 
 
-def declare(parser, known, rows):
+def declare(parser, by_name, rows):
     """In arguments(parser) of a command: it has these Verbs, {name: Verb}.
 
     `rows` of (flags, name): a line without a verb means that of the first row of which it has all flags; the
     last row has none. Flags that are no options of verbs are in no help; -p/--play is one with two spellings.
     """
-    parser.verbs = Verbs(parser, known, rows)
+    parser.verbs = Verbs(parser, by_name, rows)
 
 
 def run(args):
@@ -31,33 +31,33 @@ def run(args):
 class Verbs:
     """The verbs of a command, whose Parser is `top`."""
 
-    def __init__(self, top, known, rows):
+    def __init__(self, top, by_name, rows):
         self.top = top
-        self.known = known
+        self.by_name = by_name
         self._rows = rows
 
     def choose(self, argv):
         """(the Parser of the verb that a command line means, the words for it), (None, …) if the help of the
         command is wanted. Raises Usage.
         """
-        if argv and argv[0] in self.known:
+        if argv and argv[0] in self.by_name:
             return self.parser(argv[0]), argv[1:]
-        all_options = self._options(self.known)
+        all_options = self._options(self.by_name)
         argv = self._split(argv, all_options)
         given, words = all_options.sort(argv)
         given = {name for word in given if word.startswith("-") for name in all_options.named(word).names}
         flags, name = next(row for row in self._rows if given.issuperset(_spellings(row[0])))
-        if not flags and words and words[0] in self.known:
+        if not flags and words and words[0] in self.by_name:
             argv.remove(words[0])
             return self.parser(words[0]), argv
         if not flags and "--help" in given:
             return None, argv
-        idle = self.known[name].idle.split()
+        idle = self.by_name[name].idle.split()
         return self.parser(name, [all_options.named(word) for word in idle]), argv
 
     def parser(self, name, idle=()):
         """The options.Parser of a verb; it also takes the `idle` options."""
-        verb = self.known[name]
+        verb = self.by_name[name]
         parser = options.parser(verb.arguments, verb.doc, f"{self.top.prog} {name}")
         self._add_flags(parser, [name])
         for option in idle:
@@ -70,13 +70,13 @@ class Verbs:
 
     def summaries(self):
         """The verbs, for the command's help: a line for each, with the first sentence of its own."""
-        size = max(map(len, self.known)) + 2
-        lines = [f"  {name.ljust(size)}{verb.doc.partition('.')[0]}" for name, verb in self.known.items()]
+        size = max(map(len, self.by_name)) + 2
+        lines = [f"  {name.ljust(size)}{verb.doc.partition('.')[0]}" for name, verb in self.by_name.items()]
         return "\n".join(["verbs:"] + lines)
 
     def first_words(self):
         """What a command line may begin with, for completion: {verb or flag: what it means}."""
-        meanings = {name: verb.doc.partition(".")[0] for name, verb in self.known.items()}
+        meanings = {name: verb.doc.partition(".")[0] for name, verb in self.by_name.items()}
         for flags, name in self._rows:
             for word in _spellings(flags):
                 meanings.setdefault(word, meanings[name])
@@ -84,7 +84,7 @@ class Verbs:
 
     def _whose(self, option, name):
         """Says to which verbs an option belongs that the verb called `name` lacks; None if to none."""
-        others = [other for other in self.known if self._options([other]).named(option)]
+        others = [other for other in self.by_name if self._options([other]).named(option)]
         if not others:
             return None
         last = others.pop()
@@ -96,7 +96,7 @@ class Verbs:
         """The _Options of these verbs."""
         declared = _Options()
         for name in names:
-            self.known[name].arguments(declared)
+            self.by_name[name].arguments(declared)
         self._add_flags(declared, names)
         options.common(declared)
         return declared

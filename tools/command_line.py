@@ -29,7 +29,7 @@ def parsers(parser):
     """The Parsers of the verbs of a command; without verbs, its own."""
     if parser.verbs is None:
         return [parser]
-    return [parser.verbs.parser(name) for name in parser.verbs.known]
+    return [parser.verbs.parser(name) for name in parser.verbs.by_name]
 
 
 def _part(title, parser, actions):

@@ -68,7 +68,7 @@ def _command_page(name, path, date):
     else:
         description, _, examples = rest.partition("\nexamples:\n")
         lines += [".SH DESCRIPTION"] + _paragraphs(description.strip("\n"))
-        for verb, one in parser.verbs.known.items():
+        for verb, one in parser.verbs.by_name.items():
             lines += [f".SH {name.upper()} {verb.upper()}", ".PP"]
             summary, _, rest = one.doc.strip().partition("\n\n")
             lines += [_text(summary)] + _parts(parser.verbs.parser(verb), rest, ".SS")

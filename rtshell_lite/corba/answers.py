@@ -58,8 +58,8 @@ def _guarded(objref, operation):
         given, returned, raised = stubs.operation(objref._NP_RepositoryId, operation)
     except KeyError:
         return None  # _non_existent, _is_a
-    safe = tuple(ior.guarded(each, _taker, _holder) for each in returned or ())
-    failures = {name: ior.guarded(each, _taker, _holder) for name, each in (raised or {}).items()}
+    safe = tuple(ior.guarded(descriptor, _taker, _holder) for descriptor in returned or ())
+    failures = {name: ior.guarded(descriptor, _taker, _holder) for name, descriptor in (raised or {}).items()}
     same = all(new is old for new, old in zip(safe, returned or ())) and failures == (raised or {})
     if same:
         return None
@@ -101,14 +101,14 @@ def _taker(type_id):
 
 
 @functools.lru_cache(maxsize=None)
-def _holder(made):
+def _holder(make):
     """A function that makes a struct of its members, one of them an `any`, and checks how deep that is."""
 
     def hold(name, value):
         if type(value._v) is not str and not _is_shallow(value):  # almost all are texts
             fault("%s: values inside values, deeper than %d" % (printable(from_wire(name)), DEEPEST))
             value = None
-        return made(name, value)
+        return make(name, value)
 
     return hold
 
@@ -120,13 +120,13 @@ def _is_shallow(value):
     level = [value]
     for _ in range(DEEPEST):
         below = []  # type: list
-        for each in level:
-            if isinstance(each, CORBA.Any):
-                below.append(each.value())
-            elif isinstance(each, (list, tuple)):
-                below += each
-            elif hasattr(each, "__dict__") and not isinstance(each, CORBA.Object):
-                below += vars(each).values()
+        for part in level:
+            if isinstance(part, CORBA.Any):
+                below.append(part.value())
+            elif isinstance(part, (list, tuple)):
+                below += part
+            elif hasattr(part, "__dict__") and not isinstance(part, CORBA.Object):
+                below += vars(part).values()
         level = below
         if not level:
             return True

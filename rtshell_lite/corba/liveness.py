@@ -55,12 +55,12 @@ async def means_the_same(host, homes):
         return True
     import ipaddress  # takes long, and few need it
 
-    known = await _addresses(host)
-    if not _is_address(host) and any(is_own(address) for address in known):
+    numbers = await _addresses(host)
+    if not _is_address(host) and any(is_own(address) for address in numbers):
         return False
     if is_here:
         return True
-    for address in known:
+    for address in numbers:
         is_private = ipaddress.ip_address(address.partition("%")[0]).is_private
         if is_private and not any(hosts.together(home, address) for home in homes):
             return False
@@ -76,8 +76,8 @@ async def is_this_host(host):
 
 async def _addresses(host):
     """The IP addresses of a host, [] for one that is not known. Raises Unanswered."""
-    found = await session.on_thread(host, lambda: hosts.places(host))
-    return [place[0] for *_, place in found]
+    resolved = await session.on_thread(host, lambda: hosts.places(host))
+    return [place[0] for *_, place in resolved]
 
 
 def _is_own_name(host):

@@ -159,9 +159,9 @@ def narrow(ref, interface):
     return ref._unchecked_narrow(stubs.interface(type_id))
 
 
-def same(one, other):
+def same(ref, other):
     """True if two references denote one object, as far as can be known without a remote call."""
-    return bool(one._is_equivalent(other))
+    return bool(ref._is_equivalent(other))
 
 
 # ---- calls ----
@@ -575,7 +575,7 @@ def serve(servant):
         poa = orb.resolve_initial_references("RootPOA")
     except CORBA.INITIALIZE:  # only now omniORB begins to listen
         raise errors.Usage(errors.BAD_ENDPOINT)
-    made = stubs.skeleton(servant.interface)()
+    skeleton = stubs.skeleton(servant.interface)()
     here = loop.current()
     here.make_bell()
     handover = None
@@ -584,12 +584,12 @@ def serve(servant):
         servant.take = handover.take
         servant.pass_on = handover.pass_on
         servant.hurry = handover.hurry
-    for operation in made._omni_op_d:
+    for operation in skeleton._omni_op_d:
         method = getattr(servant, operation)
         if handover is None:
             method = _on_loop(here, method)
-        setattr(made, operation, method)
-    number = poa.activate_object(made)
+        setattr(skeleton, operation, method)
+    number = poa.activate_object(skeleton)
     poa._get_the_POAManager().activate()
 
     def withdraw():

@@ -124,15 +124,15 @@ def naming_name(names):
     return [component(to_wire(name), to_wire(kind)) for name, kind in names]
 
 
-def same(one, other):
+def same(ref, other):
     """True if two references denote one object, as far as can be known without a remote call."""
-    return one is not None and other is not None and _orb.same(one, other)
+    return ref is not None and other is not None and _orb.same(ref, other)
 
 
-def one_of(ref, known):
-    """`known` if it denotes the same object as `ref`, else `ref`: keeping both takes 800 bytes more."""
-    if same(ref, known):
-        return known
+def one_of(ref, kept):
+    """`kept` if it denotes the same object as `ref`, else `ref`: keeping both takes 800 bytes more."""
+    if same(ref, kept):
+        return kept
     return ref
 
 

@@ -90,8 +90,8 @@ class _Described(Visitor):
         from omniORB import CORBA
 
         kind, plain, type_id, name = descriptor[:4]
-        made = type(name, (plain, CORBA.UserException), {"_NP_RepositoryId": type_id})
-        return (kind, made, type_id, name) + self._members(descriptor)
+        new_class = type(name, (plain, CORBA.UserException), {"_NP_RepositoryId": type_id})
+        return (kind, new_class, type_id, name) + self._members(descriptor)
 
     def _once(self, descriptor, make):
         hole = self.holes.get(id(descriptor))

@@ -72,8 +72,8 @@ class Served:
         own = await session.on_thread(printable(peer[0]), lambda: world.own_address(*peer))
         if own is None and host:
             return self.reference
-        made = references.make_reference(own or world.host_name(), port, key, type_id=type_id.encode())
-        return made.text()
+        reference = references.make_reference(own or world.host_name(), port, key, type_id=type_id.encode())
+        return reference.text()
 
 
 def _address_given():

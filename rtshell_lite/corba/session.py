@@ -88,10 +88,10 @@ class Session:
         """
         return self._why_not(self.stalled.get(endpoint), "questions like it got %s from its process")
 
-    def _why_not(self, found, words):
-        if found is None:
+    def _why_not(self, silence, words):
+        if silence is None:
             return None
-        since, why = found
+        since, why = silence
         if loop.now() - since < self.timeout:
             return words % why
         return None
@@ -136,10 +136,11 @@ class Session:
         """Forget what is too old to matter, in a session that lasts."""
         now = loop.now()
         answered = self.memory.answered
-        for known in (self.silent, self.stalled):
-            for endpoint in [each for each, found in known.items() if now - found[0] >= self.timeout]:
-                del known[endpoint]
-        for where in [each for each in self.slow if not self.is_slow(each)]:
+        for silences in (self.silent, self.stalled):
+            past = [where for where, silence in silences.items() if now - silence[0] >= self.timeout]
+            for endpoint in past:
+                del silences[endpoint]
+        for where in [where for where in self.slow if not self.is_slow(where)]:
             del self.slow[where]
         for endpoint in sorted(answered, key=answered.__getitem__, reverse=True)[MOST_ANSWERED:]:
             del answered[endpoint]

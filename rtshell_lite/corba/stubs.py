@@ -56,7 +56,7 @@ def interface(type_id):
     from omniORB import CORBA
 
     bases, operations = idl.INTERFACES[type_id]
-    methods = {each: _method(type_id, each) for each in operations}
+    methods = {name: _method(type_id, name) for name in operations}
     return type(
         idl.name(type_id), tuple(map(interface, bases)) or (CORBA.Object,),
         {"_NP_RepositoryId": type_id, **methods},
@@ -76,7 +76,7 @@ def operation(type_id, name):
     given, returned, raised = idl.operation(type_id, name)
     arguments = tuple(map(idl.descriptor, given))
     results = None if returned is None else tuple(map(idl.descriptor, returned))
-    exceptions = {each: _exception(each) for each in raised}
+    exceptions = {type_id: _exception(type_id) for type_id in raised}
     return arguments, results, exceptions or None
 
 
@@ -99,15 +99,15 @@ def _skeleton(type_id):
     from omniORB import PortableServer
 
     operations = {
-        each: operation(type_id, each) for above in idl.ancestry(type_id) for each in idl.INTERFACES[above][1]
+        name: operation(type_id, name) for above in idl.ancestry(type_id) for name in idl.INTERFACES[above][1]
     }
-    made = type(
+    skeleton = type(
         idl.name(type_id), tuple(map(_skeleton, idl.INTERFACES[type_id][0])) or (PortableServer.Servant,),
         {"_NP_RepositoryId": type_id, "_omni_op_d": operations},
     )
-    setattr(made, "_omni_skeleton", made)
-    omniORB.registerSkeleton(type_id, made)
-    return made
+    setattr(skeleton, "_omni_skeleton", skeleton)
+    omniORB.registerSkeleton(type_id, skeleton)
+    return skeleton
 
 
 # ---- stubs ----
@@ -121,9 +121,9 @@ def contents(scope):
     """
     import omniORB
 
-    found = {}  # type: dict
+    names = {}  # type: dict
     for type_id in [
-        each for table in (idl.TYPES, idl.INTERFACES) for each in table if each.startswith(scope)
+        name for table in (idl.TYPES, idl.INTERFACES) for name in table if name.startswith(scope)
     ]:
         descriptor = idl.descriptor(type_id)
         name = idl.name(type_id)
@@ -131,11 +131,11 @@ def contents(scope):
         if kind == descriptors.EXCEPTION:
             descriptor = _exception(type_id)
         if kind == descriptors.ENUM:
-            found.update((item._n, item) for item in descriptors.items(descriptor))
+            names.update((item._n, item) for item in descriptors.items(descriptor))
         typecode = omniORB.tcInternal.createTypeCode(descriptor)
-        found.update({name: _class(descriptor, type_id), "_d_" + name: descriptor, "_tc_" + name: typecode})
+        names.update({name: _class(descriptor, type_id), "_d_" + name: descriptor, "_tc_" + name: typecode})
         omniORB.registerType(type_id, descriptor, typecode)
-    return found
+    return names
 
 
 def _class(descriptor, type_id):

@@ -152,20 +152,20 @@ class _Builder(Visitor):
     wstring = string
 
     def enum(self, descriptor, written, where, _):
-        known = items(descriptor)
+        enumerators = items(descriptor)
         name = getattr(written, "_n", None)
         if not name and isinstance(written, Word):
             name = written.name
         elif not name:
             name = written
-        for item in known:
+        for item in enumerators:
             if isinstance(name, str) and item._n == name.rpartition(".")[2]:
                 return item
         is_number = isinstance(name, int) and not isinstance(name, bool)
-        if is_number and 0 <= name < len(known):
-            return known[name]
-        listed = ", ".join(item._n for item in known[:20])
-        if len(known) > 20:
+        if is_number and 0 <= name < len(enumerators):
+            return enumerators[name]
+        listed = ", ".join(item._n for item in enumerators[:20])
+        if len(enumerators) > 20:
             listed += ", …"
         shown = f"{_shown(written)} (they are {listed})"
         raise errors.BadValue(where, f"no {words(descriptor)}: {shown}")
@@ -270,14 +270,14 @@ class _Builder(Visitor):
 
     def union(self, descriptor, written, where, depth):
         make = factory(descriptor)
-        known = cases(descriptor)
+        all_cases = cases(descriptor)
         if isinstance(written, Call):
             if not fits(written.name, descriptor):
                 raise errors.BadValue(where, f"not {_a(descriptor)}: {printable(written.name)}")
             written = dict(written.keywords, **dict(zip(("_d", "_v"), written.positional)))
         elif not isinstance(written, dict):
             written = {name: getattr(written, name) for name in ("_d", "_v") if hasattr(written, name)}
-        names = [case.member for case in known]
+        names = [case.member for case in all_cases]
         given = [name for name in written if name != "_d"]
         unknown = [name for name in given if name not in names and name != "_v"]
         if len(given) > 1 or unknown or not written:
@@ -285,7 +285,7 @@ class _Builder(Visitor):
         if "_d" in written:
             label = self.visit(discriminator(descriptor), written["_d"], where + " discriminator", depth - 1)
         else:
-            label = next((case.label for case in known if case.member == given[0]), None)
+            label = next((case.label for case in all_cases if case.member == given[0]), None)
         case = cases_by_label(descriptor).get(label, default_case(descriptor))
         if case is None:
             return make(label, None)

@@ -95,11 +95,11 @@ def _parameter(operation, name):
     for parameter in inputs:
         if parameter.name == name:
             return parameter
-    known = [parameter.name for parameter in inputs]
+    names = [parameter.name for parameter in inputs]
     if name in [parameter.name for parameter in operation.parameters]:
         why = f"{name} is an out parameter: it is not given"
-    elif known:
-        why = f"no parameter {text.printable(name)}{text.candidates(name, known)}"
+    elif names:
+        why = f"no parameter {text.printable(name)}{text.candidates(name, names)}"
     else:
         why = f"it takes no arguments, not {text.printable(name)}"
     raise errors.BadValue(operation.shown, why)

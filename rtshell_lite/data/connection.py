@@ -141,13 +141,13 @@ class Connection:
         """Why the connector of a silent process is left, in words."""
         return SILENT
 
-    def report(self, known, unwound):
+    def report(self, reported, unwound):
         """Report a connector that could not be removed, and the command that removes it.
 
-        If `unwound` by an exception, also report a failure other than the `known` one (text): nobody else may
-        do that.
+        If `unwound` by an exception, also report a failure other than the `reported` one (text): nobody else
+        may do that.
         """
-        if unwound and self.failure and str(self.failure) != known:
+        if unwound and self.failure and str(self.failure) != reported:
             notes.fail(self.failure)
             self.reported = self.failure
         if self.left:
@@ -294,12 +294,12 @@ class Connections:
         return self
 
     async def __aexit__(self, *exception):
-        known = [str(connection.failure) if self._is_open else None for connection in self.connections]
+        reported = [str(connection.failure) if self._is_open else None for connection in self.connections]
         try:
             await loop.finish(self._close())
         finally:
             is_unwound = sys.exc_info()[0] is not None
-            for connection, failure in zip(self.connections, known):
+            for connection, failure in zip(self.connections, reported):
                 connection.report(failure, is_unwound)
             turned_away = session.current().turned_away
             if turned_away:

@@ -14,7 +14,7 @@ def template(parameters):
     """{name: value for json.dumps} of the interfaces.Parameters that a caller sends, in their order.
     Raises BadType.
     """
-    return {each.name: values.json(value(each.type)) for each in parameters}
+    return {parameter.name: values.json(value(parameter.type)) for parameter in parameters}
 
 
 def value(descriptor):

@@ -33,12 +33,12 @@ async def find(targets, kind):
     await need_ports(meant, kind)
     targets = [target._replace(path=path) for target, path in zip(targets, meant)]
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
-    found = []
-    for target, known in zip(targets, listed):
-        if not isinstance(known, errors.Error):
-            known = _named(target, known)
-        found.append(known)
-    return found
+    answers = []
+    for target, answer in zip(targets, listed):
+        if not isinstance(answer, errors.Error):
+            answer = _named(target, answer)
+        answers.append(answer)
+    return answers
 
 
 async def need_ports(meant, kind):
@@ -57,14 +57,14 @@ async def need_ports(meant, kind):
             raise errors.Usage(f"{path!s}: no port specified{has}")
 
 
-def _named(target, known):
-    port = ports.named(target.path, known)
+def _named(target, listed):
+    port = ports.named(target.path, listed)
     name = None
     if isinstance(port, errors.Error):
         shorter, dot, rest = target.path.port.rpartition(".")
         if dot and re.match(r"\w+\Z", rest):
-            port = ports.named(target.path.with_port(shorter), known)
+            port = ports.named(target.path.with_port(shorter), listed)
             name = rest
     if isinstance(port, errors.Error):
-        return ports.named(target.path, known)
+        return ports.named(target.path, listed)
     return NamedPort(port, name, target.formatter, name or target.label)

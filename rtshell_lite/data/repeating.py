@@ -36,10 +36,10 @@ class Latencies:
 
     def _share(self, share):
         """The time within which this share of the calls was answered, None if none was."""
-        wanted = math.ceil(share * sum(self._steps.values()))
+        left = math.ceil(share * sum(self._steps.values()))
         for step in sorted(self._steps):
-            wanted -= self._steps[step]
-            if wanted <= 0:
+            left -= self._steps[step]
+            if left <= 0:
                 return min(max(math.exp(step / FINE), self.least), self.most)
         return None
 
@@ -47,20 +47,20 @@ class Latencies:
         """A dict of figures: calls, failed, seconds in all, and of the answered calls min, median, p99, max,
         in seconds, None where none was answered.
         """
-        found = {"calls": self.count, "failed": self.failed, "seconds": loop.now() - self._begun}
-        found.update(min=None, median=self._share(0.5), p99=self._share(0.99), max=None)
+        figures = {"calls": self.count, "failed": self.failed, "seconds": loop.now() - self._begun}
+        figures.update(min=None, median=self._share(0.5), p99=self._share(0.99), max=None)
         if self._steps:
-            found.update(min=self.least, max=self.most)
-        return found
+            figures.update(min=self.least, max=self.most)
+        return figures
 
     def line(self):
         """The figures as a line for people."""
-        found = self.summary()
-        seconds = f"{found['seconds']:.3f} s"
+        figures = self.summary()
+        seconds = f"{figures['seconds']:.3f} s"
         shown = f"{counted(self.count, 'call')}, {self.failed} failed, in {seconds}"
-        if found["median"] is None:
+        if figures["median"] is None:
             return shown
-        times = ["%s %.3f ms" % (words, 1e3 * found[key]) for words, key in SHOWN]
+        times = ["%s %.3f ms" % (words, 1e3 * figures[key]) for words, key in SHOWN]
         return f"{shown}: {', '.join(times)}"
 
     def status(self):

@@ -111,12 +111,12 @@ class Injection:
         end = due + seconds
         while self.sent != number and self.live():
             try:
-                found = await source.next(end - loop.now())
+                given = await source.next(end - loop.now())
             except EOFError:
                 return
-            if found is None:
+            if given is None:
                 return
-            expressions = self.checked(*found)
+            expressions = self.checked(*given)
             if due >= end:
                 return
             left = max(due, self.ended + 1 / rate / HURRY) - loop.now()

@@ -297,14 +297,14 @@ def field(value, path):
     """A part of a value: field(value, "data.points[0].x").
     Raises NoSuch, which lists the fields, and BadPath.
     """
-    at = 0
+    end = 0
     part = value
-    while at < len(path):
-        step = _STEP.match(path, at)
+    while end < len(path):
+        step = _STEP.match(path, end)
         if step is None:
             raise errors.BadPath(printable(path), "not a field; one is written data.points[0].x")
         part = _step(part, step, path)
-        at = step.end()
+        end = step.end()
     return part
 
 
@@ -340,10 +340,10 @@ def raw(data, little=True, limit=None):
     """Lines about bytes of an unknown type: their number, a hex dump, and guesses at what they are."""
     lines = [f"{len(data)} bytes"]
     shown = data[:limit]
-    for at in range(0, len(shown), 16):
-        row = shown[at : at + 16]
+    for offset in range(0, len(shown), 16):
+        row = shown[offset : offset + 16]
         characters = "".join(map(_character, row))
-        lines.append(f"{at:08x}  {_hex(row):48} {characters}")
+        lines.append(f"{offset:08x}  {_hex(row):48} {characters}")
     if len(shown) < len(data):
         lines.append("… %d more" % (len(data) - len(shown)))
     guesses = _guesses(data, "<") if little else _guesses(data, ">")

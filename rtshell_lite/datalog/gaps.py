@@ -37,8 +37,8 @@ def from_texts(texts):
         return None
     if not isinstance(counts, dict) or not (records.is_moment(first) and records.is_moment(last)):
         return None
-    known = {name: count for name, count in counts.items() if count is None or type(count) is int}
-    return Gap(first, last, known, why)
+    numbers = {name: count for name, count in counts.items() if count is None or type(count) is int}
+    return Gap(first, last, numbers, why)
 
 
 def as_dict(gap):
@@ -48,7 +48,7 @@ def as_dict(gap):
 
 def words(gap):
     """Of which channels how much is missing, and why."""
-    named = [_of_channel(*each) for each in sorted(gap.counts.items())[:NAMED]]
+    named = [_of_channel(*item) for item in sorted(gap.counts.items())[:NAMED]]
     more = len(gap.counts) - len(named)
     if more:
         named.append(f"of {more} more channels")

@@ -93,16 +93,16 @@ class _Buffered:
 async def _report_missing(buffered, pauses):
     """Report the values that these _Buffered have lost in pauses."""
     longest = max(last - first for first, last in pauses) / 1e9
-    doubtful = [each for each in buffered if each.is_full_after(longest)]
+    doubtful = [buffer for buffer in buffered if buffer.is_full_after(longest)]
     if not doubtful:
         return
     await loop.sleep(SETTLE)
-    counts = [each.reader.count for each in doubtful]
+    counts = [buffer.reader.count for buffer in doubtful]
     begun = loop.now()
     await loop.sleep(SETTLE)
     passed = loop.now() - begun
-    for each, before in zip(doubtful, counts):
-        reader = each.reader
-        count = each.missing((reader.count - before) / passed, longest)
-        if count and reader.connector is each.connector and reader.miss is not None:
+    for buffer, before in zip(doubtful, counts):
+        reader = buffer.reader
+        count = buffer.missing((reader.count - before) / passed, longest)
+        if count and reader.connector is buffer.connector and reader.miss is not None:
             reader.miss(pauses[0][0], pauses[-1][1], count, STOOD)

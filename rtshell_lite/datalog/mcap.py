@@ -78,20 +78,20 @@ class Fields:
     def texts(self):
         """A map of texts."""
         inner = Fields(self.blob())
-        found = {}
+        texts = {}
         while inner.at < len(inner.body):
             name = inner.string()
-            found[name] = inner.string()
-        return found
+            texts[name] = inner.string()
+        return texts
 
     def numbers(self):
         """A map of uint16 to uint64."""
         inner = Fields(self.blob())
-        found = {}
+        numbers = {}
         while inner.at < len(inner.body):
             name = inner.short()
-            found[name] = inner.number()
-        return found
+            numbers[name] = inner.number()
+        return numbers
 
 
 class Chunk:
@@ -178,19 +178,19 @@ def messages_indexed(places, length):
 
 def walk(octets):
     """(opcode, begin of the record, begin of its body, end) of the records in a chunk. Raises Damaged."""
-    at = 0
+    offset = 0
     size = len(octets)
     unpack = HEAD.unpack_from
     head = HEAD.size
-    while at < size:
-        if at + head > size:
+    while offset < size:
+        if offset + head > size:
             raise Damaged("a record ends too early")
-        kind, length = unpack(octets, at)
-        end = at + head + length
+        kind, length = unpack(octets, offset)
+        end = offset + head + length
         if end > size:
             raise Damaged("a record ends too early")
-        yield kind, at, at + head, end
-        at = end
+        yield kind, offset, offset + head, end
+        offset = end
 
 
 # ---- records to octets ----

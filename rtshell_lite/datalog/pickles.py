@@ -61,13 +61,13 @@ _HELPERS = {
 
 class Machine:
     """Reads successive pickles from a file of `size` octets;
-    `known(module, name)` says which classes may appear.
+    `is_known(module, name)` says which classes may appear.
     """
 
-    def __init__(self, file, size, known):
+    def __init__(self, file, size, is_known):
         self._file = file
         self._size = size
-        self._known = known
+        self._is_known = is_known
         self.position = 0  # where the next pickle begins
 
     def load(self):
@@ -83,14 +83,14 @@ class Machine:
         self._file.seek(self.position)
         begin = self.position
         opcodes = 0
-        made = 0
+        count = 0
         try:
             code = self._read(1)
             while code != b".":
                 opcodes += 1
                 if code in _MAKING:
-                    made += 1
-                    if made > min(MOST, FEW + (self.position - begin) // SHARE):
+                    count += 1
+                    if count > min(MOST, FEW + (self.position - begin) // SHARE):
                         raise Refused("too many values in few octets")
                 if opcodes > MOST_OPCODES:
                     raise Refused("too many values")
@@ -212,7 +212,7 @@ class Machine:
         """Push a class, which must be known."""
         if (module, name) in _HELPERS:
             self.push(_HELPERS[module, name])
-        elif self._known(module, name):
+        elif self._is_known(module, name):
             self.push(Class(module, name))
         else:
             raise Refused(

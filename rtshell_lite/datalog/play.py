@@ -86,9 +86,9 @@ def _channel_for(log, port, name, place):
     elif name is None and place < len(names):
         number = place
     else:
-        wanted = printable(name or "number %d" % (place + 1))
+        called = printable(name or "number %d" % (place + 1))
         there = ", ".join(map(printable, names)) or "none"
-        raise errors.NoSuch(where, f"channel in {log.where}", f"{wanted} (there are: {there})")
+        raise errors.NoSuch(where, f"channel in {log.where}", f"{called} (there are: {there})")
     _check_types(log, number, port)
     return number
 
@@ -96,11 +96,11 @@ def _channel_for(log, port, name, place):
 def _check_types(log, number, port):
     """Raise errors.Failed where the type of a channel is not that of a Port."""
     recorded = log.channels[number].type_id
-    wanted = port.properties.get("dataport.data_type", "")
-    if not ports.same_type(recorded, wanted):
+    expected = port.properties.get("dataport.data_type", "")
+    if not ports.same_type(recorded, expected):
         raise errors.Failed(
             ports.label(port),
-            f"data types differ: {printable(recorded)} in the log, {printable(wanted)} here",
+            f"data types differ: {printable(recorded)} in the log, {printable(expected)} here",
         )
 
 
@@ -131,9 +131,9 @@ class Playing:
         self.tally = notes.Tally()
         self.sinks = []  # (number of a channel, the writing.Writer of a port that it is played to)
 
-    async def find_sinks(self, wanted, properties):
-        """Find the ports; `wanted` are port_arguments.Targets, `properties` those of the connections."""
-        for place, target in enumerate(await port_arguments.find(wanted, "DataInPort")):
+    async def find_sinks(self, targets, properties):
+        """Find the ports; `targets` are port_arguments.Targets, `properties` those of the connections."""
+        for place, target in enumerate(await port_arguments.find(targets, "DataInPort")):
             try:
                 if isinstance(target, errors.Error):
                     raise target
@@ -143,14 +143,14 @@ class Playing:
             except errors.Error as e:
                 self.tally.add(e)
 
-    async def find_ends(self, wanted, properties):
-        """Find the in ports that channels lead to: `wanted` are (number of a channel, Path of a port)."""
-        owners = list(dict.fromkeys(path.object() for _, path in wanted))
+    async def find_ends(self, ends, properties):
+        """Find the in ports that channels lead to: `ends` are (number of a channel, Path of a port)."""
+        owners = list(dict.fromkeys(path.object() for _, path in ends))
         listed = dict(zip(owners, await tree.on_components(owners, ports.ports)))
-        for number, path in wanted:
+        for number, path in ends:
             try:
-                known = listed[path.object()]
-                port = known if isinstance(known, errors.Error) else ports.named(path, known)
+                answer = listed[path.object()]
+                port = answer if isinstance(answer, errors.Error) else ports.named(path, answer)
                 if isinstance(port, errors.Error):
                     raise port
                 _check_types(self.decoder.log, number, port)

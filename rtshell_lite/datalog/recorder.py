@@ -31,9 +31,9 @@ class Channels:
     `found` are the records.Channels, `types` their datatypes.Type; None for what is recorded as bytes.
     """
 
-    def __init__(self, known):
-        """`known` are datatypes.Types."""
-        self._known = known
+    def __init__(self, all_types):
+        """`all_types` are datatypes.Types."""
+        self._all_types = all_types
         self.found = []
         self.types = []
 
@@ -69,7 +69,7 @@ class Channels:
 
     async def _type(self, port, where, type_id):
         try:
-            return await self._known.of_port(port)
+            return await self._all_types.of_port(port)
         except errors.NoSuch:
             why = f"{printable(type_id)} is not known; {datatypes.SOURCES}"
         except errors.BadType as e:

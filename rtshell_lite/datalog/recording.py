@@ -90,8 +90,8 @@ class Plan:
     None.
     """
 
-    def __init__(self, wanted, tops, choice, properties, pull):
-        self.wanted = wanted
+    def __init__(self, targets, tops, choice, properties, pull):
+        self.targets = targets
         self.tops = tops
         self.choice = choice
         self.properties = properties
@@ -234,7 +234,7 @@ class _Recording:
     async def _wanted_readers(self):
         """Readers of the ports that were named, each for its channel; what fails is counted."""
         readers = []
-        for number, target in enumerate(await port_arguments.find(self._plan.wanted, "DataOutPort")):
+        for number, target in enumerate(await port_arguments.find(self._plan.targets, "DataOutPort")):
             try:
                 if isinstance(target, errors.Error):
                     raise target

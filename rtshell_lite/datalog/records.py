@@ -29,4 +29,4 @@ def is_called(word, names):
 
 def cuts(word):
     """Where the name of a channel or a port may end in NAME[.FIELD], from the end on."""
-    return [len(word)] + [found.start() for found in reversed(list(re.finditer(r"[.\[]", word)))]
+    return [len(word)] + [match.start() for match in reversed(list(re.finditer(r"[.\[]", word)))]

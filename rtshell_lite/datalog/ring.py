@@ -62,10 +62,10 @@ class Parts:
         stem, dot = os.path.splitext(os.path.basename(self.name))
         form = re.compile(re.escape(stem) + r"-(\d{6,9})" + re.escape(dot or ".mcap") + r"\Z")
         folder = os.path.dirname(self.name) or "."
-        found = sorted(
+        earlier = sorted(
             (int(match.group(1)), match.string) for match in map(form.match, os.listdir(folder)) if match
         )
-        for number, name in found:
+        for number, name in earlier:
             path = os.path.join(folder, name)
             status = os.stat(path)
             self._parts.append(Part(path, status.st_size, int(status.st_mtime * 1e9)))
@@ -181,14 +181,14 @@ class Parts:
             yield from self._of(name, first, last)
 
     def _of(self, name, first, last):
-        known = {(channel.name, channel.type_id): number for number, channel in enumerate(self.channels)}
+        number_of = {(channel.name, channel.type_id): number for number, channel in enumerate(self.channels)}
         try:
             log = logfile.load(name)
         except FileNotFoundError:
             notes.note(f"{text.printable(name)}: it is gone, and so is what the ring held in it")
             return
         with log:
-            numbers = [known.get(channel[:2]) for channel in log.channels]
+            numbers = [number_of.get(channel[:2]) for channel in log.channels]
             start = log.since(first)
             if start is None:
                 return

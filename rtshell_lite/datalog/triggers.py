@@ -67,11 +67,11 @@ class Comparison:
 
     delay = 0.0
 
-    def __init__(self, words, part, compare, wanted):
+    def __init__(self, words, part, compare, limit):
         self.words = words
         self._part = part
         self._compare = compare
-        self._wanted = wanted
+        self._limit = limit
         self.remark = NO_PORT
         self._happened = []
         self._was = {}
@@ -107,7 +107,7 @@ class Comparison:
             return
         value = getattr(value, "_n", value)
         try:
-            is_so = self._compare(value, self._wanted)
+            is_so = self._compare(value, self._limit)
         except TypeError:
             return  # a word and a number
         if is_so and not self._was.get(names):
@@ -147,7 +147,7 @@ class Report:
 
 def parse(words):
     """The conditions that words on the command line say. Raises Usage."""
-    return [_condition(each.strip()) for each in words]
+    return [_condition(text.strip()) for text in words]
 
 
 def _condition(words):
@@ -158,11 +158,11 @@ def _condition(words):
         return Silence(words, silence.group(1), float(silence.group(2)))
     comparison = _COMPARISON.match(words)
     if comparison and ":" in comparison.group(1):
-        part, word, wanted = comparison.groups()
-        return Comparison(words, part, _OPERATORS[word], _number(wanted))
-    known = ", ".join(EVENTS)
+        part, word, limit = comparison.groups()
+        return Comparison(words, part, _OPERATORS[word], _number(limit))
+    names = ", ".join(EVENTS)
     raise errors.Usage(
-        f"--trigger {printable(words)}: not {known}, silent PATH:PORT SECONDS, or PATH:PORT.FIELD OP VALUE"
+        f"--trigger {printable(words)}: not {names}, silent PATH:PORT SECONDS, or PATH:PORT.FIELD OP VALUE"
     )
 
 

@@ -201,18 +201,18 @@ class Writer:
             schema_number = 0
             if schema:
                 schema_number = self._schema_id(schema)
-            made = mcap.channel_record(number, schema_number, channel.name, channel.encoding, about)
-            self._put([made])
-            self.contents.records[mcap.CHANNEL].append(made)
+            record = mcap.channel_record(number, schema_number, channel.name, channel.encoding, about)
+            self._put([record])
+            self.contents.records[mcap.CHANNEL].append(record)
             self._known[key] = number
         return self._known[key]
 
     def _schema_id(self, schema):
         if schema not in self._schemas:
             number = max(self._schemas.values(), default=0) + 1
-            made = mcap.schema_record(number, *schema)
-            self._put([made])
-            self.contents.records[mcap.SCHEMA].append(made)
+            record = mcap.schema_record(number, *schema)
+            self._put([record])
+            self.contents.records[mcap.SCHEMA].append(record)
             self._schemas[schema] = number
         return self._schemas[schema]
 
@@ -243,9 +243,9 @@ class Writer:
 
     def attach(self, moment, name, media_type, data):
         """Put a file into the log: `data` are its octets, `moment` is ns since the epoch."""
-        made = mcap.attachment_record(moment, name, media_type, data)
-        index = mcap.attachment_index(moment, name, media_type, len(data), self.end, len(made))
-        self._put([made])
+        record = mcap.attachment_record(moment, name, media_type, data)
+        index = mcap.attachment_index(moment, name, media_type, len(data), self.end, len(record))
+        self._put([record])
         self.contents.records[mcap.ATTACHMENT_INDEX].append(index)
 
     def _put(self, parts):

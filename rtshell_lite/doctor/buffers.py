@@ -28,7 +28,7 @@ def findings(snapshots):
         for port in snapshot.ports
         if port.type == "DataOutPort"
     }
-    found = []
+    all_findings = []
     for snapshot in snapshots:
         for port in snapshot.ports:
             policy = refusal(port) if port.type == "DataInPort" and snapshot.states else ""
@@ -38,10 +38,10 @@ def findings(snapshots):
                 message = ""
                 cure = None
             if message:
-                found.append(warn("buffer", ports.label(port), f"{message} ({policy})", cure))
+                all_findings.append(warn("buffer", ports.label(port), f"{message} ({policy})", cure))
             if port.type == "DataInPort":
-                found += _removals(port, writers)
-    return found
+                all_findings += _removals(port, writers)
+    return all_findings
 
 
 def _removals(port, writers):
@@ -84,8 +84,8 @@ def _writers(port, writers):
         if ref is not None
         and dict(connector.properties).get("dataport.dataflow_type", "push").lower() == "push"
     ]
-    known = [writers[orb.identity(ref)] for ref in pushed if orb.identity(ref) in writers]
-    return [(snapshot, port) for snapshot, port in known if component.merged(snapshot.states) == "Active"]
+    owners = [writers[orb.identity(ref)] for ref in pushed if orb.identity(ref) in writers]
+    return [(snapshot, port) for snapshot, port in owners if component.merged(snapshot.states) == "Active"]
 
 
 def _trouble(snapshot, policy, writers):

@@ -16,15 +16,15 @@ async def findings(snapshots):
         snapshot for snapshot in snapshots if snapshot.error is None and _may_be_composite(snapshot)
     ]
     answers = await session.each([snapshot.node for snapshot in candidates], composites.owned)
-    found = []
+    all_findings = []
     for snapshot, answer in zip(candidates, answers):
         where = snapshot.where
         if isinstance(answer, errors.Error):
             if isinstance(answer, errors.NoTime):
-                found.append(limits.late("composite", where))
+                all_findings.append(limits.late("composite", where))
                 continue
             message = f"does not report its members ({reason(answer)})"
-            found.append(
+            all_findings.append(
                 warn(
                     "composite", where, message,
                     await remedies.of_silence(answer, snapshot.node.endpoint, where),
@@ -32,12 +32,12 @@ async def findings(snapshots):
             )
             continue
         for organisation in answer:
-            found += [
+            all_findings += [
                 await _lost(snapshot, name, ref)
                 for name, ref in organisation.members
                 if isinstance(name, errors.Error)
             ]
-    return sorted(found, key=lambda finding: finding.path)
+    return sorted(all_findings, key=lambda finding: finding.path)
 
 
 def _may_be_composite(snapshot):

@@ -56,9 +56,9 @@ async def examine(tops=(), compare=None, seconds=0, keep=None, pause=None):
 
 
 async def _steps(tops, compare, seconds, keep, pause):
-    found = await local.findings()
-    yield found
-    failed = [finding.check for finding in found if finding.level == "fail"]
+    findings = await local.findings()
+    yield findings
+    failed = [finding.check for finding in findings if finding.level == "fail"]
     if "ORB" in failed or "limit" in failed:
         return
     everything = not tops or path.ROOT in tops
@@ -127,18 +127,18 @@ async def _rates(examined, seconds):
 
 async def _same_server(visits):
     """Two addresses of one name server: everything in it would be listed twice."""
-    found = []
+    findings = []
     seen = {}
     for visit in visits:
         for address in visit.addresses:
             server = await tree.resolve(visit.path)
             first = seen.setdefault((address, orb.endpoint(server.ref)[1]), visit)
             if first is not visit:
-                found.append(
+                findings.append(
                     warn(
                         "name server", str(visit.path), "the same name server as " + str(first.path),
                         remedies.words("one address"),
                     )
                 )
                 break
-    return found
+    return findings

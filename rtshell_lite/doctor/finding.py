@@ -125,11 +125,11 @@ async def meaning_of(host):
     if host == "localhost" or addresses.is_numeric(host):
         return ""
     try:
-        known = await addresses.resolve(host)
+        numbers = await addresses.resolve(host)
     except errors.Error:
         return ""
-    here = ", this host" if any(addresses.is_own(address) for address in known) else ""
-    return f" ({', '.join(known)}{here})"
+    here = ", this host" if any(addresses.is_own(address) for address in numbers) else ""
+    return f" ({', '.join(numbers)}{here})"
 
 
 def reason(e):

@@ -150,14 +150,14 @@ def _processes(ports):
 
 def _listening(ports):
     """{inode of a socket: port} of those that listen on these ports, from /proc/net/tcp and tcp6."""
-    found = {}
+    ports_by_inode = {}
     for name in ("/proc/net/tcp", "/proc/net/tcp6"):
         for line in _whole(name).splitlines()[1:]:
             words = line.split()
             port = int(words[1].rpartition(":")[2], 16)
             if words[3] == LISTENING and port in ports:
-                found[words[9]] = port
-    return found
+                ports_by_inode[words[9]] = port
+    return ports_by_inode
 
 
 def _whole(name):
@@ -173,11 +173,11 @@ def _owners(inodes):
     owners = {}
     if not inodes:
         return owners
-    wanted = {f"socket:[{inode}]": inode for inode in inodes}
+    inode_of = {f"socket:[{inode}]": inode for inode in inodes}
     for pid in filter(str.isdigit, os.listdir("/proc")):
         for link in _links(f"/proc/{pid}/fd"):
-            if link in wanted:
-                owners[wanted[link]] = pid
+            if link in inode_of:
+                owners[inode_of[link]] = pid
     return owners
 
 
@@ -196,9 +196,9 @@ def _links(folder):
 def _process(pid):
     """What /proc says of a process, in a line."""
     words = _content(f"/proc/{pid}/cmdline").split("\0")
-    known = dict(
+    status = dict(
         line.partition(":\t")[::2] for line in _content(f"/proc/{pid}/status").splitlines() if ":\t" in line
     )
-    more = [f"{name} {known[name].strip()}" for name in ("State", "Threads", "VmRSS") if name in known]
+    more = [f"{name} {status[name].strip()}" for name in ("State", "Threads", "VmRSS") if name in status]
     line = " ".join(map(quoted, without_secrets(filter(None, words))))
     return f"{pid}  {', '.join(more)}  {line}"

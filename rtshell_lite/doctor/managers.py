@@ -17,10 +17,10 @@ async def asked(nodes):
 
 async def findings(answers):
     """Findings on managers, given what `asked` gives."""
-    found = []
+    all_findings = []
     for node, answer in answers:
-        found += await _troubles(node, answer)
-    return found
+        all_findings += await _troubles(node, answer)
+    return all_findings
 
 
 async def _ask(node):
@@ -43,35 +43,35 @@ async def _troubles(node, answer):
     if isinstance(answer, errors.Error):
         return [await _no_answer(node, where, answer)]
     slaves, components, twice = answer
-    found = []
+    findings = []
     if twice:
         message = "one of its slaves has died, and its components with it"
-        found = [fail("manager", where, message, remedies.words("restart slave"))]
+        findings = [fail("manager", where, message, remedies.words("restart slave"))]
     homes = await networks.homes_of(node.ref)
     for child in slaves + components:
         what = "lists a slave that " if child in slaves else "lists a component that "
         misled = await networks.misled("manager", where, child.ref, homes)
         if misled:
-            found.append(misled._replace(message=what + misled.message))
+            findings.append(misled._replace(message=what + misled.message))
         if misled and misled.level == "fail":
             continue
         if child.kind == "unasked":
             message = what + "was " + reason(child.error)
             cure = remedies.not_asked(child.error, where)
-            found.append(warn("manager", where, message, cure, child.endpoint))
+            findings.append(warn("manager", where, message, cure, child.endpoint))
         elif child.kind in ("zombie", "silent") and await _is_of_network(child, homes):
             message = what + f"cannot be reached from here ({reason(child.error)})"
-            found.append(fail("manager", where, message, remedies.network(child.endpoint)))
+            findings.append(fail("manager", where, message, remedies.network(child.endpoint)))
         elif child.kind == "zombie":
             cure = remedies.words("restart manager", path=word)
-            found.append(fail("manager", where, what + "is gone", cure))
+            findings.append(fail("manager", where, what + "is gone", cure))
         elif child.kind == "silent":
             message = what + f"does not answer ({reason(child.error)})"
             cure = remedies.words("hung below", path=word)
-            found.append(fail("manager", where, message, cure, child.endpoint))
+            findings.append(fail("manager", where, message, cure, child.endpoint))
     has = f"{counted(len(components), 'component')}, {counted(len(slaves), 'slave')}"
     shown = await published(node.ref)
-    return found or [ok("manager", where, f"manager of {has}, at {shown}")]
+    return findings or [ok("manager", where, f"manager of {has}, at {shown}")]
 
 
 async def _no_answer(node, where, e):

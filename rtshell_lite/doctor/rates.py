@@ -41,28 +41,28 @@ async def measured(snapshots, seconds):
 
     No new batch begins when the timeout is over.
     """
-    found = {}
+    findings = {}
     waiting = []
     for snapshot in snapshots:
         watched, why_not = _watchable(snapshot)
         if watched:
             waiting.append(watched)
         elif why_not:
-            found[snapshot.where] = [ok("rate", snapshot.where, "rate not measured: " + why_not)]
+            findings[snapshot.where] = [ok("rate", snapshot.where, "rate not measured: " + why_not)]
     begun = loop.now()
     while waiting:
         batch, waiting = _batch(waiting)
-        if found and loop.now() - begun > session.current().timeout:
-            found.update(
+        if findings and loop.now() - begun > session.current().timeout:
+            findings.update(
                 (watched.where, [_unmeasured(watched.where, errors.NoTime(watched.where, session.NO_TIME))])
                 for watched in batch
             )
             continue
-        found.update(
+        findings.update(
             (watched.where, [finding] + _clock(watched))
             for watched, finding in zip(batch, await _watch(batch, seconds))
         )
-    return found
+    return findings
 
 
 def _batch(waiting):

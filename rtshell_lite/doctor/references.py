@@ -12,13 +12,13 @@ from rtshell_lite.text import printable, shell_word
 
 async def findings(visit):
     """Findings on all that is bound in the name server of a servers.Visit, sorted by path."""
-    found = []
+    all_findings = []
     for node in visit.nodes:
         if node.kind not in ("root", "server", "directory"):
-            found += await _unreachable(visit, node) or await _not_what_it_says(node)
+            all_findings += await _unreachable(visit, node) or await _not_what_it_says(node)
         elif node.alias is not None or node.foreign:
-            found.append(alias(node))
-    return sorted(found + await _stale_contexts(visit), key=lambda finding: finding.path)
+            all_findings.append(alias(node))
+    return sorted(all_findings + await _stale_contexts(visit), key=lambda finding: finding.path)
 
 
 # ---- where it leads ----
@@ -219,7 +219,7 @@ async def _stale_contexts(visit):
 
     One that has several names, or holds one with another name, is in use.
     """
-    found = []
+    findings = []
     stale = set()
     content = _content(visit.nodes)
     forsaken = {
@@ -237,8 +237,8 @@ async def _stale_contexts(visit):
                 what = "only dead names are in it"
             else:
                 what = "empty"
-            found.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
-    return found
+            findings.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
+    return findings
 
 
 def _emptied(node, below):

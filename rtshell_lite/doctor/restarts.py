@@ -18,7 +18,7 @@ async def findings(nodes, seconds):
     await loop.sleep(seconds)
     now = session.current()
     now.end = max(now.end, loop.now() + now.timeout)
-    found = []
+    all_findings = []
     answers = await session.each([node.path for node in bound], tree.resolve, tree.at_server)
     for node, again in zip(bound, answers):
         where = str(node.path)
@@ -31,5 +31,5 @@ async def findings(nodes, seconds):
         else:
             places = f"it was at {orb.at_address(node.ref)}, and is at {orb.at_address(again.ref)} now"
             message = f"started again within {seconds:g} s: {places}"
-        found.append(warn("component", where, message, remedies.words("crash loop")))
-    return found
+        all_findings.append(warn("component", where, message, remedies.words("crash loop")))
+    return all_findings

@@ -35,23 +35,23 @@ async def visits(tops):
     answers = await session.each(
         places, lambda place: _visit(place, by_server[place.server], used), tree.at_server
     )
-    made = []
+    all_visits = []
     for place, visit in zip(places, answers):
         if isinstance(visit, errors.Error):
             visit = _too_late(place, visit)
-        made.append(visit)
-    return made
+        all_visits.append(visit)
+    return all_visits
 
 
 async def _ports(places):
     """The TCP ports of the name servers at some Paths."""
-    found = set()
+    numbers = set()
     for place in places:
         try:
-            found.add((await tree.resolve(place)).endpoint[1])
+            numbers.add((await tree.resolve(place)).endpoint[1])
         except errors.Error:  # which a visit reports
             continue
-    return found - {None}
+    return numbers - {None}
 
 
 def _too_late(place, e, findings=()):
@@ -68,9 +68,9 @@ async def _visit(place, tops, used):
     if server.kind == "server" and not await _reach(visit, server, used):
         return visit
     for top in tops:
-        known = {node.path for node in visit.nodes}
+        paths = {node.path for node in visit.nodes}
         for node in await _below(visit, top):
-            if node.path not in known:
+            if node.path not in paths:
                 visit.nodes.append(node)
     await _share(visit, tops)
     looked, probes = await session.each(
@@ -370,8 +370,8 @@ async def _probes(nodes):
     for node in nodes:
         if node.ref is not None and node.kind not in ("server", "directory"):
             published.update(orb.addresses(node.ref))
-    wanted = sorted((host, port) for host, port in published if host and port)
+    pairs = sorted((host, port) for host, port in published if host and port)
     answers = await session.each(
-        wanted, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address)
+        pairs, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address)
     )
-    return dict(zip(wanted, answers))
+    return dict(zip(pairs, answers))

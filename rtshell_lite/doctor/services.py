@@ -28,8 +28,8 @@ def mismatches(ends, properties):
         return ["each end provides something, and none requires anything"]
     lines = []
     for port, interface in wanting:
-        known = [properties] + [dict(connector.properties) for connector in port.connectors]
-        if not any(_served(interface, each) for each in known):
+        candidates = [properties] + [dict(connector.properties) for connector in port.connectors]
+        if not any(_served(interface, candidate) for candidate in candidates):
             lines.append(
                 f"nobody in it provides interface {printable(interface.instance_name)} "
                 f"({printable(interface.type_name)}), which {ports.label(port)} requires"

@@ -26,7 +26,7 @@ def findings(snapshots, failed):
         return [_nothing_moves([snapshot for snapshot, _ in answered])]
     groups = _connected(snapshots)
     states = {id(snapshot): state for snapshot, state in answered}
-    found = []
+    all_findings = []
     for snapshot, state in answered:
         group = groups[id(snapshot)]
         if state != "Inactive":
@@ -38,13 +38,13 @@ def findings(snapshots, failed):
         if active:
             of_system = f"{counted(active, 'component')} of its system {are} Active"
             message = f"Inactive, while {of_system}; it may have been reset"
-            found.append(
+            all_findings.append(
                 warn(
                     "component", snapshot.where, message,
                     remedies.words("activate", path=shell_word(snapshot.where)),
                 )
             )
-    return found
+    return all_findings
 
 
 def _nothing_moves(snapshots):

@@ -420,12 +420,12 @@ def adopted(descriptor, find=None, classes=False):
 
 
 class Adoption:
-    # `most`: types and items; each struct and union counts as `each`
-    def __init__(self, find=None, classes=False, most=LARGEST, each=1):
+    # `most`: types and items; each struct and union counts as `weight`
+    def __init__(self, find=None, classes=False, most=LARGEST, weight=1):
         self.find = find
         self.classes = classes
         self.most = most
-        self.each = each
+        self.weight = weight
         self.count = 0
         self.sequences = 0
         self.taking = set()  # identities of the structs and unions around this place
@@ -438,7 +438,7 @@ class Adoption:
         if sort == ENUM:
             self.count += len(items(descriptor))
         elif sort in (STRUCT, UNION):
-            self.count += self.each
+            self.count += self.weight
         else:
             self.count += 1
         if depth < 0 or self.count > self.most:

@@ -53,8 +53,8 @@ def _named(type_id):
             ],
             rest[1],
         )
-    made = descriptors.struct(type_id, name(type_id), list(zip(rest[::2], map(descriptor, rest[1::2]))))
-    return (sort,) + made[1:]
+    structure = descriptors.struct(type_id, name(type_id), list(zip(rest[::2], map(descriptor, rest[1::2]))))
+    return (sort,) + structure[1:]
 
 
 def name(type_id):

@@ -111,7 +111,10 @@ def served(interface, name):
     given, returned, _ = _COMMON.get(name) or idl.operation(interface, name)
     given = [idl.descriptor(word) for word in given]
     return (
-        [[maker.reader(each) for each in given] for maker in _MAKERS],
+        [[maker.reader(descriptor) for descriptor in given] for maker in _MAKERS],
         [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()],
-        all(descriptors.plain(each) == (descriptors.SEQUENCE, descriptors.OCTET, 0) for each in given),
+        all(
+            descriptors.plain(descriptor) == (descriptors.SEQUENCE, descriptors.OCTET, 0)
+            for descriptor in given
+        ),
     )

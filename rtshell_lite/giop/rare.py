@@ -68,16 +68,16 @@ def _fixed(digits, scale):
         raise Fault(f"a fixed of {digits} digits")
     size = digits // 2 + 1
 
-    def read(data, at):
-        nibbles = bytes(data[at : at + size]).hex()  # the last is the sign
+    def read(data, offset):
+        nibbles = bytes(data[offset : offset + size]).hex()  # the last is the sign
         number = nibbles[:-1]
         sign = {"c": "", "d": "-"}.get(nibbles[-1:])
         if len(nibbles) < 2 * size or sign is None or not number.isdigit():
             raise Fault("no fixed")
         if scale <= 0:
-            return sign + str(int(number) * 10**-scale), at + size
+            return sign + str(int(number) * 10**-scale), offset + size
         number = number.zfill(scale + 1)
-        return f"{sign}{int(number[:-scale])}.{number[-scale:]}", at + size
+        return f"{sign}{int(number[:-scale])}.{number[-scale:]}", offset + size
 
     return read
 
@@ -85,14 +85,14 @@ def _fixed(digits, scale):
 def _long_double(order):
     pair = struct.Struct(order + "QQ")
 
-    def read(data, at):
-        at += -at & 7
-        one, two = pair.unpack_from(data, at)
+    def read(data, offset):
+        offset += -offset & 7
+        first, two = pair.unpack_from(data, offset)
         if order == "<":
             high = two
-            low = one
+            low = first
         else:
-            high = one
+            high = first
             low = two
         exponent = high >> 48 & 0x7FFF
         fraction = (high & (1 << 48) - 1) << 64 | low
@@ -100,7 +100,7 @@ def _long_double(order):
             value = math.nan if fraction else math.inf
         else:
             value = _scaled((1 << 112 if exponent else 0) | fraction, max(exponent, 1) - 16383 - 112)
-        return (-value if high >> 63 else value), at + 16
+        return (-value if high >> 63 else value), offset + 16
 
     return read
 
@@ -144,11 +144,11 @@ def _scaled(number, exponent):
 def _principal(order):
     count = struct.Struct(order + "I")
 
-    def read(data, at):
-        at += -at & 3
-        end = at + 4 + count.unpack_from(data, at)[0]
+    def read(data, offset):
+        offset += -offset & 3
+        end = offset + 4 + count.unpack_from(data, offset)[0]
         if end > len(data):
             raise Fault("octets without an end")
-        return bytes(data[at + 4 : end]), end
+        return bytes(data[offset + 4 : end]), end
 
     return read

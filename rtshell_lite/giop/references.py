@@ -43,10 +43,10 @@ class Reference:
         for number, (tag, profile) in enumerate(self.profiles):
             if tag == ior.IIOP:
                 address = ior.parsed(b"", [(tag, profile)])
-                found = number, profile, address.key
+                asked = number, profile, address.key
                 if address[1:3] == via:
-                    return found
-                first = first or found
+                    return asked
+                first = first or asked
         return first
 
     def target(self, mode=messages.KEY, via=None):

@@ -35,7 +35,7 @@ LABELS = {
 def read(data, start, order):
     """(descriptor, where it ends) of the TypeCode at `start`. Raises Fault, struct.error, IndexError."""
     reader = _Reader(data, start, order, 0)
-    adoption = descriptors.Adoption(most=allowance.spend(0), each=allowance.CLASS)
+    adoption = descriptors.Adoption(most=allowance.spend(0), weight=allowance.CLASS)
     try:
         return adoption.take(reader.typecode({}, descriptors.DEEPEST), descriptors.DEEPEST), reader.at
     except errors.BadType as e:

@@ -100,8 +100,8 @@ async def check(directory, over=False):
 
 def _is_filled(directory):
     try:
-        with os.scandir(directory) as found:
-            return next(found, None) is not None
+        with os.scandir(directory) as entries:
+            return next(entries, None) is not None
     except OSError:  # it can be mounted on, but not read
         return False
 

@@ -60,12 +60,12 @@ class ManagedDirectory(Directory):
 
     async def _listed(self):
         """[(Node, the Path where it is bound or None)]"""
-        found = places.Places()
+        bound = places.Places()
         listed = []
         for node in await tree.managed(self.above.node):
             is_live = node.kind == "component"
             if is_live:
-                path = await found.path(node.path.names[-1].id, node.ref, self.above.node)
+                path = await bound.path(node.path.names[-1].id, node.ref, self.above.node)
             else:
                 path = None
             listed.append((node, path))

@@ -95,10 +95,10 @@ class Root(Directory):
             file_name(address): address for address in tree.servers() if _server_path(file_name(address))
         }
         servers.update((name, self.known[name].address) for name in named[:MOST_SERVERS])
-        found = {name: (ServerDirectory, servers[name]) for name in sorted(servers)}
-        found["README"] = (Local, lambda: README)
-        found["errors"] = (Local, lambda: "".join(self.mount.errors))
-        return found
+        entries = {name: (ServerDirectory, servers[name]) for name in sorted(servers)}
+        entries["README"] = (Local, lambda: README)
+        entries["errors"] = (Local, lambda: "".join(self.mount.errors))
+        return entries
 
     async def find(self, name):
         if name in self.entries(()):
@@ -188,9 +188,9 @@ class ContextDirectory(Directory):
     def _made(self, node):
         """(class, arguments) for what is bound here."""
         if node.kind == "directory":
-            known = self._entered(node)
-            if known is not None:
-                return Link, relative(known.path, self)
+            directory = self._entered(node)
+            if directory is not None:
+                return Link, relative(directory.path, self)
             if len(node.path.names) > tree.DEPTH:
                 return Link, f"more than {tree.DEPTH} directories deep"
             return ContextDirectory, node
@@ -207,10 +207,10 @@ class ContextDirectory(Directory):
 
     def _entered(self, node):
         """The directory by which the kernel knows the context `node` already, or None: a tree must end."""
-        known = self.mount.contexts.get(orb.identity(node.ref))
-        if known is None or known.path == posixpath.join(self.path, file_name(node.path.names[-1])):
+        directory = self.mount.contexts.get(orb.identity(node.ref))
+        if directory is None or directory.path == posixpath.join(self.path, file_name(node.path.names[-1])):
             return None
-        return known
+        return directory
 
 
 class ServerDirectory(ContextDirectory):

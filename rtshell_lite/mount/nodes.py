@@ -333,14 +333,14 @@ class Directory(Node):
 
     def pick(self, name, value):
         """`find`, given the value of `source`."""
-        made = self.entries(value).get(name) or self.hidden(value).get(name)
-        if made is None:
+        form = self.entries(value).get(name) or self.hidden(value).get(name)
+        if form is None:
             raise Absent(posixpath.join(self.where, name))
-        return self.child(name, made)
+        return self.child(name, form)
 
-    def child(self, name, made):
+    def child(self, name, form):
         """The node called `name` for (class, arguments): the one that the kernel knows, or a new one."""
-        kind, *arguments = made
+        kind, *arguments = form
         node = self.known.get(name)
         if type(node) is kind:
             node.renew(*arguments)

@@ -61,17 +61,17 @@ class PortDirectory(Directory):
 
     def entries(self, snapshot):
         port = self.port(snapshot)
-        found = {"type": (Text, self.source, lambda snapshot: line(self.port(snapshot).type))}
+        entries = {"type": (Text, self.source, lambda snapshot: line(self.port(snapshot).type))}
         if port.type in ports.DATA:
-            found["data_type"] = (
+            entries["data_type"] = (
                 Text, self.source,
                 lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")),
             )
         else:
-            found["interfaces"] = (InterfacesDirectory,)
-        found["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
-        found["connections"] = (ConnectionsDirectory,)
-        return found
+            entries["interfaces"] = (InterfacesDirectory,)
+        entries["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
+        entries["connections"] = (ConnectionsDirectory,)
+        return entries
 
     def hidden(self, snapshot):
         from rtshell_lite.mount.streams import PortStream, Sending  # with all that sends and receives data

@@ -28,7 +28,7 @@ class InterfacesDirectory(Directory):
     def named(self, snapshot):
         """{file name: ports.Interface}"""
         listed = self.above.port(snapshot).interfaces
-        return dict(zip(unique(one.instance_name for one in listed), listed))
+        return dict(zip(unique(interface.instance_name for interface in listed), listed))
 
     def entries(self, snapshot):
         return {name: (InterfaceDirectory,) for name in self.named(snapshot)}
@@ -53,8 +53,8 @@ class InterfaceDirectory(Directory):
 
     def entries(self, snapshot):
         def shown(now):
-            found = self.interface(now)
-            return line(f"{found.polarity} {found.type_name}")
+            interface = self.interface(now)
+            return line(f"{interface.polarity} {interface.type_name}")
 
         return {"type": (Text, self.source, shown)}
 
@@ -74,16 +74,16 @@ class InterfaceDirectory(Directory):
         from rtshell_lite.robot import services
 
         snapshot = await self.source.get()
-        wanted = self.interface(snapshot).instance_name
+        instance = self.interface(snapshot).instance_name
         port = self.above.above.port(snapshot)
         if self._provider is not None and orb.same(self._provider.service.port.ref, port.ref):
             return self._provider
-        found = [service for service in await services.of_port(port) if service.instance == wanted]
-        if not found:
+        provided = [service for service in await services.of_port(port) if service.instance == instance]
+        if not provided:
             raise Absent(self.where)
         types = datatypes.Types()
-        await loop.on_thread(types.interface, found[0].repository_id)  # there may be many files
-        self._provider = calling.of_service(found[0], types)
+        await loop.on_thread(types.interface, provided[0].repository_id)  # there may be many files
+        self._provider = calling.of_service(provided[0], types)
         return self._provider
 
     def forget(self):
@@ -137,5 +137,5 @@ class Call(OpenFile):
     async def store(self, text):
         """Call it for each line; what the last writing has returned can be read."""
         self._result = b""
-        for each in text.split("\n"):
-            self._result += (await self.node.call(each)).encode("utf-8", "backslashreplace")
+        for words in text.split("\n"):
+            self._result += (await self.node.call(words)).encode("utf-8", "backslashreplace")

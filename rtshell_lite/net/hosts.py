@@ -78,22 +78,22 @@ def _places(world, host, flags=0):
 # ---- networks ----
 
 
-def together(one, other):
+def together(first, other):
     """Whether two IP addresses are in the same network; None if the networks of this host do not show it."""
-    if one == other:
+    if first == other:
         return True
     import ipaddress  # takes long, and few need it
 
-    numbers = [ipaddress.ip_address(address.partition("%")[0]) for address in (one, other)]
+    numbers = [ipaddress.ip_address(address.partition("%")[0]) for address in (first, other)]
     if all(number.is_loopback for number in numbers):
         return True
-    known = False
+    is_known = False
     for network in [interface.network for _, interface in interfaces()]:
         inside = [number in network for number in numbers]
         if all(inside):
             return True
-        known = known or any(inside)
-    if known:
+        is_known = is_known or any(inside)
+    if is_known:
         return False
     return None
 
@@ -102,5 +102,5 @@ def interfaces():
     """[(name, ipaddress.IPv4Interface)] of this host."""
     import ipaddress
 
-    found = loop.world().interfaces()
-    return [(name, ipaddress.ip_interface(f"{address}/{mask}")) for name, address, mask in found]
+    listed = loop.world().interfaces()
+    return [(name, ipaddress.ip_interface(f"{address}/{mask}")) for name, address, mask in listed]

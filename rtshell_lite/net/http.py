@@ -98,8 +98,8 @@ def _make_room(open_ones):
     """
     if not open_ones:
         return False
-    counts = collections.Counter(each.address for each in open_ones)
-    leaving = min(open_ones, key=lambda each: (each.is_welcome, -counts[each.address]))
+    counts = collections.Counter(connection.address for connection in open_ones)
+    leaving = min(open_ones, key=lambda connection: (connection.is_welcome, -counts[connection.address]))
     open_ones.remove(leaving)
     leaving.task.cancel()  # which closes it
     return True
@@ -123,25 +123,25 @@ async def _answer(connection, answer):
     try:
         request = await loop.within(PATIENCE, connection.request(), Refused(408))
         method = request.method
-        found = answer(request)
+        response = answer(request)
     except Refused as e:
-        found = refusal(e.status)
-    connection.is_welcome = found.status == 200
-    is_stream = callable(found.content)
-    headers = [("Content-Type", found.kind)] + list(ALWAYS) + list(found.headers)
+        response = refusal(e.status)
+    connection.is_welcome = response.status == 200
+    is_stream = callable(response.content)
+    headers = [("Content-Type", response.kind)] + list(ALWAYS) + list(response.headers)
     if not is_stream:
-        headers.append(("Content-Length", len(found.content)))
-    lines = [f"HTTP/1.1 {found.status} {WORDS[found.status]}"] + [
+        headers.append(("Content-Length", len(response.content)))
+    lines = [f"HTTP/1.1 {response.status} {WORDS[response.status]}"] + [
         f"{name}: {value}" for name, value in headers
     ]
     head = "\r\n".join(lines + ["", ""]).encode()
     if is_stream and method == "GET":
         await connection.send(head)
-        await found.content(connection)
+        await response.content(connection)
     elif method == "HEAD" or is_stream:
         await connection.send(head)
     else:
-        await loop.within(SLOWEST, connection.send(head, found.content), Gone())
+        await loop.within(SLOWEST, connection.send(head, response.content), Gone())
     connection.is_welcome = False
     connection.socket.shutdown(real.SENDING)
     await loop.within(FAREWELL, connection.read_all(), Gone())
@@ -209,10 +209,10 @@ class Connection:
 
 def _parsed_line(line):
     """(method, target) of the first line of a request. Raises Refused."""
-    found = _REQUEST.match(line)
-    if found is None:
+    match = _REQUEST.match(line)
+    if match is None:
         raise Refused(400)
-    method, target, major, minor = found.groups()
+    method, target, major, minor = match.groups()
     if (major, minor) not in ((b"1", b"0"), (b"1", b"1")):
         raise Refused(505)
     if method not in (b"GET", b"HEAD"):
@@ -224,10 +224,10 @@ def _parsed_headers(lines):
     """{name in small letters: value}. Raises Refused: for what names are twice, and for a body, too."""
     headers = {}
     for line in lines:
-        found = _HEADER.match(line)
-        if found is None:
+        match = _HEADER.match(line)
+        if match is None:
             raise Refused(400)
-        name, value = [part.decode("latin-1") for part in found.groups()]
+        name, value = [part.decode("latin-1") for part in match.groups()]
         if name.lower() in headers and name.lower() in ONCE:
             raise Refused(400)
         headers[name.lower()] = value.strip()

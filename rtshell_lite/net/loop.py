@@ -715,15 +715,15 @@ class Loop:
         away = begun - self._back
         seconds = self._patience(begun)
         if seconds and self.alone is not None and self.is_one_awaited():
-            found = []
+            events = []
             self.alone()
         else:
-            found = self._poll.poll(seconds * 1000)
+            events = self._poll.poll(seconds * 1000)
         self._back = self.now()
         away = max(away, self._back - begun - seconds)  # the process was busy, or stopped
         if away > AWAY and self.on_return is not None:
             self.on_return(away)
-        for fd, _ in found:
+        for fd, _ in events:
             if fd in self._watched:  # else unwatched a moment ago
                 self._watched[fd]()
         while self._posted:

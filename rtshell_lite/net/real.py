@@ -115,18 +115,18 @@ def listen(family, place, only_v6=True):
     """
     import socket
 
-    made = socket.socket(family, socket.SOCK_STREAM)
+    listening = socket.socket(family, socket.SOCK_STREAM)
     try:
         if family == socket.AF_INET6:
-            made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, only_v6)
-        made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        made.bind(place)
-        made.listen(LISTEN)
-        made.setblocking(False)
+            listening.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, only_v6)
+        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listening.bind(place)
+        listening.listen(LISTEN)
+        listening.setblocking(False)
     except (OSError, OverflowError):
-        made.close()
+        listening.close()
         raise
-    return made
+    return listening
 
 
 def send_at_once(connection):
@@ -251,7 +251,7 @@ def interfaces():
     """[(name, IPv4 address, its netmask)] of this host, as text."""
     import socket
 
-    found = []
+    listed = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         for _, name in socket.if_nameindex():
             request = struct.pack("256s", name.encode()[:15])
@@ -264,8 +264,8 @@ def interfaces():
                 ]
             except (OSError, ImportError):  # it has no such address, or this is no Linux
                 continue
-            found.append((name, address, mask))
-    return found
+            listed.append((name, address, mask))
+    return listed
 
 
 # ---- threads ----

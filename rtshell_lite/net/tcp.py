@@ -27,18 +27,18 @@ async def connect(way):
     it waits is limited by the caller.
     """
     family, _, protocol, _, place = way
-    made = loop.world().stream(family, protocol)
+    stream = loop.world().stream(family, protocol)
     try:
-        made.setblocking(False)
-        code = made.connect_ex(place)
+        stream.setblocking(False)
+        code = stream.connect_ex(place)
         if code == errno.EINPROGRESS:
-            await loop.ready(made.fileno(), loop.WRITE)
-            code = real.failure(made)
+            await loop.ready(stream.fileno(), loop.WRITE)
+            code = real.failure(stream)
         if code:
             raise OSError(code, os.strerror(code))
-        return made
+        return stream
     except BaseException:
-        made.close()
+        stream.close()
         raise
 
 

@@ -33,9 +33,9 @@ class Bindings:
 
     async def _refuse_living(self, where):
         """Raise Refused unless what is bound is known to be gone."""
-        found = await self._call(where, "resolve", where.names)
+        bound = await self._call(where, "resolve", where.names)
         try:
-            await orb.is_alive(where, found)
+            await orb.is_alive(where, bound)
         except (errors.Gone, errors.ProcessGone):
             return
         except errors.Error:

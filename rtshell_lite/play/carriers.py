@@ -19,10 +19,10 @@ _PUSH = {"corba_cdr": ("OpenRTM.InPortCdr", "put"), "data_service": ("RTC.DataPu
 def is_little(properties):
     """The byte order that the properties of a connector agree upon; None where they name none."""
     words = properties.get("dataport.serializer.cdr.endian", "little").split(",")
-    known = [word.strip() for word in words if word.strip() in ("little", "big")]
-    if not known:
+    orders = [word.strip() for word in words if word.strip() in ("little", "big")]
+    if not orders:
         return None
-    return known[0] == "little"
+    return orders[0] == "little"
 
 
 class Carrier:

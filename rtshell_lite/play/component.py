@@ -142,12 +142,12 @@ class Configuration:
     def get_configuration_sets(self):
         return [self._as_set(name) for name in self.sets]
 
-    def get_configuration_set(self, wanted):
+    def get_configuration_set(self, set_id):
         for name in self.sets:
-            if wire(name) == wanted:
+            if wire(name) == set_id:
                 return self._as_set(name)
         raise Thrown(
-            _SDO + "InternalError" if wanted else _SDO + "InvalidParameter", "No such ConfigurationSet"
+            _SDO + "InternalError" if set_id else _SDO + "InvalidParameter", "No such ConfigurationSet"
         )
 
     def get_active_configuration_set(self):
@@ -236,19 +236,19 @@ class Component:
 
     def publish(self, host):
         """Let others call it and what belongs to it, at this address of ours."""
-        for each in self.parts():
-            if each.withdraw is None:
-                each.withdraw = orb.publish(each, host)
+        for part in self.parts():
+            if part.withdraw is None:
+                part.withdraw = orb.publish(part, host)
 
     def close(self):
         """End: nothing of it exists any more, unless it is published again."""
         for port in self.ports:
             if port.component is self:
                 port.close()
-        for each in self.parts():
-            if each.withdraw is not None:
-                each.withdraw()
-                each.withdraw = None
+        for part in self.parts():
+            if part.withdraw is not None:
+                part.withdraw()
+                part.withdraw = None
 
     def parts(self):
         """What of it others can call."""

@@ -21,18 +21,18 @@ def routes(recorded, maps):
     numbers = {}
     for number, source in recorded.channels.items():
         numbers.setdefault(str(source), []).append(number)
-    found = []
+    all_routes = []
     for scene in recorded.scenes:
         for source, target in _connections(scene.profile, maps):
             for number in numbers.get(str(source), ()):
-                found.append(Route(number, source, target))
+                all_routes.append(Route(number, source, target))
     relocate.refuse_unused(maps)
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys(all_routes))
 
 
-def below(top, found, log):
+def below(top, all_routes, log):
     """Those of the Routes in a log that lead to a Path, or below it. Raises Failed where none does."""
-    here = [route for route in found if _is_below(route.target, top)]
+    here = [route for route in all_routes if _is_below(route.target, top)]
     if not here:
         raise errors.Failed(
             str(top), f"no connection in {log.where} leads from a recorded port to a port here"
@@ -40,13 +40,13 @@ def below(top, found, log):
     return here
 
 
-def chosen(found, choice, log):
+def chosen(all_routes, choice, log):
     """(channel, Path of the in port) of those Routes that a flight.Choice allows, each once. Raises Failed
     for none.
     """
-    allowed = [route for route in found if choice.allows(_names(route, log))]
-    if found and not allowed:
-        count = len(set(found))
+    allowed = [route for route in all_routes if choice.allows(_names(route, log))]
+    if all_routes and not allowed:
+        count = len(set(all_routes))
         raise errors.Failed(log.where, f"--only and --not leave none of {count} connections")
     return list(dict.fromkeys((route.channel, route.target) for route in allowed))
 
@@ -56,18 +56,18 @@ def _connections(profile, maps):
     recorded, the second as the Maps say.
     """
     locate = capture.locator(profile)
-    found = []
+    connections = []
     for connector in profile.data_port_connectors:
         first, *others = connector.ends  # an out port is first
         source = capture.port_path(first, locate(first))
         if source is None:
             continue
         for end in others:
-            found.append((source, end, locate(end)))
+            connections.append((source, end, locate(end)))
     if maps:
         relocate.move(profile, maps)
     pairs = []
-    for source, end, owner in found:
+    for source, end, owner in connections:
         target = capture.port_path(end, owner)
         if target is not None:
             pairs.append((source, target))

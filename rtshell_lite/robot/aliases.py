@@ -37,7 +37,7 @@ async def within(nodes):
     """
     directories = {}
     away = None
-    found = []
+    own_nodes = []
     for node in nodes:
         if (
             away is not None
@@ -52,8 +52,8 @@ async def within(nodes):
             if above is not None and await is_foreign(above, node):
                 node.foreign = True
                 away = node.path
-        found.append(node)
-    return found
+        own_nodes.append(node)
+    return own_nodes
 
 
 async def is_foreign(above, node):
@@ -77,11 +77,11 @@ async def is_foreign(above, node):
         return True
 
 
-async def same_host(one, other):
+async def same_host(host, other):
     """True when two host names or addresses have an IP address in common."""
-    if one == other:
+    if host == other:
         return True
-    own = await _addresses(one)
+    own = await _addresses(host)
     return not own.isdisjoint(await _addresses(other))
 
 
@@ -103,9 +103,9 @@ async def resolve(host):
 
     def look_up():
         try:
-            known = world.resolve(host)
+            resolved = world.resolve(host)
         except (OSError, UnicodeError) as e:
             raise errors.Unreachable(printable(host), getattr(e, "strerror", None) or "not a host name")
-        return list(dict.fromkeys(info[4][0] for info in known))
+        return list(dict.fromkeys(info[4][0] for info in resolved))
 
     return await session.on_thread(printable(host), look_up)

@@ -77,7 +77,7 @@ async def _ends(port, connector):
     errors.Error that hides them)]). Ends that are gone, or have lost it, are left out.
     """
     now = await ports.port(port.node, port.ref)
-    alone = now._replace(connectors=[each for each in now.connectors if each.id == connector.id])
+    alone = now._replace(connectors=[other for other in now.connectors if other.id == connector.id])
     ends = [places.End(port.ref, alone, None), *(await places.far_ends([alone])).values()]
     readers = []
     writers = []

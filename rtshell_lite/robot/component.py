@@ -165,8 +165,8 @@ async def context_ref(node, index):
 
 async def context(node, ref):
     """The Context of an execution context, complete."""
-    found = await in_profile(node, ref)
-    return found._replace(running=await is_running(node, ref))
+    described = await in_profile(node, ref)
+    return described._replace(running=await is_running(node, ref))
 
 
 async def is_running(node, ref):
@@ -246,9 +246,9 @@ async def state_in(node, ref):
     """The state of a component in the execution context `ref` (ExecutionContext::get_component_state)."""
     now = await state_of(node, ref, node.typed)
     if now == "Created":
-        known = await canonical(node)
-        if known is not None:
-            return await state_of(node, ref, known)
+        reference = await canonical(node)
+        if reference is not None:
+            return await state_of(node, ref, reference)
     return now
 
 

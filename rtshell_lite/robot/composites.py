@@ -45,11 +45,12 @@ async def belonging(node, contexts):
         for ref in await _refs(node, "get_organizations")
     ]
     if ids:
-        known = await _composites(node, contexts)
+        composites = await _composites(node, contexts)
     else:
-        known = {}
+        composites = {}
     return [
-        (organisation_id,) + known.get(organisation_id, ("Unknown", "Unknown")) for organisation_id in ids
+        (organisation_id,) + composites.get(organisation_id, ("Unknown", "Unknown"))
+        for organisation_id in ids
     ]
 
 
@@ -127,20 +128,20 @@ async def member(path, must_live=True):
 
     With `must_live` False a component that is gone is named by its path alone.
     """
-    wanted = [name for name in (path.port or "").split(",") if name]
+    port_names = [name for name in (path.port or "").split(",") if name]
     try:
         node = await tree.component(path.object())
         instance = from_wire(await node.call("get_sdo_id"))
     except (errors.NotFound, errors.Unreachable):
         if must_live or not path.names:
             raise
-        return Member(path.instance, None, wanted)
-    if must_live and wanted:
+        return Member(path.instance, None, port_names)
+    if must_live and port_names:
         names = [ports.short_name(port.name, instance) for port in await ports.ports(node)]
-        for name in wanted:
+        for name in port_names:
             if name not in names:
                 raise errors.NoSuch(str(path.object()), "port", printable(name))
-    return Member(instance, node, wanted)
+    return Member(instance, node, port_names)
 
 
 async def together(members):
@@ -149,12 +150,12 @@ async def together(members):
     """
     merged = {}  # type: dict
     for m in members:
-        known = merged.setdefault(m.instance, m)
-        if not await _is(m, known.node.ref):
+        first = merged.setdefault(m.instance, m)
+        if not await _is(m, first.node.ref):
             raise errors.Failed(
-                str(m.node.path), f"has the same name as {known.node.path!s}; a composite cannot have both"
+                str(m.node.path), f"has the same name as {first.node.path!s}; a composite cannot have both"
             )
-        merged[m.instance] = known._replace(ports=list(dict.fromkeys(known.ports + m.ports)))
+        merged[m.instance] = first._replace(ports=list(dict.fromkeys(first.ports + m.ports)))
     return list(merged.values())
 
 
@@ -172,20 +173,20 @@ async def check(node, organisation, joining, leaving):
     A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends,
     at once or when it is activated; Python: its execution context stops for good). Its ports can be hidden.
     """
-    known = {}
+    members = {}
     for name, ref in organisation.members:
         if not isinstance(name, errors.Error):
-            known[name] = ref
+            members[name] = ref
     for m in joining:
         if orb.same(m.node.ref, node.ref):
             raise errors.Failed(str(node.path), "cannot be a member of itself")
-        if m.instance in known and not await _is(m, known[m.instance]):
+        if m.instance in members and not await _is(m, members[m.instance]):
             raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
         if m.node is None:
-            is_member = m.instance in known
+            is_member = m.instance in members
         else:
-            is_member = await _is(m, known.get(m.instance))
+            is_member = await _is(m, members.get(m.instance))
         lost = None if m.ports else _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
@@ -293,13 +294,13 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     for name in now:
         if name not in hide and name.rpartition(".")[0] not in hide_all_of:
             kept.append(name)
-    wanted = kept + [name for name in add_ports if name not in kept]
-    if wanted != now:
-        await sets.store({EXPORTED: ",".join(wanted)}, within)
+    exported = kept + [name for name in add_ports if name not in kept]
+    if exported != now:
+        await sets.store({EXPORTED: ",".join(exported)}, within)
         await sets.activate("default")
-    lines = ["exported port " + printable(name) for name in wanted if name not in now]
+    lines = ["exported port " + printable(name) for name in exported if name not in now]
     lines += [f"port {printable(name)} is exported already" for name in add_ports if name in kept]
-    lines += ["hid port " + printable(name) for name in now if name not in wanted]
+    lines += ["hid port " + printable(name) for name in now if name not in exported]
     lines += [f"port {printable(name)} is hidden already" for name in hide if name not in now]
     return lines
 

@@ -70,9 +70,9 @@ class Configuration:
         if set_id is None:
             set_id = self.active
         if set_id not in self.raw or hidden(set_id) and not with_hidden:
-            known = [one_set.id for one_set in self.sets(with_hidden)]
+            ids = [one_set.id for one_set in self.sets(with_hidden)]
             raise errors.NoSuch(
-                self.where, "configuration set", printable(set_id) + candidates(set_id, known)
+                self.where, "configuration set", printable(set_id) + candidates(set_id, ids)
             )
         return self._set(set_id)
 
@@ -133,27 +133,27 @@ class Configuration:
                 self.where, f"does not activate configuration set {printable(set_id)} ({why})"
             )
 
-    async def apply(self, wanted, active=""):
-        """Set the values in `wanted` ({set: {name: value}}), then activate `active`; all is checked first.
+    async def apply(self, values, active=""):
+        """Set the `values` ({set: {name: value}}), then activate `active`; all is checked first.
 
         Returns the changes as commands; `steps` gives the same list and changes nothing.
         """
-        steps = self.steps(wanted, active)
-        for set_id in sorted(wanted):
+        steps = self.steps(values, active)
+        for set_id in sorted(values):
             within = self.set(set_id, with_hidden=True)
-            if _changed(within, wanted[set_id]):
-                await self.store(wanted[set_id], within)
+            if _changed(within, values[set_id]):
+                await self.store(values[set_id], within)
         if active and active != self.active:
             await self.activate(active)
         return steps
 
-    def steps(self, wanted, active=""):
+    def steps(self, values, active=""):
         """The rtconf commands that do what `apply` does. Raises NoSuch for an unknown set or parameter."""
         steps = []
-        for set_id in sorted(wanted):
+        for set_id in sorted(values):
             within = self.set(set_id, with_hidden=True)
-            self.check_values(wanted[set_id], within)
-            changed = _changed(within, wanted[set_id])
+            self.check_values(values[set_id], within)
+            changed = _changed(within, values[set_id])
             if changed:
                 steps.append(
                     self.command(set_id, "set", *[f"{name}={value}" for name, value in changed.items()])
@@ -227,7 +227,7 @@ def parsed(lines, file_name):
     """Read what `dumped` wrote: ({set: {name: value}}, active set or '').
     Raises errors.Failed with the line's number.
     """
-    wanted = {}  # type: dict
+    values = {}  # type: dict
     active = ""
     current = None
     for number, line in enumerate(lines, 1):
@@ -239,14 +239,14 @@ def parsed(lines, file_name):
                 set_id, is_active = _set_line(line)
                 if is_active and active not in ("", set_id):
                     raise ValueError("a second active set")
-                current = wanted.setdefault(set_id, {})
+                current = values.setdefault(set_id, {})
                 if is_active:
                     active = set_id
             else:
                 _take_value(line, current)
         except ValueError as e:
             raise errors.Failed(f"{printable(file_name)}:{number}", e)
-    return wanted, active
+    return values, active
 
 
 def _set_line(line):

@@ -13,8 +13,8 @@ def refuse_duplicate(ends, name, connector_id):
     or any has a connection of this name or id.
     """
     for port, connector in [(port, connector) for port in ends for connector in port.connectors]:
-        for what, wanted, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
-            if wanted and wanted == value:
+        for what, expected, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
+            if expected and expected == value:
                 raise errors.Failed(
                     ports.label(port), f"has a connection with {what} {printable(value)} already"
                 )
@@ -28,10 +28,10 @@ def existing(ends, name="", connector_id="", given=None):
     Raises Failed where there are only others than the one that is asked for: of another name or id, or with
     other properties.
     """
-    wanted = {orb.identity(port.ref) for port in ends}
+    identities = {orb.identity(port.ref) for port in ends}
     others = []
     for connector in ends[0].connectors:
-        if {orb.identity(ref) for ref in connector.ports if ref is not None} != wanted:
+        if {orb.identity(ref) for ref in connector.ports if ref is not None} != identities:
             continue
         differing = _differing(connector, name, connector_id, given or {})
         if not differing:
@@ -44,10 +44,10 @@ def existing(ends, name="", connector_id="", given=None):
 
 def _differing(connector, name, connector_id, given):
     """What a Connector has, each as text, where something else is asked for."""
-    known = dict(connector.properties)
+    properties = dict(connector.properties)
     has = [("id", connector.id, connector_id), ("name", connector.name, name)]
     for key, value in sorted(given.items()):
-        has.append((key, known.get(key, ""), value))
+        has.append((key, properties.get(key, ""), value))
     differing = []
     for key, now, asked in has:
         if asked and asked != now:

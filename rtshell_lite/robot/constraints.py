@@ -80,9 +80,9 @@ def fits(constraint, value):
 
 
 def _map_fits(constraints, value):
-    wanted = dict(_pair(pair) for pair in constraints.split(","))
+    constraint_of = dict(_pair(pair) for pair in constraints.split(","))
     for key, pair in map(_pair, value.strip("{}").split(",")):
-        if not _fits_one(wanted.get(key, ""), pair):
+        if not _fits_one(constraint_of.get(key, ""), pair):
             return False
     return True
 

@@ -50,9 +50,9 @@ async def set_rate(node, index, rate):
     return f"{node.path}: {now:g} Hz"
 
 
-def same_rate(now, wanted):
+def same_rate(now, expected):
     """Whether a context has the rate that was asked of it: implementations round its period."""
-    return abs(now - wanted) <= 0.01 * wanted
+    return abs(now - expected) <= 0.01 * expected
 
 
 async def start(node, index):
@@ -65,14 +65,14 @@ async def stop(node, index):
     return await _run(node, index, "stop", False)
 
 
-async def _run(node, index, operation, wanted):
+async def _run(node, index, operation, is_started):
     ref = await component.context_ref(node, index)
     where = str(node.path)
     code = str(await orb.call(where, ref, operation))  # PRECONDITION_NOT_MET if it already is
     running = await component.uncertain_if_refused(orb.call(where, ref, "is_running"))
-    if bool(running) != wanted:
+    if bool(running) != is_started:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
-    if wanted:
+    if is_started:
         return f"{where}: running"
     return f"{where}: stopped"
 

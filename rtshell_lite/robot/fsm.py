@@ -70,10 +70,10 @@ class Machine:
 
         return await self._set(change, _pairs, pairs, dry_run)
 
-    async def _set(self, change, read, wanted, dry_run):
+    async def _set(self, change, read, expected, dry_run):
         """Change one part of the structure and read it again: RTC_OK alone proves nothing."""
         structure = await self._raw()
-        if read(structure) == wanted:
+        if read(structure) == expected:
             return False
         if dry_run:
             return True
@@ -81,7 +81,7 @@ class Machine:
         code = str(await orb.call(self.where, self.ref, "set_fsm_structure", structure))
         if code != "RTC_OK":
             raise errors.Refused(self.where, f"does not take it ({code})")
-        if read(await self._raw()) != wanted:
+        if read(await self._raw()) != expected:
             raise errors.Refused(self.where, "does not take it (RTC_OK but unchanged)")
         return True
 

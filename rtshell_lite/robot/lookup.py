@@ -265,13 +265,13 @@ async def _check_category(path, word):
     """Raise NoSuch for rtcloc://HOST:PORT/CATEGORY/NAME if the component is of another category."""
     from rtshell_lite.robot import component, ports
 
-    wanted = word.split("/")[3:-1]
-    if not wanted or wanted == ["*"]:
+    categories = word.split("/")[3:-1]
+    if not categories or categories == ["*"]:
         return
     node = await tree.component(path.object())
     await ports.ports(node)  # first, see `component.profile`
     category = (await component.profile(node)).category
-    if [category] != wanted:
+    if [category] != categories:
         raise errors.NoSuch(
             str(path), "component of that category", f"it is of the category {printable(category)}"
         )

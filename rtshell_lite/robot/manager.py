@@ -113,8 +113,8 @@ async def components(node):
     ]
 
 
-async def profiles(node, wanted=lambda child: True):
-    """(Node, component.Profile) of those of its components for which wanted(Node) is true; an errors.Error
+async def profiles(node, is_wanted=lambda child: True):
+    """(Node, component.Profile) of those of its components for which is_wanted(Node) is true; an errors.Error
     for what failed.
 
     Those that are gone are left out, although managers may still list them.
@@ -125,7 +125,7 @@ async def profiles(node, wanted=lambda child: True):
         return child, await component.profile(child)
 
     children = sorted(
-        (child for child in await tree.managed(node) if child.kind != "zombie" and wanted(child)),
+        (child for child in await tree.managed(node) if child.kind != "zombie" and is_wanted(child)),
         key=lambda child: str(child.path),
     )
     return await session.each([child.error or child for child in children], profiled)

@@ -72,12 +72,12 @@ async def zombies(top):
     (Nodes, Nodes whose listing failed).
     """
     nodes = await aliases.within(await tree.walk(top, managers=False))
-    found = [
+    dead = [
         node
         for node in await tree.check_alive(nodes)
         if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)
     ]
-    return found, [node for node in nodes if node.error is not None]
+    return dead, [node for node in nodes if node.error is not None]
 
 
 async def delete_zombie(path, dry_run=False, force=False):

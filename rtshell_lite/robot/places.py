@@ -20,11 +20,11 @@ class Places:
     def __init__(self):
         self._everywhere = None  # by identity: the Paths where that component is bound, once all are known
 
-    async def path(self, instance, ref, known):
+    async def path(self, instance, ref, near):
         """The Path where the component `ref` with this instance name is bound, or None;
-        `known` is the Node of one that knows it.
+        `near` is the Node of one that knows it.
         """
-        beside = known.path.parent().child(Name(instance, "rtc"))
+        beside = near.path.parent().child(Name(instance, "rtc"))
         if self._everywhere is None:
             if await self._is_bound(beside, ref):
                 return beside
@@ -65,7 +65,7 @@ async def far_ends(near, silent=None):
     own = {orb.identity(port.ref) for port in near}
     silent = silent or {}
     # by identity: its reference, and the Node of a component that is connected with it
-    wanted = {}  # type: dict
+    far = {}  # type: dict
     joining = {}  # type: dict  # by identity: ids of the connectors that lead there
     for port in near:
         for connector in port.connectors:
@@ -74,13 +74,13 @@ async def far_ends(near, silent=None):
                     continue
                 identity = orb.identity(ref)
                 if identity not in own:
-                    wanted.setdefault(identity, (ref, port.node))
+                    far.setdefault(identity, (ref, port.node))
                     joining.setdefault(identity, set()).add(connector.id)
-    asked = [ref for ref, _ in wanted.values() if orb.endpoint(ref) not in silent]
+    asked = [ref for ref, _ in far.values() if orb.endpoint(ref) not in silent]
     answers = await ask(asked, joining)
     places = Places()
     ends = {}
-    for identity, (ref, node) in wanted.items():
+    for identity, (ref, node) in far.items():
         answer = silent.get(orb.endpoint(ref)) or next(answers)
         failed = isinstance(answer, errors.Error)
         if failed:
@@ -113,8 +113,8 @@ async def ask(refs, joining):
     return iter(await session.each(refs, one_port, orb.at_object))
 
 
-async def _placed(port, places, known):
-    path = port.owner and await places.path(port.name.rpartition(".")[0], port.owner, known)
+async def _placed(port, places, near):
+    path = port.owner and await places.path(port.name.rpartition(".")[0], port.owner, near)
     return port._replace(node=path and tree.Node(path, "component", port.owner))
 
 

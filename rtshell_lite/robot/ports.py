@@ -177,12 +177,12 @@ async def find(paths):
     raises.
     """
     listed = await tree.on_components([path.object() for path in paths], ports)
-    found = []
+    answers = []
     for path, answer in zip(paths, listed):
         if not isinstance(answer, errors.Error):
             answer = named(path, answer)
-        found.append(answer)
-    return found
+        answers.append(answer)
+    return answers
 
 
 def named(path, listed):
@@ -230,16 +230,16 @@ async def meant(paths):
     """What a message says of the ports that two Paths mean, perhaps: those that can be connected, otherwise
     those of the first Path without a port.
     """
-    known = [await offered(path) for path in paths]
+    offers = [await offered(path) for path in paths]
     if len(paths) == 2:
         fitting = []
-        for port in known[0]:
-            for far in known[1]:
+        for port in offers[0]:
+            for far in offers[1]:
                 if not mismatches([port, far], {}):
                     fitting.append(f"{label(port)} {label(far)}")
         if fitting:
             return choices("these fit:", fitting)
-    for path, there in zip(paths, known):
+    for path, there in zip(paths, offers):
         if path.port is None:
             return choices("it has", [label(port) for port in there])
     return ""
@@ -334,19 +334,19 @@ def _short_type(type_id):
     return name.rpartition(":")[0] or name
 
 
-def same_type(one, other):
+def same_type(type_id, other):
     """Repository ids name one type when their last parts agree and, where both have modules,
     the modules too.
     """
-    one = _short_type(one).split("/")
+    type_id = _short_type(type_id).split("/")
     other = _short_type(other).split("/")
-    if "any" in (one[-1].lower(), other[-1].lower()):
+    if "any" in (type_id[-1].lower(), other[-1].lower()):
         return True
-    if [""] in (one, other):
+    if [""] in (type_id, other):
         return True
-    if len(one) > 1 and len(other) > 1:
-        return one == other
-    return one[-1] == other[-1]
+    if len(type_id) > 1 and len(other) > 1:
+        return type_id == other
+    return type_id[-1] == other[-1]
 
 
 def _choices(port, key):
@@ -410,12 +410,12 @@ def connection_properties(ends, given):
 def joining(ends):
     """The connectors of the first port that join it with any of the others."""
     others = [orb.identity(port.ref) for port in ends[1:]]
-    found = []
+    connectors = []
     for connector in ends[0].connectors:
         joined = [orb.identity(ref) for ref in connector.ports if ref is not None]
         if any(port in others for port in joined):
-            found.append(connector)
-    return found
+            connectors.append(connector)
+    return connectors
 
 
 def check(ends, given):

@@ -35,38 +35,38 @@ def _expression(pattern):
     return "".join(parts.get(c) or re.escape(c) for c in pattern) + r"\Z"
 
 
-async def find(paths, wanted):
+async def find(paths, criteria):
     """The Nodes at and below `paths` that are Wanted, in the order of the tree, a list of the errors met, and
     near misses.
 
     These are nodes whose names would match without their kinds, if no name does.
     """
-    answers = await session.each(paths, lambda path: _below(path, wanted), tree.at_server)
+    answers = await session.each(paths, lambda path: _below(path, criteria), tree.at_server)
     parts, failures = errors.split(answers)
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
     named = []
     for node in nodes:
-        if not wanted.names or _matches(node.name, wanted.names):
+        if not criteria.names or _matches(node.name, criteria.names):
             named.append(node)
     close = []
     if not named:
         for node in nodes:
-            if node.path.names and _matches(node.path.names[-1].id, wanted.names):
+            if node.path.names and _matches(node.path.names[-1].id, criteria.names):
                 close.append(node)
     nodes = named
-    if wanted.kinds:
+    if criteria.kinds:
         nodes = [
             node
             for node in nodes
-            if node.kind == "unsure" or wanted.kinds & CAN_BE.get(node.kind, {node.kind})
+            if node.kind == "unsure" or criteria.kinds & CAN_BE.get(node.kind, {node.kind})
         ]
-    if wanted.kinds or wanted.state:  # only then it matters what lives
+    if criteria.kinds or criteria.state:  # only then it matters what lives
         nodes = await tree.check_alive(nodes)
-    if wanted.kinds:
-        nodes = [node for node in nodes if node.kind in wanted.kinds]
-    if wanted.state:
-        nodes, more = await _in_state(nodes, wanted.state.capitalize())
+    if criteria.kinds:
+        nodes = [node for node in nodes if node.kind in criteria.kinds]
+    if criteria.state:
+        nodes, more = await _in_state(nodes, criteria.state.capitalize())
         failures += more
     return nodes, failures + [node.error for node in nodes if node.kind in tree.DOUBTFUL], close
 
@@ -115,13 +115,13 @@ async def _walk_top(top):
     return await tree.walk(await tree.resolve(top), managers=False)
 
 
-async def _below(path, wanted):
+async def _below(path, criteria):
     if path.port is not None:
         raise errors.WrongKind(str(path), "directory", "port")
     top = await tree.resolve(path)
     if path.directory and top.kind not in tree.DIRECTORIES:
         raise errors.WrongKind(str(path), "directory", top.what)
-    nodes = list(await tree.walk(top, wanted.depth))
+    nodes = list(await tree.walk(top, criteria.depth))
     if top.error is not None:
         raise top.error
     return nodes
@@ -131,6 +131,6 @@ async def _in_state(nodes, state):
     silent = [node.error for node in nodes if node.kind in tree.DOUBTFUL]
     components = [node for node in nodes if node.kind == "component"]
     states = await session.each(components, component.state)
-    found = [node for node, answer in zip(components, states) if answer == state]
+    in_state = [node for node, answer in zip(components, states) if answer == state]
     failures = [answer for answer in states if isinstance(answer, errors.Error)]
-    return found, silent + failures
+    return in_state, silent + failures

@@ -44,11 +44,11 @@ async def of_port(port):
 
     Raises Refused, Unreachable; Garbled where a provided interface has no reference.
     """
-    wanted = provided(port)
-    if not wanted:
+    interfaces = provided(port)
+    if not interfaces:
         return []
     given = dict(await loop.finish(_connected_once(port)))
-    return [_service(port, given, instance, type_name) for instance, type_name in wanted]
+    return [_service(port, given, instance, type_name) for instance, type_name in interfaces]
 
 
 def _service(port, given, instance, type_name):
@@ -70,13 +70,13 @@ async def _connected_once(port):
         code, profile = await _connect(port, where, "")
     if str(code) != "RTC_OK":
         raise errors.Refused(where, f"the connection that gives its interfaces is refused ({code})")
-    made = ports.connector(profile, where)
+    connector = ports.connector(profile, where)
     code = await orb.call(where, port.ref, "disconnect", profile.connector_id)
     if str(code) != "RTC_OK":
         from rtshell_lite.robot import connectors  # few need it
 
-        await connectors.disconnect(port, made)
-    return made.properties
+        await connectors.disconnect(port, connector)
+    return connector.properties
 
 
 async def _connect(port, where, connector_id):

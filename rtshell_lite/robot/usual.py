@@ -23,10 +23,11 @@ async def advice():
     usual, *others = ["%s:%d" % (HOST, port) for port in PORTS]
     if await _answering([usual]):
         return None
-    found = await _answering(others + ["corbaloc:iiop:%s:%d/manager" % (HOST, port) for port in MANAGERS])
+    answering = await _answering(others + ["corbaloc:iiop:%s:%d/manager" % (HOST, port) for port in MANAGERS])
     where = f"no name server answers at {usual}"
-    if found:
-        return f"{where}; found on this host: {', '.join(found)}; try: export RTCTREE_NAMESERVERS={found[0]}"
+    if answering:
+        names = ", ".join(answering)
+        return f"{where}; found on this host: {names}; try: export RTCTREE_NAMESERVERS={answering[0]}"
     ports = ", ".join(str(port) for port in PORTS[1:] + MANAGERS)
     return f"{where}, nor at TCP ports {ports} of this host; on another host: rtls HOST"
 

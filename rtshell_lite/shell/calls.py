@@ -20,7 +20,7 @@ async def offered(word, positional, idl):
         providers = await calling.providers(path, types)
     members = [member for provider in providers for member in provider.members()]
     if len(positional) == 1:
-        return [found for member in members for found in _named(member)]
+        return [candidate for member in members for candidate in _named(member)]
     for provider in providers:
         try:
             operation = provider.operation(positional[1])
@@ -31,16 +31,16 @@ async def offered(word, positional, idl):
 
 
 def _named(member):
-    found = [(member.name, True, member.idl())]
+    candidates = [(member.name, True, member.idl())]
     if hasattr(member, "readonly") and not member.readonly:
-        found.append((member.name + "=", False, "set it"))
-    return found
+        candidates.append((member.name + "=", False, "set it"))
+    return candidates
 
 
 def _arguments(operation, word, before):
     """The values of the next parameter, and the names of those that are not given yet."""
     inputs = operation.inputs()
-    named = [each.partition("=")[0] for each in before if "=" in each]
+    named = [argument.partition("=")[0] for argument in before if "=" in argument]
     left = []
     for parameter in inputs[len(before) - len(named) :]:
         if parameter.name not in named:
@@ -49,10 +49,10 @@ def _arguments(operation, word, before):
     if equals:
         chosen = [parameter for parameter in left if parameter.name == name]
         return [(f"{name}={value}", True, "") for parameter in chosen for value in _values(parameter.type)]
-    found = [(f"{parameter.name}=", False, "") for parameter in left]
+    candidates = [(f"{parameter.name}=", False, "") for parameter in left]
     if left:
-        found += [(value, True, left[0].name) for value in _values(left[0].type)]
-    return found
+        candidates += [(value, True, left[0].name) for value in _values(left[0].type)]
+    return candidates
 
 
 def _values(descriptor):

@@ -109,9 +109,9 @@ def manual_pages():
         return {name.partition(_PAGES)[2]: os.path.join(archive, *name.split("/")) for name in pages}
     for top in _manuals():
         paths = glob.glob(os.path.join(glob.escape(top), "**", "rt*.[17]"), recursive=True)
-        found = {os.path.relpath(path, top).replace(os.sep, "/"): path for path in paths}
-        if "man7/rtshell_lite.7" in found:
-            return found
+        by_name = {os.path.relpath(path, top).replace(os.sep, "/"): path for path in paths}
+        if "man7/rtshell_lite.7" in by_name:
+            return by_name
     return {}
 
 
@@ -154,19 +154,19 @@ def summaries():
     """A line for each command, its name and the first line of its help, below lines with their subjects."""
     import textwrap
 
-    known = commands()
-    size = max(map(len, known)) + 4
+    paths = commands()
+    size = max(map(len, paths)) + 4
     subjects = {subject: names.split() for subject, names in SUBJECTS.items()}
     placed = {name for names in subjects.values() for name in names}
-    subjects["others"] = sorted(set(known) - placed)
+    subjects["others"] = sorted(set(paths) - placed)
     lines = []
     for subject, names in subjects.items():
-        there = [name for name in names if name in known]
+        there = [name for name in names if name in paths]
         if there:
             lines.append(subject)
         for name in there:
             lines += textwrap.wrap(
-                summary(read(known[name])), text.width() - 2, initial_indent=f"  {name}".ljust(size),
+                summary(read(paths[name])), text.width() - 2, initial_indent=f"  {name}".ljust(size),
                 subsequent_indent=" " * size,
             )
     return lines

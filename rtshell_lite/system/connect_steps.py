@@ -111,14 +111,14 @@ class Connection(steps.Step):
         `equal_connections`; where the profile has no id, any that joins the same ports.
         """
         wanted_id = self.connector.connector_id
-        wanted = {orb.identity(port.ref) for port in joined}
+        identities = {orb.identity(port.ref) for port in joined}
         if wanted_id:
             return _with_id(joined, wanted_id) or self.equal_connections(joined)
 
         def is_meant(connector):
-            if len(wanted) == 1:
-                return wanted == _joined(connector)
-            return wanted <= _joined(connector)
+            if len(identities) == 1:
+                return identities == _joined(connector)
+            return identities <= _joined(connector)
 
         firsts = [(port, next(filter(is_meant, port.connectors), None)) for port in joined]
         return [(port, connector) for port, connector in firsts if connector is not None]
@@ -132,9 +132,9 @@ class Connection(steps.Step):
         if len(joined) < len(self.ends):
             return []
         for connector in self.others(joined):
-            found = _with_id(joined, connector.id)
-            if len(found) == len(joined) and not _differing(self.wanted, connector):
-                return found
+            connections = _with_id(joined, connector.id)
+            if len(connections) == len(joined) and not _differing(self.wanted, connector):
+                return connections
         return []
 
     def others(self, joined):
@@ -144,7 +144,7 @@ class Connection(steps.Step):
         if len(joined) > 1:
             joining = ports.joining(joined)
         else:
-            joining = [one for port in ports.in_system(joined) for one in port.connectors]
+            joining = [connector for port in ports.in_system(joined) for connector in port.connectors]
         return [
             connector
             for connector in joining
@@ -164,16 +164,16 @@ class Connection(steps.Step):
 
 def _with_id(joined, connector_id):
     """[(Port, its ports.Connector)] of those of the Ports `joined` that have a connector with this id."""
-    found = [(port, connector) for port in joined for connector in port.connectors]
-    return [(port, connector) for port, connector in found if connector.id == connector_id]
+    connections = [(port, connector) for port in joined for connector in port.connectors]
+    return [(port, connector) for port, connector in connections if connector.id == connector_id]
 
 
-def _differing(wanted, connector):
+def _differing(given, connector):
     """(name, expected, actual) of the properties, a dict, that a ports.Connector lacks or has otherwise."""
     properties = dict(connector.properties)
     return [
         (name, expected, properties.get(name))
-        for name, expected in sorted(wanted.items())
+        for name, expected in sorted(given.items())
         if not _agree(name, expected, properties.get(name))
     ]
 
@@ -204,8 +204,8 @@ class Connect(Connection):
         connections = self.connections_between(joined)
         if len(connections) != len(joined):
             return connections
-        wanted = {orb.identity(port.ref) for port in joined}
-        if all(_joined(connector) == wanted for _, connector in connections):
+        identities = {orb.identity(port.ref) for port in joined}
+        if all(_joined(connector) == identities for _, connector in connections):
             return []
         return connections
 
@@ -291,17 +291,17 @@ class Connect(Connection):
 
 def wanted_properties(connector):
     """{name: value} of the properties that the profile gives, without references to where ports once were."""
-    wanted = {
+    properties = {
         item.name: item.value or ""
         for item in connector.properties
         if item.name and not capture.is_reference(item.name, item.value)
     }
-    wanted.update(
+    properties.update(
         ("dataport." + name, getattr(connector, name))
         for name in capture.DATA_FIELDS
         if getattr(connector, name, "")
     )
-    return wanted
+    return properties
 
 
 def _agree(name, expected, actual):

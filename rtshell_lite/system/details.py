@@ -12,18 +12,18 @@ from rtshell_lite.robot import component, ports
 from rtshell_lite.system import capture
 
 
-def dump(found):
+def dump(answers):
     """The octets for capture.ComponentStates that were asked for everything."""
-    listed = [_component(each) for each in found]
+    listed = [_component(answer) for answer in answers]
     return json.dumps(listed, sort_keys=True, ensure_ascii=True).encode("ascii")
 
 
-def _component(each):
-    made = {"path": "/" + capture.path_uri(each.node)}
-    made.update((name, getattr(each.profile, name)) for name in component.FACTS)
-    made["properties"] = [list(pair) for pair in each.profile.properties]
-    made["ports"] = [_port(port, each.profile.instance_name) for port in each.ports]
-    made["contexts"] = [
+def _component(answer):
+    fields = {"path": "/" + capture.path_uri(answer.node)}
+    fields.update((name, getattr(answer.profile, name)) for name in component.FACTS)
+    fields["properties"] = [list(pair) for pair in answer.profile.properties]
+    fields["ports"] = [_port(port, answer.profile.instance_name) for port in answer.ports]
+    fields["contexts"] = [
         {
             "handle": context.handle,
             "kind": context.kind,
@@ -31,10 +31,10 @@ def _component(each):
             "running": bool(context.running),
             "properties": [list(pair) for pair in context.properties],
         }
-        for context in each.owned
+        for context in answer.owned
     ]
-    made["states"] = {str(handle): state for handle, state in each.states.items()}
-    return made
+    fields["states"] = {str(handle): state for handle, state in answer.states.items()}
+    return fields
 
 
 def _port(port, instance):

@@ -51,8 +51,8 @@ class Journal:
         self._work = work
         self._events = work.channels.add_json("/events", schemas.of_events())
         self._logs = work.channels.add_json("/logs", _RECORDS)
-        wanted = watch.Events(set(watch.KINDS) - {"HEARTBEAT"}, asks_ports=True)
-        async with watch.Watch(wanted, self._note) as events:
+        kinds = watch.Events(set(watch.KINDS) - {"HEARTBEAT"}, asks_ports=True)
+        async with watch.Watch(kinds, self._note) as events:
             async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
                 try:
                     await self._follow(flight, events, logs)
@@ -60,12 +60,12 @@ class Journal:
                     _report_dropped(events.dropped + logs.dropped)
 
     async def _follow(self, flight, events, logs):
-        known = set()
+        paths = set()
         if self._door is not None:
             logs.listen(self._door)
         while True:
-            new = [node.path for text, (node, _) in flight.components.items() if text not in known]
-            known |= {str(path) for path in new}
+            new = [node.path for text, (node, _) in flight.components.items() if text not in paths]
+            paths |= {str(path) for path in new}
             if new:
                 await self._begin(new, events, logs)
             _follow_ports(flight, events)
@@ -151,9 +151,9 @@ async def describe(tops):
     """
     from rtshell_lite.system import capture, details
 
-    found = await capture.capture(tops, True, with_states=True, with_snapshots=True)
-    profile = found.profile
+    system = await capture.capture(tops, True, with_states=True, with_snapshots=True)
+    profile = system.profile
     profile.id = "RTSystem:rtlog:recorded:0"
     profile.creation_date = profile.update_date = calendar.local("%Y-%m-%dT%H:%M:%S")
     written = rtsprofile.dump(profile, rtsprofile.XML).encode("utf-8", "surrogateescape")
-    return written, details.dump(found.found)
+    return written, details.dump(system.found)

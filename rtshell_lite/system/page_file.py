@@ -24,11 +24,11 @@ def read(text, name):
     """The data, a dict, in the text of a page; `name` is the file in messages. Raises errors.Failed."""
     import json
 
-    found = _BLOCK.search(text)
-    if found is None:
+    match = _BLOCK.search(text)
+    if match is None:
         raise errors.Failed(name, "not a page of these commands")
     try:
-        fields = json.loads(found.group(1))
+        fields = json.loads(match.group(1))
     except (ValueError, RecursionError):
         raise errors.Failed(name, "its data are damaged")
     if not isinstance(fields, dict):
@@ -38,7 +38,7 @@ def read(text, name):
 
 def profile(text, name):
     """The text of the RtsProfile in the text of a report. Raises errors.Failed."""
-    found = read(text, name).get("profile")
-    if not isinstance(found, str):
+    text_of_profile = read(text, name).get("profile")
+    if not isinstance(text_of_profile, str):
         raise errors.Failed(name, "a page without a profile; rtdoctor --report writes one with a profile")
-    return found
+    return text_of_profile

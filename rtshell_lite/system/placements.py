@@ -39,15 +39,15 @@ class Placement:
         if not self.path.names:
             self.error = errors.Failed(self.where, "not the path of a component")
 
-    def port(self, name, known=None):
-        """The Port that a profile calls `name`, of the Ports `known` (default:
+    def port(self, name, listed=None):
+        """The Port that a profile calls `name`, of the Ports `listed` (default:
         those found), or the error NoSuch.
         """
-        if known is None:
-            known = self.found.ports
+        if listed is None:
+            listed = self.found.ports
         names = [name, self.instance + "." + name]
-        return next((port for port in known if port.name in names), None) or ports.named(
-            self.path.with_port(name), known
+        return next((port for port in listed if port.name in names), None) or ports.named(
+            self.path.with_port(name), listed
         )
 
     def port_question(self, name):
@@ -75,12 +75,12 @@ async def find(placements, ask=capture.ask):
     """
     asked = [placement for placement in placements if placement.error is None]
     answers = await tree.on_components([placement.path for placement in asked], ask)
-    for placement, found in zip(asked, answers):
-        if isinstance(found, errors.Error):
-            placement.error = found
+    for placement, answer in zip(asked, answers):
+        if isinstance(answer, errors.Error):
+            placement.error = answer
         else:
-            placement.found = found
-            placement.node = found.node
+            placement.found = answer
+            placement.node = answer.node
 
 
 def finder(locate, placements):

@@ -34,7 +34,7 @@ def read(name, usual):
     """The Specs of a Procfile in the order of starting; `usual` is the Policy of those without their own.
     Raises Failed, BadPath, OSError.
     """
-    found = collections.OrderedDict()
+    processes = collections.OrderedDict()
     for number, line in enumerate(files.read(name).splitlines(), 1):
         line = line.strip()
         if not line or line.startswith("#"):
@@ -46,25 +46,26 @@ def read(name, usual):
             if "\0" in line:
                 raise ValueError("it contains a NUL character")
             process, key, value = matched.groups()
-            words = found.setdefault(process, {})
+            words = processes.setdefault(process, {})
             if (key or "command") in words:
                 raise ValueError(line.partition(":")[0] + " is there twice")
             words[key or "command"] = value
         except ValueError as e:
             raise errors.Failed("%s:%d" % (printable(name), number), e)
-    if not found:
+    if not processes:
         raise errors.Failed(printable(name), "no processes")
-    return _in_order([_spec(name, process, words, found, usual) for process, words in found.items()], name)
+    specs = [_spec(name, process, words, processes, usual) for process, words in processes.items()]
+    return _in_order(specs, name)
 
 
-def _spec(file, name, words, known, usual):
+def _spec(file, name, words, processes, usual):
     try:
         command = _words(words.get("command", ""))
         if not command or not command[0]:
             raise ValueError("no command")
         after = words.get("after", "").split()
         for other in after:
-            if other not in known:
+            if other not in processes:
                 raise ValueError(f"after {other}, which is not there")
         ready = path.parse(words["ready"]) if words.get("ready") else None
         environment = _environment(words.get("env", ""))
@@ -86,13 +87,13 @@ def _words(value):
 
 
 def _environment(value):
-    found = {}
+    variables = {}
     for word in _words(value):
         name, equals, content = word.partition("=")
         if not name or not equals:
             raise ValueError("env: not KEY=VALUE: " + word)
-        found[name] = content
-    return found
+        variables[name] = content
+    return variables
 
 
 def _stop(value):

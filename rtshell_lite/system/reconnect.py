@@ -88,23 +88,23 @@ def _is_shown(connector, ends, batch):
     """Whether those of the ends of a connector that are in the batch show it as the file has it: with its id,
     between the ports that the others had when they were last asked.
     """
-    found = []
+    answers = []
     for kept, end in zip(ends, connector.ends):
-        found.append(kept.placement.port(capture.port_of(end)))
-    if any(isinstance(port, errors.Error) for port in found):
+        answers.append(kept.placement.port(capture.port_of(end)))
+    if any(isinstance(port, errors.Error) for port in answers):
         return False
-    wanted = {orb.identity(port.ref) for port in found}
-    for kept, port in zip(ends, found):
+    identities = {orb.identity(port.ref) for port in answers}
+    for kept, port in zip(ends, answers):
         same = []
-        for one in port.connectors:
-            if one.id and one.id == connector.connector_id:
-                same.append(one)
+        for other in port.connectors:
+            if other.id and other.id == connector.connector_id:
+                same.append(other)
         joined = set()
-        for one in same:
-            for ref in one.ports:
+        for other in same:
+            for ref in other.ports:
                 if ref is not None:
                     joined.add(orb.identity(ref))
-        if kept in batch and joined != wanted:
+        if kept in batch and joined != identities:
             return False
     return True
 

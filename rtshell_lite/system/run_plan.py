@@ -72,46 +72,47 @@ class Run:
         is called with a line for each of them.
         """
         failures = []
-        for wanted, answer in zip(profile.components, await self._look(profile, _ask)):
-            if wanted.is_required:
+        for described, answer in zip(profile.components, await self._look(profile, _ask)):
+            if described.is_required:
+                where = capture.shown_path(described)
                 on_required(
                     'Checking for required component %s with ID "%s" and instance name "%s"'
-                    % (capture.shown_path(wanted), printable(wanted.id), printable(wanted.instance_name))
+                    % (where, printable(described.id), printable(described.instance_name))
                 )
             try:
-                self._found[id(wanted)] = await self._checked(wanted, answer)
+                self._found[id(described)] = await self._checked(described, answer)
             except errors.Error as e:
-                self._found[id(wanted)] = e
-                if wanted.is_required:
+                self._found[id(described)] = e
+                if described.is_required:
                     failures += [e]
         return failures
 
     def refuse(self):
         """Report each action as failed in `check`, or as not tried because a required one has failed."""
         for action in self.actions:
-            found = self._found[id(action.component)]
-            if isinstance(found, errors.Error):
-                self.progress.ended(Result(action, outcomes.FAILED, found))
+            answer = self._found[id(action.component)]
+            if isinstance(answer, errors.Error):
+                self.progress.ended(Result(action, outcomes.FAILED, answer))
             else:
                 error = errors.NotTried(action.path, "something that is required failed")
                 self.progress.skipped(Result(action, outcomes.NOT_TRIED, error))
 
-    async def _checked(self, wanted, answer):
+    async def _checked(self, described, answer):
         """(node, _Contexts) of a component of the profile.
         Raises WrongKind, NoSuch, or `answer` if that is an error.
         """
         if isinstance(answer, errors.Error):
             raise answer
-        await steps.Present(placements.Placement(wanted)).is_done([answer])
+        await steps.Present(placements.Placement(described)).is_done([answer])
         for action in self.actions:
-            if action.component is wanted:
+            if action.component is described:
                 _context(answer.node, answer.contexts, action)
         return answer.node, answer.contexts
 
     async def find(self, profile):
         """Find the components; their contexts are asked for when it is their turn."""
-        for wanted, answer in zip(profile.components, await self._look(profile, _unasked)):
-            self._found[id(wanted)] = answer if isinstance(answer, errors.Error) else (answer, None)
+        for described, answer in zip(profile.components, await self._look(profile, _unasked)):
+            self._found[id(described)] = answer if isinstance(answer, errors.Error) else (answer, None)
 
     def take(self, nodes, ended):
         """Have only the actions done whose components are in `nodes`, {id of a model.Component: Node};
@@ -166,12 +167,12 @@ class Run:
         await self._changed.wait(seconds)
 
     def _start(self, action, group):
-        found = self._found[id(action.component)]
-        if isinstance(found, errors.Error):
+        answer = self._found[id(action.component)]
+        if isinstance(answer, errors.Error):
             self._begin(action)
-            self._end(self._failed(action, found))
+            self._end(self._failed(action, answer))
             return
-        node, contexts = found
+        node, contexts = answer
         self._waiting[node.endpoint].append((action, node, contexts))
         if self._busy[node.endpoint] < AT_ONCE:
             self._busy[node.endpoint] += 1

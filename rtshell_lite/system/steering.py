@@ -28,16 +28,16 @@ def directory():
     """The private directory of this user for locks and sockets.
     Raises OSError, Failed where it is not ours.
     """
-    made = _directory()
+    path = _directory()
     try:
-        os.mkdir(made, 0o700)
+        os.mkdir(path, 0o700)
     except FileExistsError:
         pass
-    found = os.lstat(made)
-    is_ours = stat.S_ISDIR(found.st_mode) and found.st_uid == os.geteuid()
-    if not is_ours or found.st_mode & 0o077:
-        raise errors.Failed(made, "not a directory of ours that nobody else can write to")
-    return made
+    status = os.lstat(path)
+    is_ours = stat.S_ISDIR(status.st_mode) and status.st_uid == os.geteuid()
+    if not is_ours or status.st_mode & 0o077:
+        raise errors.Failed(path, "not a directory of ours that nobody else can write to")
+    return path
 
 
 def place(name):
@@ -204,7 +204,7 @@ async def ask(door, request):
             raise errors.Silent(printable(os.path.basename(door)), "too many wait for it")
         except OSError:
             raise errors.ConnectionRefused(printable(os.path.basename(door)))
-        found = []
+        lines = []
 
         async def exchange():
             await _send(connection, json_line(request) + "\n")
@@ -215,7 +215,7 @@ async def ask(door, request):
                 if not piece:
                     break
                 data += piece
-            found.extend([json.loads(line) for line in data.decode("utf-8", "replace").splitlines()])
+            lines.extend([json.loads(line) for line in data.decode("utf-8", "replace").splitlines()])
 
         name = printable(os.path.basename(door))
         try:
@@ -224,20 +224,20 @@ async def ask(door, request):
             )
         except (OSError, ValueError):  # it has ended meanwhile; a part of a line
             pass
-    if not found:
+    if not lines:
         raise errors.ConnectionRefused(name)
-    if found[0]["error"]:
-        raise errors.Error(printable(found[0]["error"]))
-    return found[1:]
+    if lines[0]["error"]:
+        raise errors.Error(printable(lines[0]["error"]))
+    return lines[1:]
 
 
 async def marks():
     """{path of a component: what its rtkeep says of it, in a word or two}, of all rtkeeps of this user."""
-    found = {}  # type: dict
+    words = {}  # type: dict
     try:
         doors = running()
     except (OSError, errors.Error):
-        return found
+        return words
     for door in doors:
         try:
             lines = await ask(door, {"command": "status", "names": []})
@@ -245,8 +245,8 @@ async def marks():
             continue
         for line in lines:
             if line["kind"] == "component":
-                found[line["object"]] = _mark(line)
-    return found
+                words[line["object"]] = _mark(line)
+    return words
 
 
 def _mark(line):

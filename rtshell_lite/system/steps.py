@@ -107,20 +107,21 @@ class Present(Step):
 
     def differences(self, answers):
         profile = answers[0].profile
-        wanted = self.placement.component
-        if profile.instance_name != wanted.instance_name:
+        described = self.placement.component
+        if profile.instance_name != described.instance_name:
             names = [
-                f"component named {printable(name)}" for name in (wanted.instance_name, profile.instance_name)
+                f"component named {printable(name)}"
+                for name in (described.instance_name, profile.instance_name)
             ]
             yield Difference(
-                "instance name", None, wanted.instance_name, profile.instance_name,
+                "instance name", None, described.instance_name, profile.instance_name,
                 errors.WrongKind(self.where, *names),
             )
         actual = capture.component_id(profile)
-        if wanted.id and actual != wanted.id:  # a file that was converted has none
+        if described.id and actual != described.id:  # a file that was converted has none
             yield Difference(
-                "id", None, wanted.id, actual,
-                errors.WrongKind(self.where, printable(wanted.id), printable(actual)),
+                "id", None, described.id, actual,
+                errors.WrongKind(self.where, printable(described.id), printable(actual)),
             )
 
 
@@ -248,8 +249,8 @@ def members(placement, placement_of):
     """The Placements of the members that the profile gives a composite;
     `placement_of` as placements.finder makes it.
     """
-    found = [placement_of(participant.component) for participant in placement.component.participants]
-    return [member for member in found if member is not None]
+    all_members = [placement_of(participant.component) for participant in placement.component.participants]
+    return [member for member in all_members if member is not None]
 
 
 def _is_missing(member, composite):
@@ -315,9 +316,9 @@ class Values(_Configuring):
 
     def _present(self, answer):
         """The values that the set has now, a dict; None where there is no such set."""
-        for one in answer.sets:
-            if one.id == self.set_id:
-                return one.values
+        for one_set in answer.sets:
+            if one_set.id == self.set_id:
+                return one_set.values
         return None
 
     def differences(self, answers):
@@ -381,7 +382,7 @@ class Active(_Configuring):
 
     def differences(self, answers):
         (now,) = answers
-        present = [one.id for one in now.sets]
+        present = [one_set.id for one_set in now.sets]
         if now.active == self.set_id:
             return
         if self.set_id == "default" and all(map(configuration.hidden, present)):
@@ -470,19 +471,19 @@ def own_contexts(placement):
     component and that it owns.
     """
     owned = [context.handle for context in placement.found.owned] if placement.found else None
-    for place, wanted in enumerate(placement.component.execution_contexts):
-        if wanted.id.isdigit() and owned is None:
-            yield place, int(wanted.id), wanted
-        elif wanted.id.isdigit() and int(wanted.id) in owned:
-            yield owned.index(int(wanted.id)), int(wanted.id), wanted
+    for place, described in enumerate(placement.component.execution_contexts):
+        if described.id.isdigit() and owned is None:
+            yield place, int(described.id), described
+        elif described.id.isdigit() and int(described.id) in owned:
+            yield owned.index(int(described.id)), int(described.id), described
 
 
 def participants(placement, context, placement_of):
     """The Placements of the components that the profile lets take part in a context of another one;
     not of itself.
     """
-    found = [placement_of(target) for target in context.participants]
-    return [participant for participant in found if participant is not None and participant is not placement]
+    others = [placement_of(target) for target in context.participants]
+    return [other for other in others if other is not None and other is not placement]
 
 
 async def _owned_contexts(placement):

@@ -97,7 +97,7 @@ def context_lines(context, state, snapshot, level, tag, more, paint):
         yield f"{tag}+Execution Context of another component, which does not answer  {paint(state)}"
         return
     words = f"{tag}{sign}Execution Context {paint(str(context.handle), 'bold')}"
-    if not any(context is one for one in snapshot.owned):
+    if not any(context is own for own in snapshot.owned):
         words += f" of {printable(instance(context.owner, snapshot))}"
     if len(snapshot.contexts) > 1:
         words += f"  {paint(state)}"

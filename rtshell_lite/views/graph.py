@@ -167,10 +167,10 @@ def count_words(box):
         return []
     total = sum(box.counts.values())
     words = [f"{total} component" + "s" * (total != 1)]
-    known = [state for state in COLOURS if box.counts[state]]
-    known += sorted(state for state in box.counts if state and state not in COLOURS)
-    if known:
-        words.append(", ".join(f"{box.counts[state]} {state}" for state in known))
+    states = [state for state in COLOURS if box.counts[state]]
+    states += sorted(state for state in box.counts if state and state not in COLOURS)
+    if states:
+        words.append(", ".join(f"{box.counts[state]} {state}" for state in states))
     return words
 
 

@@ -88,12 +88,12 @@ def _distinct(names):
     distinct = []
     for name in names:
         number = 1
-        wanted = name
-        while wanted in seen:
+        new_name = name
+        while new_name in seen:
             number += 1
-            wanted = f"{name}_{number}"
-        seen.add(wanted)
-        distinct.append(wanted)
+            new_name = f"{name}_{number}"
+        seen.add(new_name)
+        distinct.append(new_name)
     return distinct
 
 

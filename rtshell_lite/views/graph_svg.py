@@ -28,14 +28,14 @@ def lines(picture):
     def port_of(item, port):
         return _port(item, picture.boxes[item.number], len(heads[item.number]), port)
 
-    found = layout.arrange(picture, sizes, port_of)
-    yield _HEAD % (found.width, found.height)
-    for item, box, words in zip(found.boxes, picture.boxes, heads):
+    arranged = layout.arrange(picture, sizes, port_of)
+    yield _HEAD % (arranged.width, arranged.height)
+    for item, box, words in zip(arranged.boxes, picture.boxes, heads):
         yield from _drawn(item, box, words, port_of)
-    for edge, way in zip(picture.edges, found.ways):
+    for edge, way in zip(picture.edges, arranged.ways):
         source, out, target, into, service = edge
-        start = port_of(found.boxes[source], out)
-        end = port_of(found.boxes[target], into)
+        start = port_of(arranged.boxes[source], out)
+        end = port_of(arranged.boxes[target], into)
         yield _line(_path(start, end, way), service, _name(picture, edge))
     yield "</svg>"
 

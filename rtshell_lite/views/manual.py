@@ -132,7 +132,7 @@ def _configuration_section(sets):
             ("Widget", "__widget__"),
         )
     ]
-    metadata = [(title, known) for title, known in metadata if any(known.get(name) for name in values)]
+    metadata = [(title, texts) for title, texts in metadata if any(texts.get(name) for name in values)]
     described = _values(sets, "__description__")
     if not metadata:
         return [
@@ -143,7 +143,7 @@ def _configuration_section(sets):
         ]
     header = ("Name", "Default") + tuple(title for title, _ in metadata) + ("Description",)
     rows = [
-        (name, value) + tuple(known.get(name, "") for _, known in metadata) + (described.get(name, ""),)
+        (name, value) + tuple(texts.get(name, "") for _, texts in metadata) + (described.get(name, ""),)
         for name, value in values.items()
     ]
     return [Table("Configuration parameters", header, (8, 8) + (8,) * len(metadata) + (18,), rows)]

@@ -128,12 +128,12 @@ def groups(picture, kind, alone=()):
 
 
 def _groups(picture, kind, alone):
-    found = collections.defaultdict(list)
+    groups = collections.defaultdict(list)
     for number in range(len(picture.boxes)):
         name = group_name(picture, number, kind)
         if name is not None and number not in alone:
-            found[name].append(number)
-    return found
+            groups[name].append(number)
+    return groups
 
 
 def group_name(picture, number, kind):
@@ -175,14 +175,14 @@ def _host(box):
 
 
 def _folded(name, boxes):
-    made = graph.Box(name)
-    made.counts = collections.Counter(box.state or "" for box in boxes)
-    states = set(made.counts)
+    folded = graph.Box(name)
+    folded.counts = collections.Counter(box.state or "" for box in boxes)
+    states = set(folded.counts)
     if "Error" in states:
-        made.state = "Error"
+        folded.state = "Error"
     elif len(states) == 1:
-        made.state = boxes[0].state
-    return made
+        folded.state = boxes[0].state
+    return folded
 
 
 # ---- a new picture out of an old one ----
@@ -190,16 +190,16 @@ def _folded(name, boxes):
 
 def _copy(box, places):
     """A box without its ports, whose members and composite are where `places` says."""
-    made = graph.Box(box.name, box.state, box.missing)
-    made.path = box.path
-    made.process = box.process
-    made.origin = box.origin
-    made.snapshot = box.snapshot
-    made.counts = box.counts
-    made.labels = dict(box.labels)
-    made.members = [places[member] for member in box.members if member in places]
-    made.composite = places.get(box.composite)
-    return made
+    copy = graph.Box(box.name, box.state, box.missing)
+    copy.path = box.path
+    copy.process = box.process
+    copy.origin = box.origin
+    copy.snapshot = box.snapshot
+    copy.counts = box.counts
+    copy.labels = dict(box.labels)
+    copy.members = [places[member] for member in box.members if member in places]
+    copy.composite = places.get(box.composite)
+    return copy
 
 
 def _connected(picture, boxes, places, folded=()):

@@ -146,9 +146,9 @@ def _bounds(panel):
 
 def _value_ticks(panel, low, high):
     series = list(panel.series.values())
-    if series and all(each.names for each in series):
-        known = sorted((value, name) for each in series for value, name in each.names.items())
-        return [(value, _short(name)) for value, name in known if low <= value <= high]
+    if series and all(curve.names for curve in series):
+        names = sorted((value, name) for curve in series for value, name in curve.names.items())
+        return [(value, _short(name)) for value, name in names if low <= value <= high]
     return plot.ticks(low, high, 6)
 
 
@@ -166,23 +166,23 @@ def _curves(picture, panel, top):
     low, high = _bounds(panel)
     for number, series in enumerate(panel.series.values()):
         data = []
-        at = None
+        end = None
         length = 0.0
         width = 0.0
         for moment, value, is_after_gap in _thinned(picture, series):
             x = _x(picture, moment)
             y = top + HEIGHT - (value - low) / (high - low) * HEIGHT
-            if is_after_gap or at is None:
+            if is_after_gap or end is None:
                 data.append(f"M{x:.1f} {y:.1f}h0")  # a value between two gaps is a dot
-                at = x, y
+                end = x, y
                 continue
             if series.is_step:
                 data.append(f"H{x:.1f}V{y:.1f}")
             else:
                 data.append(f"L{x:.1f} {y:.1f}")
-            length += math.hypot(x - at[0], y - at[1])
-            width += x - at[0]
-            at = x, y
+            length += math.hypot(x - end[0], y - end[1])
+            width += x - end[0]
+            end = x, y
         if data:
             # the dashes of a noisy line, which is much longer than wide, look as in the legend
             yield _path("".join(data), number, max(1.0, length / max(width, 1.0)))
@@ -204,7 +204,7 @@ def _kept_apart(picture):
     """The marks whose words have room beside each other: (left end of the words, words); a line is drawn for
     all.
     """
-    found = []
+    kept = []
     free = 0.0
     for moment, words in sorted(picture.marks):
         if picture.first is None:
@@ -214,9 +214,9 @@ def _kept_apart(picture):
         size = WORD * cells(words)
         x = min(_x(picture, moment), WIDTH - size)
         if x >= free:
-            found.append((max(x, 0.0), words))
+            kept.append((max(x, 0.0), words))
             free = x + size + WORD
-    return found
+    return kept
 
 
 def _lines_of_marks(picture, top):

@@ -93,7 +93,7 @@ def lines(picture, width, height, is_braille=True, is_coloured=False):
     if picture.first is None:
         return ["no values"]
     panels = _apart(picture.panels, is_braille and not is_coloured)
-    found = []
+    picture_lines = []
     for panel in panels:
         height -= len(panel.series)
         if panel.title:
@@ -109,24 +109,24 @@ def lines(picture, width, height, is_braille=True, is_coloured=False):
     paint = painter(is_coloured)
     for panel, (bounds, labels) in zip(panels, axes):
         canvas = Canvas(max(width - margin - 1, 10), rows, is_braille)
-        found += _panel(picture, panel, bounds, labels, margin, canvas, paint)
-    found += _time_axis(picture, width, margin)
+        picture_lines += _panel(picture, panel, bounds, labels, margin, canvas, paint)
+    picture_lines += _time_axis(picture, width, margin)
     for moment, words in picture.marks:
-        found.append(f"{plot.elapsed(picture, moment)}  {printable(words)}")
-    return found
+        picture_lines.append(f"{plot.elapsed(picture, moment)}  {printable(words)}")
+    return picture_lines
 
 
 def _apart(panels, is_apart):
     """The panels; one for each series where several in one could not be told apart."""
     if not is_apart:
         return panels
-    found = []
+    panels_apart = []
     for panel in panels:
         for series in panel.series.values():
             alone = plot.Panel(panel.title, panel.axis)
             alone.series = {series.name: series}
-            found.append(alone)
-    return found
+            panels_apart.append(alone)
+    return panels_apart
 
 
 def _axis(panel, rows):
@@ -146,14 +146,14 @@ def _axis(panel, rows):
 
 def _names(panel, low, high):
     """[(value, name)] between two bounds where all series have names of enumerators, else None."""
-    known = []
+    names = []
     for series in panel.series.values():
         if not series.names:
             return None
-        known += series.names.items()
-    if not known:
+        names += series.names.items()
+    if not names:
         return None
-    return [(value, printable(name)) for value, name in sorted(known) if low <= value <= high]
+    return [(value, printable(name)) for value, name in sorted(names) if low <= value <= high]
 
 
 def _panel(picture, panel, bounds, labels, margin, canvas, paint):

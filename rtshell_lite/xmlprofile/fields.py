@@ -144,10 +144,10 @@ class Element:
         own.update(defaults)
         for name in lists:
             own[name] = []
-        known = len(own)
+        count = len(own)
         own.update(values)
-        if len(own) > known:
-            unknown = ", ".join(list(own)[known:])
+        if len(own) > count:
+            unknown = ", ".join(list(own)[count:])
             raise TypeError(f"{type(self).__name__} has no {unknown}")
 
     def __eq__(self, other):

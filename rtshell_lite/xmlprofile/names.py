@@ -97,8 +97,8 @@ def table(cls):
 
 def is_own_key(cls, key):
     """Whether a YAML key has a meaning in this class of elements."""
-    known = table(cls)
-    return key in known.loose_keys or key in known.wrappers or key in (ATTRIBUTES, ELEMENTS)
+    own_table = table(cls)
+    return key in own_table.loose_keys or key in own_table.wrappers or key in (ATTRIBUTES, ELEMENTS)
 
 
 def is_clark(name):

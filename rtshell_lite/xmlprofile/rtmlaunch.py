@@ -47,7 +47,7 @@ class _Launch:
                 profile.data_port_connectors.append(connection)
             else:
                 profile.service_port_connectors.append(connection)
-        targets = [self.condition(number, each) for number, each in enumerate(self.activated, 1)]
+        targets = [self.condition(number, component) for number, component in enumerate(self.activated, 1)]
         profile.activation = model.MessageSending(targets=targets)
         for path, component in self.components.items():
             if component not in self.activated:
@@ -83,13 +83,13 @@ class _Launch:
                 self.left_out[kind] = self.left_out.get(kind, 0) + 1
 
     def is_wanted(self, node):
-        for key, wanted in (("if", "true"), ("unless", "false")):
+        for key, expected in (("if", "true"), ("unless", "false")):
             if key in node.attributes:
                 value = self.value(node, key).strip().lower()
                 value = {"1": "true", "0": "false"}.get(value, value)
                 if value not in ("true", "false"):
                     self.fail(node, f"{key}: neither true nor false: {printable(value)}")
-                if value != wanted:
+                if value != expected:
                     return False
         return True
 
@@ -108,7 +108,7 @@ class _Launch:
         for _ in range(MOST_NESTED):
             if not ARGUMENT.search(value):
                 return value
-            value = ARGUMENT.sub(lambda found: self.replaced(node, *found.groups()), value)
+            value = ARGUMENT.sub(lambda match: self.replaced(node, *match.groups()), value)
         self.fail(node, f"{key}: arguments that contain themselves")
 
     def replaced(self, node, kind, name, default):
@@ -151,12 +151,12 @@ class _Launch:
         ]
         name = "_".join(f"{component.instance_name}.{port}" for component, port in ends)
         if all(port.endswith("Service") for _, port in ends):
-            made = model.ServicePortConnector(connector_id=name, name=name)
+            connector = model.ServicePortConnector(connector_id=name, name=name)
         else:
-            made = self.data_connector(node, name)
-        made.ends = targets
-        if name not in [each.connector_id for each in self.connections]:
-            self.connections.append(made)
+            connector = self.data_connector(node, name)
+        connector.ends = targets
+        if name not in [connection.connector_id for connection in self.connections]:
+            self.connections.append(connector)
 
     def data_connector(self, node, name):
         kind = self.value(node, "subscription_type", "flush")

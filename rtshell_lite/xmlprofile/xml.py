@@ -203,24 +203,24 @@ def read(data, name):
 
 def _element(node, cls, fail):
     table = names.table(cls)
-    found = _attributes(node, table, fail)
+    values = _attributes(node, table, fail)
     for child in node.children():
         field = table.children.get(child.tag)
         if field is None or field.kind == fields.TEXT and not _is_plain_text(child):
-            _keep_element(found, cls, child)
+            _keep_element(values, cls, child)
         elif field.many:
             item = child.text() if field.kind == fields.TEXT else _element(child, field.kind, fail)
-            found.setdefault(field.name, []).append(item)
-        elif field.name in found:
+            values.setdefault(field.name, []).append(item)
+        elif field.name in values:
             fail(child, f"more than one {child.local} in {node.local}")
         else:
-            found[field.name] = _element(child, field.kind, fail)
+            values[field.name] = _element(child, field.kind, fail)
     node.content = []  # of a large file it is half of the memory
-    element = cls(**found)
+    element = cls(**values)
     if node.before or node.inside:
         element.comments_before = node.before
         element.comments_inside = node.inside
-    fault = element.fault(found)
+    fault = element.fault(values)
     if fault:
         fail(node, f"{node.local}: {fault}")
     return element
@@ -228,23 +228,23 @@ def _element(node, cls, fail):
 
 def _attributes(node, table, fail):
     """The values of a node's attributes by field name; foreign ones are in "foreign"."""
-    found = {}
+    values = {}
     others = []
     for name, text in node.attributes.items():
         field = table.attributes.get(name)
         if field:
-            found[field.name] = _value(node, field, text, fail)
+            values[field.name] = _value(node, field, text, fail)
         elif name != names.TYPE:
             others.append(name)
     for name in others:
         field = table.loose_attributes.get(name)
         # An attribute that would not be written must not hide one in the wrong namespace: else a second
         # reading differs.
-        if field and (field.name not in found or not field.always and found[field.name] == field.default):
-            found[field.name] = _value(node, field, node.attributes[name], fail)
+        if field and (field.name not in values or not field.always and values[field.name] == field.default):
+            values[field.name] = _value(node, field, node.attributes[name], fail)
         else:
-            _foreign(found).attributes[names.clark(name)] = escape.unspelt(node.attributes[name])
-    return found
+            _foreign(values).attributes[names.clark(name)] = escape.unspelt(node.attributes[name])
+    return values
 
 
 def _value(node, field, text, fail):
@@ -257,19 +257,19 @@ def _value(node, field, text, fail):
         fail(node, f"{field.local}: {e}")
 
 
-def _foreign(found):
-    if "foreign" not in found:
-        found["foreign"] = fields.Foreign()
-    return found["foreign"]
+def _foreign(values):
+    if "foreign" not in values:
+        values["foreign"] = fields.Foreign()
+    return values["foreign"]
 
 
 def _is_plain_text(node):
     return not node.children() and not set(node.attributes) - {names.TYPE}
 
 
-def _keep_element(found, cls, node):
+def _keep_element(values, cls, node):
     """Keep an element that the schema does not have: a key of a YAML file, or something else."""
-    foreign = _foreign(found)
+    foreign = _foreign(values)
     key = escape.unspelt(node.attributes.get("name", ""))
     if (
         node.tag == names.YAML_KEY

@@ -78,9 +78,9 @@ def narrow(ref, interface):
     return ref.narrowed(type_id)
 
 
-def same(one, other):
+def same(ref, other):
     """True if two references denote one object, as far as can be known without a remote call."""
-    return one.profiles == other.profiles or bool(one.address.host) and one.address[1:] == other.address[1:]
+    return ref.profiles == other.profiles or bool(ref.address.host) and ref.address[1:] == other.address[1:]
 
 
 # ---- servants ----
@@ -106,13 +106,13 @@ def properties(nvlist, only=None):
     `only`: those of this name.
     """
     only = only and only.encode()
-    found = []
+    pairs = []
     for name, value in nvlist:
         if only and name != only:
             continue
         text = _text(value) if type(value) is bytes else _as_text(value.content, value.descriptor)
-        found.append((sys.intern(_text(name)), text))
-    return found
+        pairs.append((sys.intern(_text(name)), text))
+    return pairs
 
 
 def _text(octets):
@@ -143,7 +143,7 @@ descriptor = idl.known
 def descriptor_in(nvlist, name):
     """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
     return next(
-        (value.descriptor for known, value in nvlist if known == name.encode() and type(value) is not bytes),
+        (value.descriptor for key, value in nvlist if key == name.encode() and type(value) is not bytes),
         None,
     )
 

@@ -326,25 +326,25 @@ class Connection:
         """The whole replies that have come, as octets; may wait for session.TICK.
         What ends the connection is noted in `end`.
         """
-        found = []  # type: list
+        replies = []  # type: list
         try:
             for _ in range(AT_A_TIME):
                 piece = self._early or self._socket.recv(PIECE, 0 if may_wait else real.AT_ONCE)
                 self._early = b""
                 if not piece:
                     raise Closed()
-                self._take(piece, found)
-                if found or len(piece) < PIECE:
+                self._take(piece, replies)
+                if replies or len(piece) < PIECE:
                     break
                 may_wait = False
         except BlockingIOError:
             pass
         except (OSError, Closed, ValueError, struct.error) as e:
             self.end = e
-        return found
+        return replies
 
-    def _take(self, piece, found):
-        """Add what has come to what there is, and put the replies that are whole now into `found`.
+    def _take(self, piece, replies):
+        """Add what has come to what there is, and put the replies that are whole now into `replies`.
 
         Of one that is longer than any that is waited for, no more is taken than shows that.
         """
@@ -377,9 +377,9 @@ class Connection:
                 start = 0
                 self._have = len(data)
             if message[7] == messages.REPLY and not message[6] & messages.MORE:  # most are whole
-                found.append(message)
+                replies.append(message)
             else:
-                self._other_message(message, found)
+                self._other_message(message, replies)
         if self._have:
             self._pieces = [data[start:]]
 
@@ -401,7 +401,7 @@ class Connection:
             raise messages.Garbled("a reply to another request")
         return messages.LARGE
 
-    def _other_message(self, data, found):
+    def _other_message(self, data, replies):
         """Take what is not a whole reply."""
         kind = data[7]
         if kind == messages.CLOSE:
@@ -412,7 +412,7 @@ class Connection:
             raise messages.Garbled(f"a message of kind {kind}")
         whole = self._fragments.joined(data, self._most)
         if whole is not None:
-            found.append(whole)
+            replies.append(whole)
 
     def has_begun(self):
         """Whether a reply has begun to come that is not whole yet."""

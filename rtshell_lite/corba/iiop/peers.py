@@ -72,11 +72,11 @@ class _Repeated:
             return value
         begun = loop.now()
         number, data = self._connection.exchange(self._octets)
-        at = messages.plain_reply(data, number)
-        if at:
+        offset = messages.plain_reply(data, number)
+        if offset:
             allowance.begin()
             try:
-                value, end = self._read(data, at)
+                value, end = self._read(data, offset)
                 calls.check_end(data, end)
                 self._connection.has_taken()
                 return value
@@ -235,10 +235,10 @@ class Peers:
 
     def peer(self, endpoint):
         """The _Peer of a process."""
-        known = self.known.get(endpoint)
-        if known is None:
-            known = self.known[endpoint] = _Peer(endpoint, self.session.memory)
-        return known
+        peer = self.known.get(endpoint)
+        if peer is None:
+            peer = self.known[endpoint] = _Peer(endpoint, self.session.memory)
+        return peer
 
     def submit(self, request):
         peer = self.peer(request.endpoint)
@@ -348,15 +348,15 @@ class Peers:
             self._take(peer, False)
 
     def _watch(self, peer):
-        wanted = peer.connection.wanted()
-        if wanted == peer.watched:
+        watched = peer.connection.wanted()
+        if watched == peer.watched:
             return
         self._unwatch(peer)
-        fd, events = wanted
+        fd, events = watched
         if fd is not None:
             self.loop.watch(fd, events, partial(self._take, peer, False))
             self._watches += peer.watched[0] is None
-            peer.watched = wanted
+            peer.watched = watched
 
     def _unwatch(self, peer):
         fd, _ = peer.watched
@@ -390,7 +390,7 @@ class Peers:
 
     def _reply(self, peer, data):
         """Take a whole reply. Raises Garbled, struct.error."""
-        number, status, little, at = messages.reply(data)
+        number, status, little, offset = messages.reply(data)
         if peer.connection.is_stray(number):
             return
         peer.heard = loop.now()
@@ -401,7 +401,7 @@ class Peers:
         if not peer.connection.requests:
             self._asked.pop(peer, None)
         self._changed[peer] = True
-        if request is None or not request.answered(status, data, at, little):
+        if request is None or not request.answered(status, data, offset, little):
             return
         failure = None
         if request.endpoint != peer.endpoint:  # it has been forwarded

@@ -41,22 +41,22 @@ def value(text, macros):
 
 def _words(text):
     """The names, numbers and marks of a condition."""
-    found = []
-    at = scanner.run(text, 0, scanner.BLANKS)
-    while at < len(text) and len(found) <= MOST_WORDS:
-        if text[at] in scanner.WORD:
-            end = scanner.run(text, at, scanner.WORD)
-        elif text.startswith(_DOUBLE_MARKS, at):
-            end = at + 2
-        elif text[at] in _MARKS:
-            end = at + 1
+    words = []
+    start = scanner.run(text, 0, scanner.BLANKS)
+    while start < len(text) and len(words) <= MOST_WORDS:
+        if text[start] in scanner.WORD:
+            end = scanner.run(text, start, scanner.WORD)
+        elif text.startswith(_DOUBLE_MARKS, start):
+            end = start + 2
+        elif text[start] in _MARKS:
+            end = start + 1
         else:
-            raise ValueError(text[at])
-        found.append(text[at:end])
-        at = scanner.run(text, end, scanner.BLANKS)
-    if len(found) > MOST_WORDS:
+            raise ValueError(text[start])
+        words.append(text[start:end])
+        start = scanner.run(text, end, scanner.BLANKS)
+    if len(words) > MOST_WORDS:
         raise ValueError("too long")
-    return found
+    return words
 
 
 class _Condition:

@@ -43,10 +43,10 @@ def _declare(parser, type_id, file, token):
         if outer.lower() not in scope.names:
             module = Entry(outer, "module", Scope(outer, scope), f"IDL:{outer}:1.0", token=own)
             _add(parser, scope, module, token)
-        found = scope.names[outer.lower()]
-        if not isinstance(found.what, Scope):
-            raise parser.twice(outer, found, token)
-        scope = found.what
+        module_entry = scope.names[outer.lower()]
+        if not isinstance(module_entry.what, Scope):
+            raise parser.twice(outer, module_entry, token)
+        scope = module_entry.what
     descriptor = idl.descriptor(type_id)
     kind = descriptors.kind(descriptor)
     if kind == descriptors.OBJECT:

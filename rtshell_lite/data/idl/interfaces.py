@@ -31,16 +31,16 @@ class Interface:
 
     def ancestry(self):
         """This Interface and all that it inherits, each once, the nearest first."""
-        found = []
+        interfaces = []
         seen = set()
         todo = [self]
         while todo:
             interface = todo.pop(0)
             if id(interface) not in seen:
                 seen.add(id(interface))
-                found.append(interface)
+                interfaces.append(interface)
                 todo += interface.bases
-        return found
+        return interfaces
 
     def all_attributes(self):
         """Its Attributes, and the inherited ones."""
@@ -50,14 +50,14 @@ class Interface:
         """{name: Operation} of all that can be called: its own operations and the inherited ones,
         then `_get_x` and `_set_x` of each attribute x.
         """
-        found = {}
+        operations_by_name = {}
         for interface in self.ancestry():
             for operation in interface.operations:
-                found.setdefault(operation.name, operation)
+                operations_by_name.setdefault(operation.name, operation)
         for attribute in self.all_attributes():
             for operation in attribute.operations():
-                found.setdefault(operation.name, operation)
-        return found
+                operations_by_name.setdefault(operation.name, operation)
+        return operations_by_name
 
 
 class Parameter:
@@ -105,7 +105,10 @@ class Operation:
             words = spelled(self.result)
         if self.oneway:
             words = f"oneway {words}"
-        listed = [f"{each.direction} {spelled(each.type)} {each.name}" for each in self.parameters]
+        listed = [
+            f"{parameter.direction} {spelled(parameter.type)} {parameter.name}"
+            for parameter in self.parameters
+        ]
         line = f"{words} {self.name}({', '.join(listed)})" + _raising("raises", self.raises)
         if self.contexts:
             line += " context (%s)" % ", ".join(f'"{name}"' for name in self.contexts)
@@ -119,7 +122,7 @@ class Operation:
             return "it has a context clause"
         parts = [("its result", self.result)]
         parts += [(parameter.name, parameter.type) for parameter in self.parameters]
-        parts += [(descriptors.words(each), each) for each in self.raises]
+        parts += [(descriptors.words(descriptor), descriptor) for descriptor in self.raises]
         for where, descriptor in parts:
             for place, inner in descriptors.walk(descriptor, where):
                 if kind(inner) == VALUE:
@@ -139,7 +142,7 @@ class Operation:
             returned.insert(0, self.result)
         if self.oneway:
             returned = None
-        raised = {descriptors.type_id(each): each for each in self.raises}
+        raised = {descriptors.type_id(descriptor): descriptor for descriptor in self.raises}
         return operations.Schema(self.name, sent, returned, raised)
 
 
@@ -158,13 +161,13 @@ class Attribute:
 
     def operations(self):
         """The Operations that read and write it: _get_NAME, and _set_NAME unless it is readonly."""
-        found = [Operation("_get_" + self.name, self.type, (), self.raises)]
+        operations = [Operation("_get_" + self.name, self.type, (), self.raises)]
         if not self.readonly:
             value = Parameter("in", self.name, self.type)
-            found.append(Operation("_set_" + self.name, None, [value], self.set_raises))
-        for operation in found:
+            operations.append(Operation("_set_" + self.name, None, [value], self.set_raises))
+        for operation in operations:
             operation.fault = self.fault
-        return found
+        return operations
 
     def idl(self):
         """It as one line of IDL, with its semicolon."""

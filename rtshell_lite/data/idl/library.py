@@ -48,13 +48,13 @@ class Library:
 
     def types(self, name):
         """{repository id: descriptor} of the types of a name without its modules."""
-        found = {}
+        types = {}
         for path in self._candidates(name):
             for type_id, descriptor in self._types(path).items():
-                if _last(type_id) == name and type_id not in found:
-                    found[type_id] = descriptor
+                if _last(type_id) == name and type_id not in types:
+                    types[type_id] = descriptor
                     notes.detail(f"{printable(type_id)} is read from {printable(path)}")
-        return found
+        return types
 
     def _types(self, path):
         contents = self._parsed(path)
@@ -109,8 +109,8 @@ class Library:
         """The file of the library that an #include may mean that is found nowhere else, by the end of its
         path.
         """
-        wanted = "/" + os.path.normpath(name).lstrip("./")
-        return next((path for path in self.texts() if path.endswith(wanted)), None)
+        ending = "/" + os.path.normpath(name).lstrip("./")
+        return next((path for path in self.texts() if path.endswith(ending)), None)
 
     # ---- reading files ----
 
@@ -136,13 +136,13 @@ def _is_typedef(text, named):
     """Whether a file seems to declare a name by a typedef. (A regular expression takes for ever on some
     files.)
     """
-    at = text.find(named)
+    start = text.find(named)
     for _ in range(PLACES):
-        if at < 0:
+        if start < 0:
             return False
-        if b"typedef" in text[max(0, at - LONGEST) : at].rpartition(b";")[2]:
+        if b"typedef" in text[max(0, start - LONGEST) : start].rpartition(b";")[2]:
             return True
-        at = text.find(named, at + len(named))
+        start = text.find(named, start + len(named))
     return False
 
 
@@ -158,7 +158,7 @@ def places():
     OpenRTM-aist; the working directory is not among them.
     """
     own = [part for part in os.environ.get(VARIABLE, "").split(":") if part]
-    return own + [found for pattern in INSTALLED for found in sorted(glob.glob(pattern))]
+    return own + [path for pattern in INSTALLED for path in sorted(glob.glob(pattern))]
 
 
 def _paths(roots):

@@ -12,18 +12,18 @@ DIRECTIONS = {"": "in", ">": "out", "<>": "inout"}  # of parameters, in the tabl
 def interface(type_id):
     """The Interface of a repository id. Raises KeyError."""
     bases, operations = idl.INTERFACES[type_id]
-    made = Interface(scoped(type_id), type_id, file=WHERE)
-    made.bases = [interface(base) for base in bases]
-    made.operations = [_operation(name, *row) for name, row in operations.items()]
-    return made
+    described = Interface(scoped(type_id), type_id, file=WHERE)
+    described.bases = [interface(base) for base in bases]
+    described.operations = [_operation(name, *row) for name, row in operations.items()]
+    return described
 
 
 def _operation(name, given, returned, raised, parameters):
     sent = list(map(idl.descriptor, given))
     received = list(map(idl.descriptor, returned or ()))
-    made = Operation(name, raises=map(idl.known, raised), oneway=returned is None)
+    operation = Operation(name, raises=map(idl.known, raised), oneway=returned is None)
     if len(received) > parameters.count(">"):
-        made.result = received.pop(0)
+        operation.result = received.pop(0)
     for word in parameters.split():
         plain = word.lstrip("<>")
         direction = DIRECTIONS[word[: -len(plain)]]
@@ -32,5 +32,5 @@ def _operation(name, given, returned, raised, parameters):
             descriptor = received.pop(0)
         if direction != "out":
             descriptor = sent.pop(0)
-        made.parameters.append(Parameter(direction, plain, descriptor))
-    return made
+        operation.parameters.append(Parameter(direction, plain, descriptor))
+    return operation

@@ -193,21 +193,21 @@ class _File:
         self._expand(_from(words, frozenset()))
         return end
 
-    def _arguments(self, at):
+    def _arguments(self, start):
         """The (kind, word) tokens from a bracket to its end, with both, and where they end; none where no
         bracket is.
         """
-        found = []
+        tokens = []
         depth = 0
-        for kind, word, end in scanner.words(self.text, at):
-            if kind in (None, "directive") or len(found) > MACRO:
+        for kind, word, end in scanner.words(self.text, start):
+            if kind in (None, "directive") or len(tokens) > MACRO:
                 break
-            found.append((kind, word))
+            tokens.append((kind, word))
             depth += NESTING.get(word, 0)
-            if found[0] != ("mark", "("):
-                return [], at
+            if tokens[0] != ("mark", "("):
+                return [], start
             if not depth:
-                return found, end
+                return tokens, end
         raise self.fault("the parameters of a macro that cannot be read")
 
     def _expand(self, words):
@@ -320,12 +320,12 @@ class _File:
 
     def _body_of(self, name, body):
         """The (kind, word) tokens of the body of a macro."""
-        found = []
+        tokens = []
         for kind, word, _ in scanner.words(body, 0):
             if kind in (None, "directive"):
                 raise self.fault(f"a macro that cannot be read: {name}")
-            found.append((kind, word))
-        return found
+            tokens.append((kind, word))
+        return tokens
 
     def _undef(self, rest):
         self.source.macros.pop(rest, None)

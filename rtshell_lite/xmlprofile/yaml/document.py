@@ -65,13 +65,13 @@ class Document:
     def skip(self, pos):
         """The position of the next token, after blanks, comments and line ends."""
         while True:
-            found = _SPACE.match(self.text, pos)
-            if not found.group(1):
+            match = _SPACE.match(self.text, pos)
+            if not match.group(1):
                 break
-            pos = _COMMENT.match(self.text, found.end()).end()
-        if self.text[found.end()] == "\t":
-            self.fail(found.end(), TAB)
-        return found.end()
+            pos = _COMMENT.match(self.text, match.end()).end()
+        if self.text[match.end()] == "\t":
+            self.fail(match.end(), TAB)
+        return match.end()
 
     def next_token(self, pos):
         """The position of the next token, and its column; -1 at the end of the document."""

@@ -47,28 +47,28 @@ def _element(doc, node, cls, depth):
     if depth > DEEPEST_XML:
         doc.fail(node.pos, "more than %d levels of elements" % DEEPEST_XML)
     table = names.table(cls)
-    found = {}
+    contents = {}
     others = []
     for key, value in _pairs(doc, node, table):
         field = table.keys.get(key)
         if field:
-            _set(doc, found, field, value, depth)
+            _set(doc, contents, field, value, depth)
         else:
             others.append((key, value))
     for key, value in others:
         field = table.loose_keys.get(key)
-        if field and field.name not in found:
-            _set(doc, found, field, value, depth)
+        if field and field.name not in contents:
+            _set(doc, contents, field, value, depth)
         elif key == names.ATTRIBUTES:
-            _foreign(found).attributes.update(_attributes(doc, value, table))
+            _foreign(contents).attributes.update(_attributes(doc, value, table))
         elif key == names.ELEMENTS:
-            _foreign(found).elements += _elements(doc, value, table, depth + 1)
+            _foreign(contents).elements += _elements(doc, value, table, depth + 1)
         elif field:
             doc.fail(value.pos, f"{values.shown(key)} was given before in another spelling")
         else:
-            _foreign(found).keys[key] = _plain(doc, value)
-    element = cls(**found)
-    fault = element.fault(found)
+            _foreign(contents).keys[key] = _plain(doc, value)
+    element = cls(**contents)
+    fault = element.fault(contents)
     if fault:
         doc.fail(node.pos, f"{cls.__name__}: {fault}")
     return element
@@ -92,8 +92,8 @@ def _is_null(node):
     return node.tag in (None, "null") and node.value in scalars.NULLS
 
 
-def _set(doc, found, field, node, depth):
-    """Put the value of a field into `found`, unless it is null."""
+def _set(doc, contents, field, node, depth):
+    """Put the value of a field into `contents`, unless it is null."""
     if field.many:
         if _is_null(node):
             return
@@ -105,14 +105,14 @@ def _set(doc, found, field, node, depth):
                 items.append(_text(doc, item))
             else:
                 items.append(_element(doc, item, field.kind, depth + 1))
-        found[field.name] = items
+        contents[field.name] = items
     elif field.child:
         if not _is_null(node) or field.kind is model.MessageSending:
-            found[field.name] = _element(doc, node, field.kind, depth + 1)
+            contents[field.name] = _element(doc, node, field.kind, depth + 1)
     elif field.kind == fields.DATE and isinstance(node.value, dict):
-        found[field.name] = _date(doc, node)
+        contents[field.name] = _date(doc, node)
     elif not _is_null(node):
-        found[field.name] = _value(doc, field, node)
+        contents[field.name] = _value(doc, field, node)
 
 
 def _each(doc, node):
@@ -176,10 +176,10 @@ def _date(doc, node):
 # ---- reading foreign parts ----
 
 
-def _foreign(found):
-    if "foreign" not in found:
-        found["foreign"] = fields.Foreign()
-    return found["foreign"]
+def _foreign(contents):
+    if "foreign" not in contents:
+        contents["foreign"] = fields.Foreign()
+    return contents["foreign"]
 
 
 def _attributes(doc, node, table=None):
@@ -221,8 +221,8 @@ def _foreign_element(doc, node, table, depth):
         and not isinstance(content.value, list)
     ):
         doc.fail(place.pos, "an element is needed here: its name, attributes and content")
-    known = table and table.children.get(names.raw(tag))
-    if known and known.kind != fields.TEXT:
+    field = table and table.children.get(names.raw(tag))
+    if field and field.kind != fields.TEXT:
         doc.fail(place.pos, f"{values.shown(tag)} is not a foreign element")
     items = []
     if content:
@@ -269,14 +269,14 @@ def _data(element):
 
 def _date_data(text):
     """A date as a mapping, as in rtsprofile; other text as it is."""
-    found = _DATE.match(text)
-    if not found:
+    match = _DATE.match(text)
+    if not match:
         return text
-    data = {key: int(part) for key, part in zip(_DATE_KEYS, found.groups())}
-    if found.group(7):
-        data["fraction"] = found.group(7)
-    if found.group(8):
-        data["zone"] = found.group(8)
+    data = {key: int(part) for key, part in zip(_DATE_KEYS, match.groups())}
+    if match.group(7):
+        data["fraction"] = match.group(7)
+    if match.group(8):
+        data["zone"] = match.group(8)
     return data
 
 

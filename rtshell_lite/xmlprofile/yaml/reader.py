@@ -254,24 +254,24 @@ def _properties(doc, pos):
         start = _BLANKS.match(doc.text, pos).end()
         c = doc.text[start]
         if c == "&" and not anchor:
-            found = _ANCHOR.match(doc.text, start)
+            match = _ANCHOR.match(doc.text, start)
         elif c == "!" and not tag:
-            found = _TAG.match(doc.text, start)
+            match = _TAG.match(doc.text, start)
         else:
-            found = None
-        if not found:
+            match = None
+        if not match:
             if c in "&!":
                 if c == "!":
                     doc.fail(start, "a tag that is not supported here")
                 doc.fail(start, "an anchor without a name, or a second one")
             return pos, anchor, tag
         if c == "&":
-            anchor = found.group(2)
+            anchor = match.group(2)
         else:
-            tag = found.group(1) or found.group(2) or "!"
+            tag = match.group(1) or match.group(2) or "!"
             if tag not in scalars.TAGS:
                 doc.fail(start, "a tag that is not supported here")
-        pos = found.end()
+        pos = match.end()
 
 
 def _anchored(doc, anchor, count, result):
@@ -295,26 +295,26 @@ def _measure(node):
 
 
 def _alias(doc, pos, depth):
-    found = _ANCHOR.match(doc.text, pos)
-    name = found.group(2) if found else ""
+    match = _ANCHOR.match(doc.text, pos)
+    name = match.group(2) if match else ""
     if name not in doc.anchors:
         doc.fail(pos, "an alias of nothing that was anchored before")
     node, count = doc.anchors[name]
     doc.nodes += count  # as often as it is used: ten lines of aliases can mean 10 ** 9 nodes
     doc.node("", pos, depth + node.height)
-    return found.end(), node
+    return match.end(), node
 
 
 def _tagged(doc, pos, node, tag):
     if isinstance(node.value, dict):
-        wanted = "map"
+        expected = "map"
     elif isinstance(node.value, list):
-        wanted = "seq"
+        expected = "seq"
     else:
-        wanted = None
-    if not tag or tag in (wanted, "!"):
+        expected = None
+    if not tag or tag in (expected, "!"):
         return node
-    if wanted or tag in ("map", "seq"):
+    if expected or tag in ("map", "seq"):
         doc.fail(pos, f"the tag !!{tag} does not fit")
     return Node(node.value, node.pos, tag)
 

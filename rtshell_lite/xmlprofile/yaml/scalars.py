@@ -141,24 +141,24 @@ def quoted(doc, pos):
     if "\\" not in raw and not _has_break(raw):
         return end, raw
 
-    def meant(found):
-        byte, short, long, line, lines, letter = found.groups()
+    def meant(match):
+        byte, short, long, line, lines, letter = match.groups()
         number = int(byte or short or long or "0", 16)
         if letter in _ESCAPED:
             return _ESCAPED[letter]
         if letter or number > 0x10FFFF:
-            doc.fail(pos + 1 + found.start(), "an escape that does not exist")
+            doc.fail(pos + 1 + match.start(), "an escape that does not exist")
         if line:  # an escaped line end is dropped
             return "".join(c for c in lines if c in BREAK)
         if byte or short or long:
             return chr(number)
-        return _meant_space(found)
+        return _meant_space(match)
 
     return end, _ESCAPE.sub(meant, raw)
 
 
-def _meant_space(found):
-    space = found.group()
+def _meant_space(match):
+    space = match.group()
     if _has_break(space):
         return folded(space)
     return space
@@ -307,10 +307,10 @@ def plain(node):
 
 
 def _matched(pattern, text, what):
-    found = len(text) <= LONGEST_NUMBER and pattern.match(text)
-    if not found:
+    match = len(text) <= LONGEST_NUMBER and pattern.match(text)
+    if not match:
         raise ValueError(f"not a {what}")
-    return found
+    return match
 
 
 def _boolean(text):
@@ -323,13 +323,13 @@ def _null(text):
 
 
 def _integer(text):
-    found = _matched(_INTEGER, text, "whole number").groupdict()
+    groups = _matched(_INTEGER, text, "whole number").groupdict()
     sign = -1 if text[0] == "-" else 1
-    if found["two"]:
+    if groups["two"]:
         base = 2
-    elif found["eight"]:
+    elif groups["eight"]:
         base = 8
-    elif found["sixteen"]:
+    elif groups["sixteen"]:
         base = 16
     else:
         base = 10
@@ -337,11 +337,11 @@ def _integer(text):
 
 
 def _float(text):
-    found = _matched(_FLOAT, text, "number")
-    if found.group("nan"):
+    match = _matched(_FLOAT, text, "number")
+    if match.group("nan"):
         return float("nan")
-    if found.group("sign") is not None:
-        return float(found.group("sign") + "inf")
+    if match.group("sign") is not None:
+        return float(match.group("sign") + "inf")
     return float(text.replace("_", ""))
 
 

@@ -102,8 +102,8 @@ def _text(value):
     return '"' + _DOUBLE.sub(_escape, value) + '"'
 
 
-def _escape(found):
-    c = found.group()
+def _escape(match):
+    c = match.group()
     n = ord(c)
     if c in _ESCAPES:
         return "\\" + _ESCAPES[c]
