@@ -373,6 +373,7 @@ class Peers:
             return
         try:
             if connection.waits_for:
+                self._unwatch(peer)  # that socket may be closed, and the next one get its number
                 self._go_on_connecting(peer)
             else:
                 for data in connection.replies(may_wait):
