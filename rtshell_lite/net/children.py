@@ -3,11 +3,18 @@ that watches it, and on Linux the kernel.
 """
 
 import os
+import sys
 
 from rtshell_lite.net import loop, real
 
 PR_SET_PDEATHSIG = 1  # of prctl(2)
 LISTENING = "0A"  # the state of a socket in /proc/net/tcp
+
+
+def of_world():
+    """What has the names of this module in the world of this thread: this module, or what a test has instead.
+    """
+    return getattr(loop.world(), "children", sys.modules[__name__])
 
 
 class Guardian:
@@ -72,6 +79,12 @@ def reap(ended):
 
     loop.current().hear(real.SIGCHLD, take)
     take()  # those that have ended before
+
+
+def output_of(child):
+    """What a subprocess.Popen prints: a file without a buffer, which does not wait."""
+    os.set_blocking(child.stdout.fileno(), False)
+    return child.stdout
 
 
 def kill(pid, number):

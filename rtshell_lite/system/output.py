@@ -25,16 +25,14 @@ class Output:
         self._wrote = wrote
         self._log = log
 
-    def follow(self, fd):
-        """Take what comes from a pipe until its end."""
-        os.set_blocking(fd, False)
+    def follow(self, pipe):
+        """Take what comes from a pipe, as children.output_of returns it, until its end."""
         rest = [b""]  # the beginning of a line
-        loop.current().watch(fd, loop.READ, lambda: self._read(fd, rest))
+        loop.current().watch(pipe.fileno(), loop.READ, lambda: self._read(pipe, rest))
 
-    def _read(self, fd, rest):
-        try:
-            data = os.read(fd, 1 << 16)
-        except BlockingIOError:
+    def _read(self, pipe, rest):
+        data = pipe.read(1 << 16)
+        if data is None:  # nothing has come
             return
         lines = (rest[0] + data).split(b"\n")
         rest[0] = lines.pop() if data and len(lines[-1]) < LONGEST else b""
@@ -46,8 +44,8 @@ class Output:
             self._wrote(self.name, text)
             self._write_log(text)
         if not data:
-            loop.current().unwatch(fd)
-            os.close(fd)
+            loop.current().unwatch(pipe.fileno())
+            pipe.close()
 
     def _write_log(self, line):
         if self._log is None:

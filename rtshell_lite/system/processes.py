@@ -94,11 +94,12 @@ class Processes:
         self.all = [Process(spec, output.Output(spec.name, wrote, log)) for spec in specs]
         self.happened = happened
         self._by_pid = {}
-        self._guardian = children.Guardian()
+        self._children = children.of_world()
+        self._guardian = self._children.Guardian()
         self._group = None
 
     async def __aenter__(self):
-        children.reap(self._reaped)
+        self._children.reap(self._reaped)
         self._group = loop.Group()
         for process in self.all:
             self._group.start(self._keep(process))
@@ -108,13 +109,13 @@ class Processes:
         self._group.cancel()
         await self._group.__aexit__(kind, error, traceback)
         for pid in self._by_pid:
-            children.kill(pid, real.SIGKILL)
+            self._children.kill(pid, real.SIGKILL)
         self._by_pid = {}
         self._guardian.close()
 
     def listening_ports(self):
         """The TCP ports at which processes of it listen, a set."""
-        return children.listening_ports(self._by_pid)
+        return self._children.listening_ports(self._by_pid)
 
     def named(self, name):
         """The Processes of a name: one at most."""
@@ -199,22 +200,21 @@ class Processes:
         child = loop.world().start_process(
             process.spec.command, stdin=real.NOTHING, stdout=real.PIPE, stderr=real.SAME,
             cwd=process.spec.cwd, env=dict(inherited, **process.spec.env), start_new_session=True,
-            preexec_fn=self._guardian.enter,
+            preexec_fn=self._guardian.enter, bufsize=0,
         )
         child.returncode = 0  # it is reaped here
         process.pid = child.pid
         process.status = None
         process.has_finished = False
         self._by_pid[child.pid] = process
-        process.output.follow(os.dup(child.stdout.fileno()))
-        child.stdout.close()
+        process.output.follow(self._children.output_of(child))
 
     def _reaped(self, pid, status):
         process = self._by_pid.pop(pid, None)
         if pid == self._guardian.pid:
             self._guardian.begin(self._by_pid)
         elif process is not None:
-            children.kill(pid, real.SIGKILL)  # what is left of its group
+            self._children.kill(pid, real.SIGKILL)  # what is left of its group
             self._guardian.leave(pid)
             process.pid = None
             process.status = status
@@ -244,7 +244,7 @@ class Processes:
         for last in (number, real.SIGKILL):
             if process.pid is None:
                 return
-            children.kill(process.pid, last)
+            self._children.kill(process.pid, last)
             await loop.race(process.until(lambda: process.pid is None), loop.sleep(seconds))
         self.happened(process.name, f"does not end within {seconds:g}s", "killed", begun)
 

@@ -20,7 +20,7 @@ class Nothing:
 
     async def __aenter__(self):
         if os.getpid() == 1:  # of a container, where others leave theirs with us
-            children.reap(lambda pid, status: None)
+            children.of_world().reap(lambda pid, status: None)
         return self
 
     async def __aexit__(self, *_):
