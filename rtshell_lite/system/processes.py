@@ -18,6 +18,7 @@ for name, number in real.signals().items():
     _SIGNALS.setdefault(number, name)
 ANSWERS = "answers already"
 HANGS = "does not answer, but is not gone"
+UNKNOWN = "cannot be looked for: its name server does not answer"
 # variables by which a service manager informs us alone
 OURS = ("NOTIFY_SOCKET", "WATCHDOG_USEC", "WATCHDOG_PID")
 
@@ -143,18 +144,21 @@ class Processes:
             await self._ended(process, _in_words(process.status), process.status != 0)
 
     async def _is_foreign(self, process):
-        """Whether somebody else has started it: then wait until that one is gone. One that hangs lives: a
-        second one would take its name.
+        """Whether somebody else has started it, or may have: then wait until that one is gone. One that hangs
+        lives: a second one would take its name.
         """
-        seen = await _seen(process)
-        if seen is None:
-            return False
-        self.happened(process.name, f"{process.spec.ready} {seen}", "not started")
-        process.become("foreign")
-        while await _seen(process) is not None:
+        told = None
+        while True:
+            seen = await _seen(process)
+            if seen is None:
+                break
+            if seen != told:
+                self.happened(process.name, f"{process.spec.ready} {seen}", "not started")
+                process.become("foreign" if seen == ANSWERS else "waiting")
+                told = seen
             await loop.sleep(SEEK)
         process.become("waiting")
-        return True
+        return told is not None
 
     async def _until_ready(self, process, begun):
         process.become("running")
@@ -250,7 +254,7 @@ class Processes:
 
 
 async def _seen(process):
-    """ANSWERS, HANGS, or None: what is at the path that shows that a process is ready."""
+    """ANSWERS, HANGS, UNKNOWN, or None: what is at the path that shows that a process is ready."""
     node = None
     if process.spec.ready is None:
         return None
@@ -259,8 +263,10 @@ async def _seen(process):
         await orb.is_alive(node.path, node.ref)
         return ANSWERS
     except errors.Unanswered:
+        if node is None:
+            return UNKNOWN
         # where it once was another host, or this one with another address, nothing hangs
-        if node is None or await liveness.is_this_host(node.endpoint[0]):
+        if await liveness.is_this_host(node.endpoint[0]):
             return HANGS
     except errors.Error:
         pass
