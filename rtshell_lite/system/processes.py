@@ -232,6 +232,10 @@ class Processes:
         process.is_wanted = True
         process.become(process.state)
 
+    def begin_to_stop(self, process):
+        """Stop one while others go on, and the files are read again."""
+        self._group.start(self.stop([process]))
+
     async def stop(self, stopped=None):
         """End some processes (default: all), each when those after it have ended."""
         stopped = self.all if stopped is None else stopped

@@ -247,7 +247,7 @@ class Service:
             kept.is_paused = True
             self.keeper.start(self.keeper.deactivate(kept, "", "deactivated on request"))
         else:
-            self.keeper.start(self.processes.stop([kept]))
+            self.processes.begin_to_stop(kept)
 
 
 def _has_terminal():
