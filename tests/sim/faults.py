@@ -12,6 +12,7 @@ MTU = 300  # octets, of a packet that still comes through
 LATE = 1.7
 WAVES = 50
 FOR_EVER = 1e9
+BY_HAND = " by hand"  # after the name of a process that an rtkeep keeps, of one that a person has started
 RARE = 0.1  # Hz of a context whose period is longer than people wait
 
 
@@ -271,6 +272,12 @@ def wrong_clock(robot, host):
     robot.world.hosts[host].ahead += robot.world.random.choice((3600, -3600))
 
 
+def start_by_hand(robot, process):
+    """Somebody starts what an rtkeep keeps."""
+    host, flavour, component = robot.kept[process]
+    robot.start(process + BY_HAND, host, flavour, [component])
+
+
 # each fault, what it concerns, and whether a doctor who looks after it has to find something
 FAULTS = {
     kill: ("process", True),
@@ -327,6 +334,12 @@ ANSWERS = {
     hang: ("rtls -l", "rtdoctor -q", "rtact --wait 3 {}", "rtdel -z {}"),
 }
 BY_NAME = {fault.__name__: fault for fault in FAULTS}
+OF_PROCESSES = {"start_by_hand": start_by_hand}  # which an rtkeep keeps
 OF_NETWORK = {"cut", "unplug", "slow_network", "close_port", "shut_port", "lose_one_way", "shrink_packets"}
 OF_NETWORK |= {"hide", "reboot", "lose_power", "lose_power_in_writing", "doubt_names"}
 HARMLESS = {"tire"}  # nobody is to notice
+
+
+def named(name):
+    """The function of a fault."""
+    return BY_NAME.get(name) or OF_PROCESSES[name]

@@ -3,6 +3,7 @@
 import re
 
 import faults
+import kept
 import mounted
 import recordings
 import served
@@ -88,6 +89,8 @@ def ends(play, command):
         return None
     if command.name in mounted.TOOLS:
         return served.answers_in_time(play, command)
+    if kept.keeps(command):
+        return kept.ends_in_time(play, command)
     limit = LIMITS.get(command.name, OTHERS) * TIMEOUT + SLACK
     for seconds in WAITING.findall(command.line):
         limit += int(seconds)
@@ -120,7 +123,7 @@ def is_stable(play, command):
     is_documented = command.status in (STATUSES if command.interrupted is None else STRUCK)
     if command.is_over and not command.was_killed and not is_documented:
         return f"status {command.status}"
-    said = re.sub(r"rtlog: (trigger:|kept) .*\n", "", command.error)
+    said = re.sub(r"(rtlog: (trigger:|kept)|rtkeep: nothing more goes to the log) .*\n", "", command.error)
     if command.status == 0 and f"{command.name}: " in said and "error" in said:
         return f"status 0, and {command.error.strip()}"
     return None
@@ -223,7 +226,8 @@ def _is_refused(play):
 
 
 def _was_troubled(play, until):
-    return any(when <= until for when, _ in play.robot.troubles)
+    is_well = not any(run.begun <= until for runs in play.robot.runs.values() for run in runs)
+    return not is_well or any(when <= until for when, _ in play.robot.troubles)
 
 
 def doctor_is_right(play, command):
@@ -244,6 +248,8 @@ def doctor_is_right(play, command):
     if len(play.scenario.faults) != 1 or was_changed:
         return None
     when, name, whom = play.scenario.faults[0]
+    if whom in play.robot.runs or name in faults.OF_PROCESSES:  # of a process that an rtkeep keeps
+        return None
     _, must_be_found = faults.FAULTS[faults.BY_NAME[name]]
     if must_be_found and play.begin + when < command.begun and not command.out:
         return f"{name} {whom} is not found: {command.error}"
@@ -256,7 +262,7 @@ def deletes_the_dead(play, command):
         return None
     gone = {name for _, name, _ in play.robot.removed}
     for name in play.robot.lives:
-        if name not in gone and _is_surely_dead(play, command, name):
+        if name in play.robot.bound - gone and _is_surely_dead(play, command, name):
             return f"status 0, and the name of {name} is left"
     return None
 
@@ -609,6 +615,8 @@ def looking_leaves_nothing(play):
         return None
     for name in play.robot.lives:
         component = play.robot.living(name)
+        if component is None:  # of a process that rtkeep has ended
+            continue
         if component.observers.registered:
             return f"{name} still has {list(component.observers.registered)}"
         settings = component.configuration
@@ -641,6 +649,11 @@ ORACLES = {
     "agrees": agrees,
     "kept": is_kept,
     "not by hand": blames_people_alone,
+    "true processes": kept.tells_the_truth,
+    "one at a time": kept.starts_as_it_should,
+    "nothing outlives": kept.ends_all,
+    "true status": kept.lists_the_truth,
+    "logged": kept.logs_all,
     "recorded": recordings.is_recorded,
     "true pages": watching.pages_are_true,
     "true events": watching.events_are_true,

@@ -65,6 +65,9 @@ class Robot:
         self.removed = []
         self.troubles = []  # (time, line) of what a fault has done
         self.seized = {}  # {name: since when it does not answer, though its process does}
+        self.runs = {}  # {name of a process that an rtkeep keeps: its Programs}
+        self.kept = {}  # {name of such a process that has one component: (host, flavour, its name)}
+        self.families = []  # (Program, what it has started)
         self.bound = set()  # names of components that have been bound
         self.names = self.start_names()
 

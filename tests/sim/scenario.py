@@ -11,8 +11,10 @@ import tempfile
 
 import components
 import faults
+import kept
 import mounted
 import oracles
+import processes
 import robot as robots
 import users
 import world as worlds
@@ -22,6 +24,7 @@ from rtshell_lite.net import real
 
 PATIENCE = 20.0  # virtual seconds for all to be started
 A_KEEPER = 0.1  # of the worlds have an rtkeep that stays
+PROCESSES = 0.1  # of the worlds have an rtkeep that keeps processes, and people who steer it
 A_MOUNT = 0.1  # of the worlds have an rtmount, and people who use the tree
 BY_HAND = 0.5  # of those have one person who changes one thing, and no fault
 ANSWERED = 0.4  # of the faults are answered by somebody
@@ -43,10 +46,12 @@ class Scenario:
     connections, active
     faults     [(when, name of the fault, what it concerns)], seconds from the set-up's end
     commands   [(when, words, seconds until a signal, or None, the number of that)]
+    kept       processes of a Procfile, as processes.draw returns them
     """
 
     special = {}  # type: dict
     named = {}  # type: dict
+    kept = []  # type: list
 
     def __init__(self, seed, only=()):
         draw = random.Random(seed)
@@ -90,6 +95,10 @@ class Scenario:
             self._draw_mount(random.Random(f"{seed} mount"), names)
         elif not only:
             self._draw_mount(random.Random(f"{seed} mount"), names, A_MOUNT)
+        if "processes" in only:
+            self._draw_processes(random.Random(f"{seed} processes"))
+        elif not only:
+            self._draw_processes(random.Random(f"{seed} processes"), PROCESSES)
         writing = [when for when, words, *_ in self.commands if words.split()[0] in WRITING]
         if writing and draw.random() < 0.4:
             when = round(draw.choice(writing) + draw.random() * 2.5, 3)
@@ -169,6 +178,27 @@ class Scenario:
                 words = mounted.draw_answer(draw, members or [whom] * (whom in names))
                 self.commands.append((max(when, begin) + draw.random() * 3, words, None, None))
 
+    def _draw_processes(self, draw, share=1.0):
+        """Processes that an rtkeep starts, in a share of the worlds, and people who steer it."""
+        if draw.random() > share:
+            return
+        self.kept = processes.draw(draw)
+        begin = round(draw.random() * 2, 3)
+        seconds = round(processes.KEPT * (1 + draw.random()), 3)
+        words = processes.draw_keeper(draw)
+        number = draw.choice((real.SIGINT, real.SIGTERM, real.SIGTERM, real.SIGKILL))
+        self.commands.append((begin, words, seconds, number))
+        for _ in range(draw.choice((0, 1, 2, 4))):
+            when = round(begin + draw.random() * seconds, 3)
+            self.faults.append((when, *processes.draw_fault(draw, self.kept)))
+        for fault in processes.draw_by_hand(draw, self.kept):
+            self.faults.append((round(draw.random() * (begin + seconds), 3), *fault))
+        for _ in range(draw.choice((0, 0, 1, 2, 4))):
+            when = round(begin + draw.random() * seconds, 3)
+            self.commands.append((when, processes.draw_steering(draw, self.kept), None, None))
+        if "--log" in words and draw.random() < processes.DISK:
+            self.faults.append((begin + 1, draw.choice(("fill_disk", "break_disk")), self.seat))
+
     def play(self):
         """Let it happen. Returns the Play."""
         return Play(self)
@@ -190,7 +220,7 @@ class Scenario:
 
     def smaller(self):
         """Scenarios with one part less."""
-        for part in ("commands", "faults", "connections", "active", "processes"):
+        for part in ("commands", "faults", "connections", "active", "processes", "kept"):
             whole = getattr(self, part)
             for number in range(len(whole)):
                 less = self._with(part, whole[:number] + whole[number + 1 :])
@@ -205,13 +235,32 @@ class Scenario:
         made.special = {name: made.special[name] for name in made.special if name in names}
         for _, members in made.special.values():
             members[:] = [each for each in members if each in names]
+        made.kept = _without_lost(made.kept)
         made.connections = [pair for pair in made.connections if names.issuperset(pair)]
         made.active = [name for name in made.active if name in names]
         known = names | processes | set(made.hosts) | {"", made.seat}
-        made.faults = [each for each in made.faults if each[2] in known]
+        made.faults = [each for each in made.faults if each[2] in known or _is_of(each[2], made.kept)]
         lost = {each for *_, members in self.processes for each in members} - names
-        made.commands = [each for each in made.commands if lost.isdisjoint(re.findall(r"\bC\d+", each[1]))]
+        lost |= {each for each, *_ in self.kept} - {each for each, *_ in made.kept}
+        made.commands = [
+            each for each in made.commands if lost.isdisjoint(re.findall(r"\b[Ck]\d+", each[1]))
+        ]
         return made
+
+
+def _is_of(whom, kept):
+    """Whether a fault concerns one of these processes, or what a person has started in its place."""
+    return whom.partition(" ")[0] in {name for name, *_ in kept}
+
+
+def _without_lost(kept):
+    """Kept processes, each after those alone that are there."""
+    made = []
+    for name, words, keys in kept:
+        after = [each for each in keys.get("after", "").split() if each in {other for other, *_ in made}]
+        keys = {key: value for key, value in keys.items() if key != "after"}
+        made.append((name, words, dict(keys, after=" ".join(after)) if after else keys))
+    return made
 
 
 class Play:
@@ -241,6 +290,8 @@ class Play:
                 return
             self.robot.set_up(scenario.connections, scenario.active)
             self._save()
+            if scenario.kept:
+                processes.write(self.robot, world.hosts[scenario.seat], scenario.kept)
             os.mkdir(mounted.TREE)
             with open("service.idl", "w") as file:
                 file.write(users.IDL)
@@ -270,16 +321,20 @@ class Play:
             world.at(when, self._type, seat, *typed)
         total = len(self.scenario.commands)
         world.run(begin + LAST, lambda: len(self.commands) == total and self._are_over())
+        if self.scenario.kept:  # the kernel ends what is left
+            world.run(world.time + kept.LEFT)
 
     def _are_over(self):
         return all(command.is_over for command in self.commands)
 
     def _break(self, name, whom):
+        if name in faults.BY_NAME and _is_of(whom, self.scenario.kept) and whom not in self.robot.programs:
+            return  # it has not been started
         if name in faults.HARMLESS:
             self.world.tell(f"{name} {whom}")
         else:
             self.robot.trouble(f"{name} {whom}")
-        faults.BY_NAME[name](self.robot, whom)
+        faults.named(name)(self.robot, whom)
 
     def _type(self, seat, *typed):
         self.commands.append(users.Command(self.robot, seat, *typed))

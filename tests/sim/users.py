@@ -187,8 +187,11 @@ class Command:
     def _interrupt(self, number):
         if not self.program.is_over:
             self.interrupted = self.world.time
-            self.world.tell(f"{SIGNALS[number]} to {self.line}")
-            self.program.strike(number)
+            self.world.tell(f"{SIGNALS.get(number, 'SIGKILL')} to {self.line}")
+            if number == real.SIGKILL:
+                self.program.kill()
+            else:
+                self.program.strike(number)
 
     @property
     def is_over(self):

@@ -18,6 +18,7 @@ import sys
 import tempfile
 import threading
 
+import children
 import disk as disks
 import fuse
 from disk import Killed
@@ -77,6 +78,7 @@ class World:
         self._turns = 0
         self.fds = itertools.count(FIRST_FD)
         self.pids = itertools.count(1)
+        self.executables = {}  # {word: function(host, *words), which starts a Program}
 
     def tell(self, line):
         """Add a line to the story."""
@@ -240,6 +242,13 @@ class Program:
         self.spoil = None  # function(octets) that spoils its answers
         self.closes_often = False  # whether it closes connections that have been used
         self.at_end = None  # function, called when it ends
+        # of one that another has started, and of one that has started others
+        self.group = None  # the process group, but of those that people start
+        self.ignores = ()  # signals
+        self.killed_by = real.SIGKILL  # where it has no status
+        self.forked = None  # the process that it has started last
+        self.ended_children = []  # (pid, status as of os.waitpid) of those that nobody has asked for
+        self.hears_of_children = False
         self._main = main
         self._is_killed = False
         self._is_ready = False
@@ -404,7 +413,13 @@ class Program:
         """Nobody waits for it."""
 
     def start_process(self, words, **more):
+        if "preexec_fn" in more:
+            return children.start(self, words, more["preexec_fn"])
         return Child()
+
+    @property
+    def children(self):
+        return children.Children(self)
 
     def local(self):
         return LocalSocket(self)
