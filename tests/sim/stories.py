@@ -33,6 +33,8 @@ world began. What else is typed:
     mock these Mock:Late0       one more process
     cat FILE, ls a*.mcap
     insert ONE OTHER            write OTHER: what is in ONE, with the lines after `  > ` before its last one
+    write FILE                  write a file: the lines after `  > `. In a Procfile, commands are `mock these Motor NAME`,
+                                or programs of processes.py (`brief NAME 0.4 3`); NAME is that of the process
     NAME=VALUE                  in the environment of all that follows
 
 There is no shell: a line has the words that shlex finds in it.
@@ -64,6 +66,7 @@ if __name__ == "__main__" and os.environ.get("PYTHONHASHSEED") != "0":  # sets o
 
 import components  # noqa: E402: the path first
 import faults  # noqa: E402
+import processes  # noqa: E402
 import robot as robots  # noqa: E402
 import transcripts  # noqa: E402
 import users  # noqa: E402
@@ -94,6 +97,14 @@ class Robot(robots.Robot):
     def __init__(self, world, home):
         super().__init__(world, home, {})
         self.stages = {}
+        processes.install(self)
+        world.executables["mock"] = self._start_mock
+
+    def _start_mock(self, home, *words):
+        """Start a process of mocks, as rtkeep does: its last word is its name."""
+        made = self.start(words[-1], home, mocks.arguments().parse_args(words[:-1]))
+        processes.note(self, words[-1], made)
+        return made
 
     def start_names(self):
         """As for other processes, faults know it by its name."""
@@ -315,6 +326,11 @@ class Player:
         *before, last = self.do_cat(one)
         with open(other, "w", encoding="utf-8") as file:
             file.writelines(line + "\n" for line in (*before, *lines, last))
+        return ()
+
+    def do_write(self, path, *lines):
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(line + "\n" for line in lines)
         return ()
 
     def end(self):

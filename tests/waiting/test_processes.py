@@ -1,7 +1,7 @@
 """The processes that rtkeep keeps: if this fails, some of a robot outlive it, fill the table of
 processes, or cannot be ended.
 
-tests/commands/rtkeep-processes.t has the common cases.
+tests/commands/rtkeep-processes.t has the common cases, tests/sim/stories/rtkeep-processes.t what takes time.
 """
 
 import json
@@ -11,7 +11,6 @@ import signal
 import socket
 import subprocess
 import tempfile
-import time
 import unittest
 from unittest import mock
 
@@ -95,35 +94,13 @@ class Processes(unittest.TestCase):
         ]
 
     def test_second_signal(self):
-        """A second signal ends it at once, with all processes, however long these may take; a first one does
-        not.
-        """
-        for first, second in (
-            (signal.SIGTERM, signal.SIGTERM),
-            (signal.SIGINT, signal.SIGTERM),
-            (signal.SIGTERM, signal.SIGINT),
-        ):
-            with self.subTest(first=first, second=second):
-                open(os.path.join(self.directory, "said"), "w").close()
-                self.keep("a: %s\na.stop: TERM 1000\n" % STUBBORN)
-                self.until('"wrote": "ready"')
-                self.process.send_signal(first)
-                time.sleep(0.5)  # a time in which nothing may happen
-                self.assertIsNone(self.process.poll())
-                begun = time.monotonic()
-                self.process.send_signal(second)
-                self.assertEqual(self.process.wait(LONG), 128 + second)
-                self.assertLess(time.monotonic() - begun, LONG)
-                worlds.eventually(lambda: not is_there(self.pids("a")[-1]), "the process ends, too")
-
-    def test_reload_does_not_undo_an_end(self):
-        """A terminal that closes sends SIGHUP to a robot that is ending."""
-        self.keep("a: %s\na.stop: TERM 1\n" % STUBBORN)
+        """A second signal ends it at once, with all processes, however long these may take."""
+        self.keep("a: %s\na.stop: TERM 1000\n" % STUBBORN)
         self.until('"wrote": "ready"')
+        self.process.send_signal(signal.SIGINT)
         self.process.terminate()
-        self.process.send_signal(signal.SIGHUP)
-        self.assertEqual(self.process.wait(LONG), 0)
-        self.assertEqual(len(self.pids("a")), 1)
+        self.assertEqual(self.process.wait(LONG), 128 + signal.SIGTERM)
+        worlds.eventually(lambda: not is_there(self.pids("a")[-1]), "the process ends, too")
 
     def test_a_killed_guardian_is_replaced(self):
         """Then another one does: rtkeep goes on, and nothing outlives it."""
@@ -141,12 +118,6 @@ class Processes(unittest.TestCase):
         self.keep("a: sh -c 'kill -40 $$'\na.restart: no\n")
         self.until("ended by signal 40")
         self.assertIsNone(self.process.poll())
-
-    def test_never_ready(self):
-        """It is said, once, what the others wait for."""
-        self.keep("a: sleep 1000\na.ready: localhost:1\nb: true\nb.after: a\n")
-        self.until("/localhost:1 does not answer yet")
-        self.assertEqual(self.pids("b"), [])
 
     def test_service_manager_that_stands_still(self):
         """A robot is kept though nobody reads what is sent to the service manager."""
@@ -167,16 +138,6 @@ class Processes(unittest.TestCase):
         self.process.terminate()
         self.assertEqual(self.process.wait(LONG), 0, self.said())
 
-    def test_kill_follows(self):
-        self.keep("a: %s\na.stop: TERM 0.3\n" % STUBBORN)
-        self.until('"wrote": "ready"')
-        self.process.terminate()
-        self.assertEqual(self.process.wait(LONG), 0)
-        self.assertIn(
-            ("does not end within 0.3s", "killed"),
-            [(event["seen"], event["done"]) for event in self.events()],
-        )
-
     def test_processes_get_nothing_of_the_service_manager(self):
         """A process that took the messages of the service manager for its own would speak for rtkeep."""
         self.keep("a: env\na.restart: no\n", NOTIFY_SOCKET="/nowhere", WATCHDOG_USEC="5000000", OTHER="here")
@@ -184,14 +145,6 @@ class Processes(unittest.TestCase):
         self.assertIn("OTHER=here", self.said())
         self.assertNotIn("NOTIFY_SOCKET", self.said())
         self.assertNotIn("WATCHDOG", self.said())
-
-    def test_resume_does_not_wait(self):
-        self.keep("a: false\na.delay: 1000-1000\n")
-        self.until("started, pid", 2)  # at once after the first failure, then 1000 s later
-        self.until("ended with status 1", 2)
-        done = running.run(["rtkeep", "resume", "a"], self.directory, XDG_RUNTIME_DIR=self.directory)
-        self.assertEqual(done.status, 0, done)
-        self.until("started, pid", 3)
 
     @unittest.skipUnless(has_namespaces(), "no namespaces of processes here: unshare does not work")
     def test_first_process_of_a_container(self):
