@@ -1,35 +1,12 @@
-What rtcryo makes of systems that are broken, hostile, composed, or empty.
+What rtcryo makes of systems that are broken, hostile, composed, or empty. (What hangs: tests/sim/stories/rtcryo-faults.t.)
 
 server: composites
 server: empty
 world: hostile
 world: names
-world: linked --context good.host_cxt/%n.rtc
 world: orphan --context orphan.host_cxt/%n.rtc
 world: fragile --context fragile.host_cxt/%n.rtc
 world: composite --nameserver localhost:$PORT2
-world: hung 2 --context hung.host_cxt/%n.rtc
-world: zombie 1 --context good.host_cxt/%n.rtc
-
-A process that hangs costs one line for each of its components, and one timeout; the rest is saved:
-
-  $ within 0.4-2 rtcryo --timeout 0.5 localhost:$PORT/good.host_cxt localhost:$PORT/hung.host_cxt -o part.xml
-  rtcryo: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
-  rtcryo: /localhost:$PORT/hung.host_cxt/Mock1.rtc: no answer within 0.5s
-  rtcryo: /localhost:$PORT/good.host_cxt/Mock0.rtc: zombie, left out
-  [5]
-  $ grep -o 'pathUri="[^"]*"' part.xml
-  pathUri="localhost:$PORT/good.host_cxt/ConsoleIn0.rtc"
-  pathUri="localhost:$PORT/good.host_cxt/ConsoleOut0.rtc"
-
-Where nothing answers, nothing is written:
-
-  $ rtcryo --timeout 0.3 localhost:$PORT/hung.host_cxt -o none.xml
-  rtcryo: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
-  rtcryo: /localhost:$PORT/hung.host_cxt/Mock1.rtc: no answer within 0.3s
-  [4]
-  $ [ -e none.xml ]
-  [1]
 
 Components whose peer has died forget the connection when they are asked for their ports; none dies of being asked:
 
