@@ -1,4 +1,5 @@
-rtlog when things go wrong: a file is always left whole, and nothing is left in a component that lives.
+rtlog when things go wrong: a file is always left whole, and nothing is left in a component that lives. (Components that hang
+or die: tests/sim/stories/rtlog-faults.t.)
 
 world: senders 200 1000
 world: these ConsoleOut ConsoleIn
@@ -90,33 +91,3 @@ A pipe is no place for a log to be read from, but one to write to:
   $ rtlog --json -f pipe
   rtlog: pipe: a pipe; logs are read from files
   [1]
-
-A component that hangs is reported, and does not hold up the others, or the end:
-
-  $ RTSHELL_TIMEOUT=0.5 rtlog -t 5 -f g.rtlog Source0.rtc:number.a ConsoleIn0.rtc:out 2> told &
-  >     soon 'rtlog --json -f g.rtlog 2>/dev/null | grep -q number'
-  $ hang senders; wait $!
-  [5]
-  $ cat told
-  rtlog: Recording for 5.0s.
-  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: no answer within 0.5s
-  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /localhost:$PORT/test.host_cxt/Source0.rtc:number
-  $ wake senders; rtlog -d --json -f g.rtlog | grep -o 'closed": [a-z]*'
-  closed": true
-
-A component that dies ends its part of the recording; when none is left, recording ends:
-
-  $ rtlog -f d.rtlog -t 4 Source0.rtc:number.a ConsoleIn0.rtc:out 2> two & two=$!
-  $ rtlog -f e.rtlog Source0.rtc:number 2> one & one=$!
-  $ for log in d e; do soon 'rtlog --json -f $log.rtlog 2>/dev/null | grep -q number'; done; kill-mock senders
-  $ wait $one
-  [4]
-  $ cat one
-  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
-  $ wait $two
-  [5]
-  $ cat two
-  rtlog: Recording for 4.0s.
-  rtlog: /localhost:$PORT/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
-  $ rtlog -d --json -f d.rtlog | grep -o 'closed": [a-z]*'
-  closed": true

@@ -1,4 +1,5 @@
-Names that are lost, and names that are left: rtresurrect --create makes what is gone, and nothing that may live.
+Names that are lost, and names that are left: rtresurrect --create makes what is gone, and nothing that may live. (What hangs:
+tests/sim/stories/rtresurrect-lost.t.)
 
 server: another
 world: manager Sensor Motor --flavour cpp2
@@ -58,17 +59,6 @@ The name server is started again, empty (here: the names are deleted): what live
   fail  /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Required component missing, but it lives: it answers at 127.0.0.1:*; try: look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that do not (glob)
   fail  /localhost:$PORT/test.host_cxt/Sensor0.rtc: Required component missing, but it lives: it answers at 127.0.0.1:*; try: look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that do not (glob)
   warn  /localhost:$PORT: has none of its 3 components in the file, though /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc, /localhost:$PORT/test.host_cxt/Motor0.rtc and /localhost:$PORT/test.host_cxt/Sensor0.rtc live: perhaps it was started again, and they were not, or it is another name server; try: look again in some time, as many bind their names again by themselves (naming.update.enable); restart those that do not
-
-What hangs is not made again, either; what has ended is:
-
-  $ hang these
-  $ rtresurrect --timeout 1 --create --manager manager.mgr a.xml 2>&1 | grep ConsoleOut0.rtc:
-  rtresurrect: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: not created: 127.0.0.1:*, where it was, does not answer (no answer within 1s): it hangs, or is out of reach (REFERENCE in the file) (glob)
-  $ wake these
-  $ kill-mock these
-  $ rtresurrect --create --manager manager.mgr a.xml 2>&1 | grep -c 'ConsoleOut0.rtc: not created'
-  0
-  [1]
 
 What cannot be reached may live, too:
 
