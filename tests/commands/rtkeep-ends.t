@@ -1,5 +1,5 @@
-rtkeep leaves a system as it is when its terminal is closed, and ends what it has started. (What signals and people do besides:
-tests/sim/stories/rtkeep-ends.t.)
+rtkeep leaves a system as it is when its terminal is closed. (What signals and people do: tests/sim/stories/rtkeep-ends.t, what
+becomes of processes that it has started: rtkeep-processes.t there.)
 
 world: these ConsoleIn ConsoleOut Motor --flavour cpp2
 world: sources 1 100 8
@@ -46,28 +46,3 @@ A closed terminal ends rtkeep; the shell and the kernel may both say that it is 
   Active 1/1 ConsoleOut0.rtc
   Active 2/0 Motor0.rtc
   Active 2/0 Source0.rtc
-
-With --processes it ends what it has started: its components are deactivated by the plan first. Others stay as they are.
-
-  $ mocks() {
-  >     echo "sh -c 'exec 0<>fifo; unset MOCK_CONTROL; PYTHONPATH=$MOCK_PATH exec $MOCK_PYTHON -m mock_components these $* --nameserver 127.0.0.1:$PORT --control $PWD/own.control'"
-  > }
-  $ mkfifo fifo; echo "own: $(mocks Sensor Controller)" > Procfile
-  $ echo "own.ready: /localhost:$PORT/test.host_cxt/Controller0.rtc" >> Procfile
-  $ rtkeep --processes Procfile > out 2>&1 & keep=$!; soon 'grep own:.*ready out'
-  $ rtcryo --all -o b.xml localhost:$PORT; kill $keep
-  $ wait $keep
-  $ for how in '' --leave; do rtkeep $how --processes Procfile b.xml > out 2>&1 & keep=$!; \
-  >     soon 'rtkeep status | grep ";.all.is"'; kill $keep; wait $keep; said out |
-  > grep 'Inactive$' | sort; states; done
-  Controller0.rtc: Inactive
-  Sensor0.rtc: Inactive
-  Active 1/1 ConsoleIn0.rtc
-  Active 1/1 ConsoleOut0.rtc
-  Active 2/0 Motor0.rtc
-  Active 2/0 Source0.rtc
-  Active 1/1 ConsoleIn0.rtc
-  Active 1/1 ConsoleOut0.rtc
-  Active 2/0 Motor0.rtc
-  Active 2/0 Source0.rtc
-  $ rtdel -z

@@ -281,3 +281,55 @@ What waits for its next attempt is resumed at once:
   $ strike TERM rtkeep
   $ wait rtkeep
   [0] after 120.0 s
+
+It ends what it has started: the components of these processes are deactivated by the plan first. Others stay as they are.
+
+  $ write Procfile
+  > own: mock these Sensor Controller own
+  > own.ready: /robot/test.host_cxt/Controller0.rtc
+  $ rtkeep --processes Procfile &
+  $ sleep 3
+  $ rtcryo --all -o b.xml
+  ! rtcryo: /robot/test.host_cxt/ConsoleOut0.rtc: zombie, left out
+  ! rtcryo: /robot/test.host_cxt/Motor0.rtc: zombie, left out
+  $ strike TERM rtkeep
+  $ wait rtkeep
+  [08:09:04] own: started, pid 61
+  [08:09:04] own: /robot/test.host_cxt/Controller0.rtc answers: ready
+  [08:09:07] own: ended by SIGTERM: as it was told
+  [0] after 3.0 s
+  $ rtkeep --processes Procfile b.xml &
+  $ sleep 5
+  $ rtkeep status
+  b.xml: pid 63, since 2027-01-15 08:09:07; all is as the file says
+    /robot/test.host_cxt/ConsoleIn0.rtc   Active   Active  2027-01-15 08:09:07    Active
+    /robot/test.host_cxt/Controller0.rtc  Active   Active  2027-01-15 08:09:07    Active
+    /robot/test.host_cxt/Sensor0.rtc      Active   Active  2027-01-15 08:09:07    Active
+    own                                   running  ready   2027-01-15 08:09:07    pid 64
+  $ strike TERM rtkeep
+  $ wait rtkeep
+  [08:09:07] own: started, pid 64
+  [08:09:07] own: /robot/test.host_cxt/Controller0.rtc answers: ready
+  [08:09:07] /robot/test.host_cxt/ConsoleIn0.rtc: Active
+  [08:09:07] /robot/test.host_cxt/Controller0.rtc: Active
+  [08:09:07] /robot/test.host_cxt/Sensor0.rtc: Active
+  [08:09:12] /robot/test.host_cxt/Sensor0.rtc: Inactive
+  [08:09:12] /robot/test.host_cxt/Controller0.rtc: Inactive
+  [08:09:12] own: ended by SIGTERM: as it was told
+  [0] after 5.0 s
+  $ rtls -l
+  Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
+  -       -    -    -    -    *ConsoleOut0.rtc
+  -       -    -    -    -    *Controller0.rtc
+  -       -    -    -    -    *Motor0.rtc
+  -       -    -    -    -    *Sensor0.rtc
+  $ rtkeep --leave --processes Procfile b.xml &
+  $ sleep 5
+  $ strike TERM rtkeep
+  $ wait rtkeep
+  [08:09:12] own: started, pid 68
+  [08:09:12] own: /robot/test.host_cxt/Controller0.rtc answers: ready
+  [08:09:12] /robot/test.host_cxt/Controller0.rtc: Active
+  [08:09:12] /robot/test.host_cxt/Sensor0.rtc: Active
+  [08:09:17] own: ended by SIGTERM: as it was told
+  [0] after 5.0 s
