@@ -219,6 +219,8 @@ class Program:
         self.argv = [name, *argv]
         self.environment = environment or {}
         self.sockets = {}  # by file descriptor
+        self._free = []  # descriptors of sockets that are closed
+        self.polls = []  # Polls of its loops
         self.looking_up = {}
         self.is_ending = False  # by a signal: what it has asked it gives up, and takes back what it has lent
         self.most_asked = {}  # {name of a program: how many requests it had to answer for us at a time}
@@ -440,7 +442,22 @@ class Program:
         return bytes(self.world.random.randrange(256) for _ in range(number))
 
     def poll(self):
-        return Poll(self)
+        poll = Poll(self)
+        self.polls.append(poll)
+        return poll
+
+    def descriptor(self):
+        """The number of a new socket: the one that was closed last, if any was."""
+        if self._free:
+            return self._free.pop()
+        return next(self.world.fds)
+
+    def forget(self, descriptor):
+        """A socket is closed: it is watched no more, and another one may get its number."""
+        self.sockets.pop(descriptor, None)
+        for poll in self.polls:
+            poll.forget(descriptor)
+        self._free.append(descriptor)
 
     def start_thread(self, function, *args):
         here = loop.current()
@@ -541,7 +558,7 @@ class Child:
 
 
 class Poll:
-    """As select.poll, of the sockets of a program."""
+    """As net/real.py has it, of the sockets of a program."""
 
     def __init__(self, program):
         self._program = program
@@ -552,7 +569,10 @@ class Poll:
         self._watched[fd] = events
 
     def unregister(self, fd):
-        del self._watched[fd]
+        self._watched.pop(fd, None)
+
+    def forget(self, fd):
+        self._watched.pop(fd, None)
 
     def poll(self, milliseconds):
         program = self._program
@@ -616,7 +636,7 @@ class Socket:
         self.program = program
         self.world = program.world
         self.host = program.host
-        self.fd = next(self.world.fds)
+        self.fd = program.descriptor()
         program.sockets[self.fd] = self
         self.peer = None  # the Socket at the other end
         self.address = None  # of the other end, (address, port)
@@ -740,7 +760,7 @@ class Socket:
             return
         self.is_closed = True
         self.program.vain = 0
-        self.program.sockets.pop(self.fd, None)
+        self.program.forget(self.fd)
         if self.backlog is not None:
             if self.host.listeners.get(self.port) is self:
                 del self.host.listeners[self.port]
