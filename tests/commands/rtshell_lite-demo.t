@@ -100,9 +100,9 @@ Whole systems:
   12
   $ rtstart robot.xml 2> nul; rtls -lR | grep -c Active
   12
-  $ rtlog record -q -t 1 -f a.mcap .
-  $ rtlog show a.mcap | grep -c 0.rtc:
-  30
+  $ rtlog record -q -i -e 20 -f a.mcap $A/Shoulder0.rtc:angle
+  $ rtlog export a.mcap | wc -l
+  20
   $ rtstodot --html robot.html .; grep -c Shoulder0 robot.html
   1
 
