@@ -22,7 +22,7 @@ from rtshell_lite.text import from_wire
 class _Context:
     """An execution context as it was last seen; None stands for what is not known."""
 
-    __slots__ = ("ref", "identity", "handle", "state", "rate", "running")
+    __slots__ = ("ref", "identity", "handle", "state", "rate", "running", "silent_until")
 
     def __init__(self, ref, handle, state=None, rate=None, running=None):
         self.ref = ref
@@ -31,12 +31,13 @@ class _Context:
         self.state = state
         self.rate = rate
         self.running = running
+        self.silent_until = 0.0  # one of another process, which has not answered: when it is asked again
 
 
 class _Port:
     """A port as it was last seen."""
 
-    __slots__ = ("ref", "identity", "name", "owner", "connections", "patience")
+    __slots__ = ("ref", "identity", "name", "owner", "ids", "connections", "patience")
 
     def __init__(self, port):
         """`port`: a ports.Port."""
@@ -44,8 +45,13 @@ class _Port:
         self.identity = orb.identity(port.ref)
         self.name = port.name
         self.owner = port.owner and orb.identity(port.owner)  # of its component, as far as that is known
-        self.connections = _connections(port.connectors)
         self.patience = times.Patience()
+        self.take(port.connectors)
+
+    def take(self, connectors):
+        """Take its ports.Connectors."""
+        self.ids = [connector.id for connector in connectors]  # with those of tools
+        self.connections = _connections(connectors)
 
 
 class Seen:
@@ -53,6 +59,7 @@ class Seen:
 
     node           its Node; `where` its path as text
     asks_port      asks_port(port): whether one of its `ports` is to be asked for its connections
+    has_handles    whether the handles of its contexts are asked for, which Events name
     owned          its execution contexts, None where these are not known; `participating`: those of others
                    that it takes part in
     set            (its active configuration set, {parameter: value}), None where that is not known;
@@ -60,10 +67,11 @@ class Seen:
     ports          its ports, None where these are not to be known
     """
 
-    def __init__(self, node, asks_port):
+    def __init__(self, node, asks_port, has_handles=True):
         self.node = node
         self.where = str(node.path)
         self.asks_port = asks_port
+        self.has_handles = has_handles
         self.identity = orb.identity(node.ref)
         self.owned = self.participating = None  # type: list
         self.set = None
@@ -75,6 +83,11 @@ class Seen:
     def contexts(self):
         """All, each once: one may be in both lists."""
         return list(collections.OrderedDict.fromkeys([*(self.owned or ()), *(self.participating or ())]))
+
+    @property
+    def state(self):
+        """Its state over all contexts that have answered, or Unknown."""
+        return component.merged([context.state for context in self.contexts if not context.silent_until])
 
     def take(self, shown, parts):
         """Take what a snapshot.Snapshot has been told of "contexts", "state", "configuration" or "ports"."""
@@ -142,7 +155,10 @@ class Seen:
         for ref in refs:
             context = known.get(orb.identity(ref))
             if context is None:
-                context = _Context(ref, str(await self.node.call("get_context_handle", ref)))
+                handle = ""
+                if self.has_handles:
+                    handle = str(await self.node.call("get_context_handle", ref))
+                context = _Context(ref, handle)
                 news.append(_event("EC_EVENT", context.handle, "EC_ATTACHED"))
             now.append(context)
         if before is None:
@@ -153,7 +169,7 @@ class Seen:
     async def _state(self, context):
         before = context.state
         state = await self._of_context(context, component.state_in(self.node, context.ref))
-        if state in (None, before, "Created"):  # a context that it has just left answers that
+        if state in (None, before) or before and state == "Created":  # one that it has just left answers that
             return []
         context.state = state
         return [_event("RTC_STATUS", context.handle, state.upper())] if before else []
@@ -180,7 +196,9 @@ class Seen:
 
     async def _of_context(self, context, asked):
         """The answer of a context, None where it is another process's, which does not answer."""
-        return await component.or_default(self.node, context.ref, asked, None)
+        answer = await component.or_default(self.node, context.ref, asked, None)
+        context.silent_until = 0.0 if answer is not None else loop.now() + times.REST
+        return answer
 
     async def _active_set(self):
         try:
@@ -208,7 +226,7 @@ class Seen:
         for ref in await ports.refs(self.node):
             port = known.pop(orb.identity(ref), None)
             if port is None:
-                port = _Port(await ports.port(self.node, ref))
+                port = _Port(await ports.port(self.node, ref, brief=True))
                 news.append(_event("PORT_EVENT", port.name, "PORT_ADD"))
             now.append(port)
         self.ports = now
@@ -217,14 +235,17 @@ class Seen:
     async def _connections_of(self, port):
         path = self.node.path
         try:
-            profiles = await orb.call(path, port.ref, "get_connector_profiles")
+            profiles = await component.once_more(
+                lambda: orb.call(path, port.ref, "get_connector_profiles"), None
+            )
         except errors.Silent:
             port.patience.wait()
             raise
         port.patience.end()
-        now = _connections([ports.connector(profile, path) for profile in profiles[: ports.MOST_PARTS]])
+        connectors = [ports.connector(profile, path) for profile in profiles[: ports.MOST_PARTS]]
         before = port.connections
-        port.connections = now
+        port.take(connectors)
+        now = port.connections
         lost = [connector_id for connector_id in before if now.get(connector_id) != before[connector_id]]
         made = [connector_id for connector_id in now if now[connector_id] != before.get(connector_id)]
         words = len(lost) * ["PORT_DISCONNECT"] + len(made) * ["PORT_CONNECT"]
@@ -256,12 +277,18 @@ def _connections(connectors):
     return seen
 
 
+def _awake(seen):
+    """The contexts of a Seen without those that have just not answered."""
+    now = loop.now()
+    return [context for context in seen.contexts if context.silent_until <= now]
+
+
 # ---- the kinds of questions: functions that yield those to a component ----
 
 
 def states(seen):
     """In which state it is, in each context."""
-    for context in seen.contexts:
+    for context in _awake(seen):
         yield functools.partial(seen._state, context)
 
 
@@ -269,7 +296,7 @@ def contexts(seen):
     """In which contexts it is, and how these run."""
     yield seen._which_owned
     yield seen._which_participating
-    for context in seen.contexts:
+    for context in _awake(seen):
         yield functools.partial(seen._rate, context)
         yield functools.partial(seen._runs, context)
 

@@ -6,7 +6,6 @@ A new part is an attribute of Snapshot, and a line in PARTS with the function th
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
-from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 
 # How much of a part is wanted. Ports and profile have BRIEF and FULL (see `ports.port`, `component.profile`,
@@ -27,7 +26,6 @@ class Snapshot:
     """A component, and what has been asked of it so far.
 
     node           its Node; `others` further Nodes by which it is bound
-    rest           seconds for which a context of another process that does not answer is not asked again
     asking         what it was asked for last, in words; '' before
     answered       whether it has answered anything itself; what fails later may be something that it calls
     known          names of the parts that it has answered
@@ -62,12 +60,10 @@ class Snapshot:
     members = {}  # type: dict
     names = {}  # type: dict
 
-    def __init__(self, node, others=(), rest=0):
+    def __init__(self, node, others=()):
         self.node = node
         self.others = others
-        self.rest = rest
         self.known = set()
-        self._left_alone = {}
 
     @property
     def where(self):
@@ -92,17 +88,6 @@ class Snapshot:
             self.answered = True
             self.known.add(name)
         return self
-
-    async def or_default(self, ref, ask, otherwise):
-        """`component.or_default`, but a context that did not answer is not asked for `rest` seconds."""
-        if self._left_alone and loop.now() < self._left_alone.get(orb.identity(ref), 0):
-            return otherwise
-        answer = await component.or_default(self.node, ref, ask(self.node, ref), None)
-        if answer is None and self.rest:
-            self._left_alone[orb.identity(ref)] = loop.now() + self.rest
-        if answer is None:
-            return otherwise
-        return answer
 
 
 async def of(node, **parts):
@@ -171,13 +156,14 @@ async def _contexts(snapshot, refs, how):
         ask = component.in_profile
     else:
         ask = component.running
-    return [await snapshot.or_default(context.ref, ask, context) for context in bare]
+    node = snapshot.node
+    return [
+        await component.or_default(node, context.ref, ask(node, context.ref), context) for context in bare
+    ]
 
 
 async def _states(snapshot, _):
-    return [
-        await snapshot.or_default(context.ref, component.state_in, "Unknown") for context in snapshot.contexts
-    ]
+    return await component.states(snapshot.node, [context.ref for context in snapshot.contexts])
 
 
 async def _configuration(snapshot, _):

@@ -10,10 +10,10 @@ import collections
 
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import orb, session
-from rtshell_lite.live import hear
+from rtshell_lite.live import ask, hear, times
 from rtshell_lite.net import loop
 from rtshell_lite.data import rates
-from rtshell_lite.robot import component, places, ports, snapshot, transitions, tree
+from rtshell_lite.robot import places, ports, transitions, tree
 from rtshell_lite.text import safe
 from rtshell_lite.top.rows import Row, natural
 from rtshell_lite.views import describe
@@ -25,7 +25,6 @@ CONTEXTS = 5.0  # seconds between looks at execution contexts and their rates
 PORTS = 10.0  # seconds between looks at connections: each makes a component check the far ends
 PORTS_SILENT = 60.0  # the same, for one that does not answer that
 FLOW = 1.0  # seconds for which the flow of ports is measured
-REST = 5.0  # seconds before what is dead or silent is asked again
 FEW = 100  # components that are all looked at as often as the user wants
 SELDOM = 5.0  # seconds between two looks at one of more components that is not shown
 SLOWER = 6  # times as long between two looks at its contexts, and at its connections
@@ -59,8 +58,7 @@ class Entry:
         self.state = None
         self.failure = None
         self.ports = self.links = None  # how many ports; ids of its connections
-        # of its contexts; its ports would take much memory
-        self.snapshot = snapshot.Snapshot(node, rest=REST)
+        self.seen = self._unseen()
         self.looked = False  # whether its state, or its failure, is known
         self.silenced = 0.0  # when it was silent last
         self.since = None  # when its state changed last, by loop.now()
@@ -72,6 +70,10 @@ class Entry:
         self.again = 0.0  # when it may be asked again
         # when its state, contexts and connections were asked for
         self.asked = self._contexts_asked = self._ports_asked = NEVER
+
+    def _unseen(self):
+        """An ask.Seen in which nothing is known."""
+        return ask.Seen(self.node, lambda port: True, has_handles=False)
 
     def hurry(self):
         """Look at everything again, as something has been done to it."""
@@ -134,7 +136,7 @@ class Entry:
         except errors.Unanswered:
             raise
         except errors.Error as e:  # of the component, or passed on by it?
-            self.again = now + REST
+            self.again = now + times.REST
             (node,) = await tree.check_alive([self.node])
             if isinstance(node.error, errors.Unanswered):
                 raise node.error
@@ -149,9 +151,9 @@ class Entry:
         self.asked = now  # before it answers, as it may report something meanwhile
         if now >= self._contexts_asked + self._pause(CONTEXTS):
             self._contexts_asked = now
-            await self.snapshot.ask(owned=snapshot.RUNNING, participating=snapshot.RUNNING)
-        await self.snapshot.ask(states=snapshot.FULL)
-        self._become("component", component.merged(self.snapshot.states), None)
+            await self.seen.look([ask.contexts])
+        await self.seen.look([ask.states])
+        self._become("component", self.seen.state, None)
         if self.subscription is not None and self.state != before and not was_told:
             self.is_in_doubt = True
             self._ports_asked = NEVER
@@ -163,10 +165,16 @@ class Entry:
         self.looked = True
 
     async def _look_at_ports(self):
+        seen = self.seen
+        seen.wait_no_more()  # those that do not answer are asked as seldom as PORTS_SILENT says
         try:
-            listed = (await snapshot.of(self.node, ports=snapshot.BRIEF)).ports
-            self.ports = len(listed)
-            self._connect(frozenset(connector.id for port in listed for connector in port.connectors))
+            if seen.ports:
+                await seen.look([ask.which_ports, ask.connections])
+            else:  # their profiles show the connections, too
+                seen.ports = []
+                await seen.look([ask.which_ports])
+            self.ports = len(seen.ports)
+            self._connect({connector_id for port in seen.ports for connector_id in port.ids})
         except errors.Error as e:  # it has just given its state: the ports are what is wrong
             self.ports = self.links = None
             if isinstance(e, errors.Unanswered):
@@ -191,7 +199,7 @@ class Entry:
         self.ports = self.links = None
         if kind == "zombie":
             self._hearing.forget(self)
-        self.snapshot = snapshot.Snapshot(self.node, rest=REST)
+        self.seen = self._unseen()
         self.asked = self._contexts_asked = self._ports_asked = NEVER
         self.looked = True
 
@@ -212,7 +220,7 @@ class Entry:
 
     def row(self, path, name):
         """Its Row."""
-        contexts = self.snapshot.contexts
+        contexts = [context for context in self.seen.contexts if not context.silent_until]
         running = None
         first = None
         if contexts:
@@ -373,7 +381,7 @@ class Top:
             else:
                 async with self._doubtful:
                     trusted = await self._look(entries)
-            await loop.sleep(self.delay if trusted else REST)
+            await loop.sleep(self.delay if trusted else times.REST)
         self._looked_after.discard(group)
 
     async def _look(self, entries):

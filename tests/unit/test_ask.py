@@ -42,7 +42,7 @@ class Component:
     async def port_refs(self, node):
         return list(self.connectors)
 
-    async def port(self, node, ref):
+    async def port(self, node, ref, brief):
         return types.SimpleNamespace(ref=ref, name=ref, owner=None, connectors=self.connectors[ref])
 
     async def called(self, path, ref, operation):
@@ -102,6 +102,39 @@ class Answers(unittest.TestCase):
         self.component.contexts["composite's"][0] = "Active"
         self.assertEqual(self.look(ask.states), [("RTC_STATUS", "0", "ERROR")])
 
+    def test_one_state_over_all_contexts(self):
+        self.component.contexts["composite's"][0] = "Active"
+        self.look(ask.states)
+        self.assertEqual(self.component.seen.state, "Active")
+
+    def test_a_context_of_another_process_that_is_silent_hides_nothing_and_rests(self):
+        async def silent_one(node, ref, asked, none):
+            answer = await asked
+            return none if ref == "composite's" else answer
+        with mock.patch.object(component, "or_default", silent_one):
+            self.component.contexts["composite's"][0] = "Active"
+            self.assertEqual(self.look(ask.states), [])
+        seen = self.component.seen
+        self.assertEqual(seen.state, "Inactive", "what was last known of a silent one is not so any more")
+        self.assertEqual([context.handle for context in self.asked_for_states()], ["0"])
+        with mock.patch.object(times, "REST", 0.0), mock.patch.object(component, "or_default", silent_one):
+            seen.contexts[1].silent_until = 0.0
+            self.look(ask.states)
+            self.assertEqual([context.handle for context in self.asked_for_states()], ["0", "1"])
+        self.assertEqual(self.look(ask.states), [("RTC_STATUS", "1", "ACTIVE")])
+        self.assertEqual(seen.state, "Active")
+
+    def asked_for_states(self):
+        async def asked():
+            return [question.args[0] for question in ask.states(self.component.seen)]
+        return loop.run(asked(), session=session.Session(1.0))
+
+    def test_handles_are_asked_for_where_somebody_wants_them(self):
+        self.component.node.call = None
+        self.component.seen = ask.Seen(self.component.node, lambda port: True, has_handles=False)
+        self.look(ask.contexts, ask.states)
+        self.assertEqual(self.component.seen.state, "Inactive")
+
     def test_no_state_of_a_context_that_it_has_just_left(self):
         self.component.contexts["own"][0] = "Created"
         self.assertEqual(self.look(ask.states), [])
@@ -152,6 +185,21 @@ class Answers(unittest.TestCase):
     def test_connections_of_tools_are_no_events(self):
         self.connect("out", "tool", "there")
         self.assertEqual(self.look(ask.connections), [])
+
+    def test_a_port_that_passes_the_failure_of_a_dead_far_end_on_is_asked_once_more(self):
+        failures = [errors.Unreachable("x", "TRANSIENT")]
+
+        async def call(path, ref, operation):
+            if failures:
+                raise failures.pop()
+            return []
+        with mock.patch.object(orb, "call", call):
+            self.assertEqual(self.look(ask.connections), [])
+
+    def test_all_connections_of_a_port_are_counted_with_those_of_tools(self):
+        self.connect("out", "tool", "there")
+        self.look(ask.connections)
+        self.assertEqual([port.ids for port in self.component.seen.ports], [[], ["tool"]])
 
     def test_a_port_that_does_not_answer_is_asked_ever_later_and_hides_no_other(self):
         async def silent(path, ref, operation):
