@@ -9,6 +9,7 @@ from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
 from rtshell_lite.data import reading
 from rtshell_lite.giop import descriptors
+from rtshell_lite.live import times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, composites, ports, search, tree
 
@@ -112,6 +113,7 @@ class Flight:
         self.failures = {}  # by path: why it could not be listed
         self._due = {}  # by identity of a component: when it is asked again; None: not
         self._gone = set()  # identities of ports that are gone
+        self._walks = 0
         self._read = {orb.identity(reader.port.ref): reader for reader in readers}  # by identity of a port
 
     async def follow(self, opened):
@@ -144,13 +146,20 @@ class Flight:
         """The Nodes of all components below the paths; which could not be listed is in `failures`."""
         self.failures = {}
         nodes = []
-        answers = await session.each(self._tops, _components, tree.at_server)
+        known = self._answering() if self._walks % times.WHOLE else {}
+        self._walks += 1
+        answers = await session.each(self._tops, lambda top: _components(top, known), tree.at_server)
         for top, listed in zip(self._tops, answers):
             if isinstance(listed, errors.Error):
                 self.failures[str(top)] = listed
             else:
                 nodes += listed
         return nodes
+
+    def _answering(self):
+        """{path as text: Node} of the components whose ports are read: their names lead to them."""
+        read = {id(reader.port.node) for reader in self.readers if reader.failure is None}
+        return {where: node for where, (node, _) in self.components.items() if id(node) in read}
 
     def _not_asked_yet(self, nodes):
         """Those of the Nodes that are to be asked for their ports now."""
@@ -215,8 +224,10 @@ async def _ports(node):
     return listed, (("context", context.kind), ("rate", f"{context.rate:g}"))
 
 
-async def _components(top):
-    """The components at and below a Path, whose last name may be a pattern; members of a composite, too."""
+async def _components(top, known):
+    """The components at and below a Path, whose last name may be a pattern; members of a composite, too. The
+    name server is not asked for those `known`, {path as text: Node}.
+    """
     names = top.names
     if names and any(mark in str(names[-1]) for mark in "*?"):
         parent = await tree.resolve(top.parent())
@@ -225,7 +236,7 @@ async def _components(top):
         nodes = [each for node in below for each in await tree.walk(node, managers=node.kind == "manager")]
     else:
         node = await tree.resolve(top)
-        nodes = await tree.walk(node, managers=node.kind == "manager")
+        nodes = await tree.walk(node, managers=node.kind == "manager", objects=known)
         if node.kind == "component":
             nodes += await _members(node, {orb.identity(node.ref)})
     if nodes and nodes[0].error is not None:

@@ -111,10 +111,12 @@ class Followed:
             self.subscription.forget()
             self.subscription = None
 
-    def is_late(self, now):
-        """Whether it should have called us meanwhile, or have answered a question."""
-        last = max(self.heard, self.lived)
-        return self.is_there and self.subscription is not None and now - last > times.BEATS_LATE * self.beat
+    @property
+    def late_at(self):
+        """When it should have called us, or have answered a question: never where it need not."""
+        if self.shown is None or self.subscription is None:
+            return math.inf
+        return max(self.heard, self.lived) + times.BEATS_LATE * self.beat
 
     def hear(self, event):
         """Take what it reports."""
@@ -145,6 +147,7 @@ class Presence:
         self._asking = set()  # type: set
         self._suspected = set()  # endpoints that are being asked whether they live
         self._seek_at = 0.0  # when absent ones are looked for
+        self._late_at = 0.0  # when one may be late, at the soonest
         self._group = None
 
     async def __aenter__(self):
@@ -190,7 +193,7 @@ class Presence:
         try:
             here = self.of_process(endpoint)
             now = loop.now()
-            doubtful = [each for each in here if each.is_hung or each.is_ending or each.is_late(now)]
+            doubtful = [each for each in here if each.is_hung or each.is_ending or each.late_at < now]
             hung = [each for each in doubtful if each.is_hung]
             others = [each for each in doubtful or here[:1] if not each.is_hung]
             await loop.each(others, self.ask)  # of one after the other each would wait for those before it
@@ -264,18 +267,26 @@ class Presence:
     async def _look_around(self):
         while True:
             now = loop.now()
-            absent = [each for each in self.followed if not each.is_there and each.is_sought]
+            absent = [each for each in self.followed if each.shown is None and each.is_sought]
             if absent and now >= self._seek_at:
                 self._seek_at = math.inf
                 self.start(self._seek(absent))
-            late = [each for each in self.followed if each.is_late(now)]
-            doubtful = [each for each in self.followed if each.is_there and (each.is_hung or each.is_ending)]
-            for endpoint in {each.endpoint: None for each in late + doubtful}:
+            late = self._late(now) if now > self._late_at else []
+            doubtful = [each for each in self.followed if each.is_hung or each.is_ending]
+            for endpoint in {each.endpoint: None for each in late + doubtful if each.is_there}:
                 self.suspect(endpoint)
             for each in late:
                 self.lend_again(each)
             self.ask_around(now)
             await loop.sleep(min(times.SEEK if absent else 1.0, self.look / 2))
+
+    def _late(self, now):
+        """Those that are late. To look through all costs most of what following costs at rest: it is done as
+        soon as the next can be late, or is new.
+        """
+        late_at = {each: each.late_at for each in self.followed}
+        self._late_at = min([now + times.BEATS_LATE * times.BEAT_SHOWN, *late_at.values()])
+        return [each for each in self.followed if late_at[each] < now]
 
     async def _seek(self, absent):
         """Look whether absent components have come."""
@@ -337,7 +348,7 @@ class Presence:
         """Ask for what is not reported."""
         queues = collections.defaultdict(list)
         for each in self.followed:
-            if each.is_there and each.seen is not None and not each.is_hung:
+            if each.seen is not None and each.shown is not None and not each.is_hung:
                 queues[self.queue_of(each)].append(each)
         for queue in self._asked.keys() - queues.keys():  # a process that is restarted has another port
             del self._asked[queue]
@@ -359,8 +370,9 @@ class Presence:
             if overdue[kind] < self.look:
                 break
             of_kind = [question for each in some for question in _questions(each, kind, now)]
+            asked[kind] = now
             if of_kind:
-                asked[kind] = asked[None] = now
+                asked[None] = now
                 count = min(self.at_a_time(kind, len(of_kind)), MOST)
                 first = self._counts[queue][kind] % len(of_kind)
                 self._counts[queue][kind] += count

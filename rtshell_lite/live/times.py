@@ -19,6 +19,7 @@ HURRY_SHOWN = 0.1  # for rtwatch, after Ctrl-C
 
 SEEK = 0.3  # between looks for the names of absent components; more where there are many
 REST = 5.0  # until what is dead or silent is asked again: by rttop; a context of another process, by all
+WHOLE = 12  # walks of which one looks up all names; the others leave out those of components that answer
 AGAIN = 2.0  # between questions to a dead object whose name is still bound
 LOST_ANSWER = 0.15  # until a question is repeated whose connection is lost: to a process that ends, as a rule
 LOST_ANSWERS = 5  # how often it is repeated

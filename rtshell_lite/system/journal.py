@@ -64,9 +64,9 @@ class Journal:
         if self._door is not None:
             logs.listen(self._door)
         while True:
-            new = [node.path for text, (node, _) in flight.components.items() if text not in paths]
-            paths |= {str(path) for path in new}
-            if new:
+            if len(flight.components) > len(paths):
+                new = [node.path for text, (node, _) in flight.components.items() if text not in paths]
+                paths |= {str(path) for path in new}
                 await self._begin(new, events, logs)
             _follow_ports(flight, events)
             self._take(events, logs)
@@ -128,10 +128,10 @@ class Journal:
 
 def _follow_ports(flight, events):
     """Have the ports that a flight has found followed, as those of the components that are there."""
-    for watched in events.followed:
+    there = [watched for watched in events.followed if watched.shown is not None]
+    for watched in [one for one in there if one.seen is None or one.seen.ports is None]:
         node, listed = flight.components[watched.where]
-        knows_them = watched.seen is not None and watched.seen.ports is not None
-        if watched.is_there and not knows_them and orb.identity(node.ref) == orb.identity(watched.node.ref):
+        if orb.identity(node.ref) == orb.identity(watched.node.ref):
             watched.follow_ports(listed)
 
 

@@ -30,7 +30,6 @@ SELDOM = 5.0  # seconds between two looks at one of more components that is not 
 SLOWER = 6  # times as long between two looks at its contexts, and at its connections
 REPORTED = 12  # times SELDOM between two looks at the state of one that reports its changes
 SLOWEST = 60  # times as long between two looks at its contexts, and at its connections
-WHOLE = 12  # walks of which one looks up all names, where there are more than FEW
 KEPT = 60.0  # seconds for which what was measured is shown
 
 
@@ -333,7 +332,7 @@ class Top:
         """Walk through a part of the tree again and again."""
         number = 0
         while True:
-            if number % WHOLE == 0 or len(self._entries) <= FEW:
+            if number % times.WHOLE == 0 or len(self._entries) <= FEW:
                 known = {}
             else:
                 known = {entry.path: entry.node for entry in self._entries.values() if entry.answered}

@@ -245,7 +245,7 @@ class Queues(unittest.TestCase):
         """Follow components of one process, with `count` ports each."""
         self.watch.followed = [
             types.SimpleNamespace(
-                is_there=True, is_hung=False, endpoint=("a", 1), where=str(each), reports=False,
+                is_hung=False, endpoint=("a", 1), where=str(each), reports=False, shown="it",
                 patience=times.Patience(), seen=types.SimpleNamespace(
                     contexts=(), has_sets=False, ports=count * [None], _which_owned=None,
                     _which_participating=None, _which_ports=None, asks_port=lambda port: False,
