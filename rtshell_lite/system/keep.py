@@ -18,6 +18,7 @@ from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
 from rtshell_lite.system import placements, steps
 from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptComponent
+from rtshell_lite.system.matter import AGREED, BY_HAND, UNKNOWN
 from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, GONE
 
 TICK = 0.1  # seconds between looks whether all is done
@@ -106,7 +107,7 @@ class Keeper(follow.Presence):
             if result.error is None:
                 self.happened(kept, "", "Inactive")
             else:
-                self.complain(kept, STATE, result.error)
+                self.complain(kept, kept.life, result.error)
 
     def named(self, name):
         """The KeptComponents of a path, the end of one, or an instance name."""
@@ -137,8 +138,9 @@ class Keeper(follow.Presence):
             if not kept.is_there and kept.placement.required:
                 yield kept.error or errors.NotFound(kept.where)
             elif kept.is_there:
-                yield from kept.said.values()
-                if not {STATE} & (kept.settled.keys() | kept.hands) and not kept.said:
+                complaints = [matter.complaint for matter in kept.matters if matter.complaint is not None]
+                yield from complaints
+                if kept.life.knowledge == UNKNOWN and not complaints:
                     yield errors.Late(kept.where, f"it is {kept.state}")
 
     def happened(self, kept, seen, done="", begun=None, error=None):
@@ -147,18 +149,17 @@ class Keeper(follow.Presence):
         kept.last = event.words()
         self.on_event(event)
 
-    def complain(self, kept, key, error):
-        """Report a failure, once: whether it is news."""
-        is_new = str(kept.said.get(key)) != str(error)
+    def complain(self, kept, matter, error):
+        """Report a failure about a Matter of a KeptComponent, once: whether it is news."""
+        is_new = str(matter.complaint) != str(error)
         if is_new:
-            kept.said[key] = error
+            matter.complaint = error
             self.happened(kept, error.why, "", None, error)
         return is_new
 
-    def _leave_alone(self, kept, key, what):
+    def _leave_alone(self, kept, matter, what):
         """Report what a person has done, once."""
-        if key not in kept.hands:
-            kept.hands[key] = what
+        if matter.differ(what):
             self.happened(kept, what, "left alone")
 
     # ---- one round of mending ----
@@ -233,9 +234,9 @@ class Keeper(follow.Presence):
         kept.placement.found = capture.found_in(shown)
         await restore.presence(kept.placement)
         if kept.placement.error is not None:
-            self.complain(kept, WHOLE, kept.placement.error)
+            self.complain(kept, kept.whole, kept.placement.error)
             return
-        kept.said.pop(WHOLE, None)
+        kept.whole.complaint = None
         if STATE in parts or "contexts" in parts:  # else it may have changed since its states were asked for
             kept.become(component.merged(shown.states))
             if kept.state == "Error":
@@ -259,7 +260,7 @@ class Keeper(follow.Presence):
         elif isinstance(error, errors.Silent):  # it may wait for one that answers us, but not it
             kept.hold_up(WAIT)
         if kept.is_there and not kept.is_hung:
-            self.complain(kept, WHOLE, error)
+            self.complain(kept, kept.whole, error)
 
     async def _restore(self, batch):
         """Do the steps of rtresurrect that concern what has changed of some KeptComponents."""
@@ -285,17 +286,16 @@ class Keeper(follow.Presence):
         kept = self._kept_of[id(step.placements[0])]
         if kept.placement.found is None:  # another object has come meanwhile
             return
+        matter = kept.of_steps[_key(step)]
         if outcome.status in (DONE, ALREADY):
-            kept.settled[_key(step)] = step.setting
-            kept.said.pop(_key(step), None)
+            matter.agree(step.setting)
         if outcome.status == DONE:
-            kept.hands.pop(_key(step), None)
             self.happened(kept, "", "restored " + _title(step), begun)
             for other in [self._kept_of[id(placement)] for placement in step.placements]:
                 if other.is_there and (other.subscription is None or step.part == "ports"):
                     other.change(step.part)  # it does not report that
         elif outcome.failed:
-            self.complain(kept, _key(step), outcome.error)
+            self.complain(kept, matter, outcome.error)
             kept.repairs.fail(outcome.error.why)
             self._try_later(kept, kept.repairs, step.part)
 
@@ -319,18 +319,14 @@ class Keeper(follow.Presence):
         step = outcome.step
         if step.setting is None:
             return False
-        key = _key(step)
         kept = self._kept_of[id(step.placements[0])]
-        if outcome.status == ALREADY and kept.hands.pop(key, None):
+        matter = kept.of_steps[_key(step)]
+        if outcome.status == ALREADY and matter.agree(step.setting) == BY_HAND:
             self.happened(kept, f"{_title(step)} is again as in the file")
-        if not outcome.pending:
-            return False
-        if kept.settled.get(key) != step.setting:
-            return False
-        if self.options.strict:
+        if not outcome.pending or not matter.is_agreed(step.setting) or self.options.strict:
             return False
         if not outcome.likely:
-            self._leave_alone(kept, key, _title(step) + " was changed by hand")
+            self._leave_alone(kept, matter, _title(step) + " was changed by hand")
         return True
 
     # ---- components that managers create ----
@@ -371,7 +367,7 @@ class Keeper(follow.Presence):
                 self.happened(kept, "was not there", "created", begun)
             elif outcome.error is not None:
                 kept.repairs.fail(outcome.error.why)
-                self.complain(kept, "create", outcome.error)
+                self.complain(kept, kept.whole, outcome.error)
 
     # ---- states ----
 
@@ -387,35 +383,34 @@ class Keeper(follow.Presence):
         await session.each(broken, self._reset)
         todo = [kept for kept in todo if kept.state != "Error" and kept.is_usable]
         if not self.options.strict:
-            todo = [kept for kept in todo if STATE not in kept.hands]
+            todo = [kept for kept in todo if kept.life.knowledge != BY_HAND]
         if todo:
             await self._activate(todo)
 
-    def _is_active(self, kept):
-        is_new = STATE not in kept.settled
-        kept.settled[STATE] = True
-        kept.said.pop(STATE, None)
+    def _is_active(self, kept, is_our_work=False):
+        before = kept.life.agree()
         kept.has_failed = False
-        if kept.hands.pop(STATE, None):
+        if before == BY_HAND and not is_our_work:
             self.happened(kept, "is Active again")
-        if not is_new:
+        if before == AGREED:
             return
         for other in self.followed:
-            if isinstance(other.said.get(STATE), errors.NotTried):
+            if isinstance(other.life.complaint, errors.NotTried):
                 other.change(STATE)
 
     def _may_start(self, kept):
         """Whether a component that is not Active is to be reset, or made Active, now."""
         trial = kept.trial
-        is_by_hand = STATE in kept.settled or STATE in kept.hands and kept.state != "Error"
+        life = kept.life.knowledge
+        is_by_hand = life == AGREED or life == BY_HAND and kept.state != "Error"
         if is_by_hand and not self.options.strict:
-            self._leave_alone(kept, STATE, f"was made {kept.state} by hand")
+            self._leave_alone(kept, kept.life, f"was made {kept.state} by hand")
         elif kept.has_failed and trial.policy.restart == "no":
             why = f"is in {kept.state}; its policy is {trial.policy.restart}"
-            self.complain(kept, STATE, errors.Failed(kept.where, why))
+            self.complain(kept, kept.life, errors.Failed(kept.where, why))
         elif trial.given_up:
             error = errors.Failed(kept.where, f"{trial.why}; {trial.why_given_up()}")
-            if self.complain(kept, STATE, error) and kept.placement.required:
+            if self.complain(kept, kept.life, error) and kept.placement.required:
                 self.start(self._stop_dependents(kept))
         elif trial.until > loop.now():
             self._try_later(kept, trial, STATE)
@@ -437,7 +432,7 @@ class Keeper(follow.Presence):
     def _has_failed(self, kept, error):
         """Report a failure of its state, and have it tried again."""
         kept.trial.why = error.why
-        self.complain(kept, STATE, error)
+        self.complain(kept, kept.life, error)
         kept.change(STATE)
 
     @staticmethod
@@ -482,11 +477,10 @@ class Keeper(follow.Presence):
             return
         if not failed:
             kept.reach("Active")
-            kept.hands.pop(STATE, None)
-            self._is_active(kept)
+            self._is_active(kept, is_our_work=True)
             self.happened(kept, "", "Active", begun)
         elif isinstance(failed[0], errors.NotTried):
-            self.complain(kept, STATE, failed[0])
+            self.complain(kept, kept.life, failed[0])
         else:
             kept.fail(failed[0].why)
             self._has_failed(kept, failed[0])
@@ -499,7 +493,7 @@ class Keeper(follow.Presence):
                 await self._change(kept, transitions.DEACTIVATE)
                 self.happened(kept, seen, done, begun)
         except errors.Error as e:
-            self.complain(kept, STATE, e)
+            self.complain(kept, kept.life, e)
 
     async def _stop_dependents(self, kept):
         """A required component is given up: deactivate what the plan starts after it, the last first."""
@@ -510,7 +504,7 @@ class Keeper(follow.Presence):
         for action in reversed(plan.dependents(self.actions, numbers)):
             other = self._kept_of[id(action.component)]
             if other.state == "Active":
-                other.settled.pop(STATE, None)
+                other.life.lose()
                 await self.deactivate(other, f"{kept.where} is given up", "deactivated")
 
 

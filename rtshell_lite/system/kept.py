@@ -4,17 +4,20 @@ keep.py decides what is done about it.
 """
 
 
+import collections
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.live import follow, times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot
 from rtshell_lite.system import policy
+from rtshell_lite.system.matter import BY_HAND, Matter
 
 PAUSE = 0.15  # seconds between a change and the look at it: who disconnects does it port by port
 
 WHOLE = "whole"  # every part, and whether it is the component that is meant
-STATE = "state"  # a part, and in place of the key of a step
+STATE = "state"  # a part
 FULL, BRIEF = snapshot.FULL, snapshot.BRIEF
 # What is looked at again, by the part of a component that has changed.
 PARTS = {
@@ -37,9 +40,7 @@ class KeptComponent(follow.Followed):
     placement      its placements.Placement; `placement.error` says why nothing can be done with it
     changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by loop.now()
     looking   those that are being looked at
-    settled   {key of a step: its setting}, and STATE, that were as in the file when last looked at
-    hands     {key: what a person has done}
-    said      {key: the errors.Error that was reported}
+    life      the Matter of its state; `whole` of what hinders all; `of_steps` {key of a step: its Matter}
     state     its state, absent, or hung; since `since`, seconds since 1970
     trial     the policy.Trial of its state, `repairs` that of everything else
     last      the last Happening of it in words, `restarts` how often it has come back
@@ -63,15 +64,23 @@ class KeptComponent(follow.Followed):
         chosen = policy.of(placement.component, keeper.options.policy)
         self.trial = policy.Trial(chosen)
         self.repairs = policy.Trial(chosen)
-        self.settled = {}
-        self.hands = {}
-        self.said = {}
+        self._know_nothing()
         self.since = loop.wall()
         self.held_up = times.Patience()  # with looks that fail because it or a neighbour hangs
         self.drives = []
         self.drivers = []
         # False for one whose state is nobody's business here
         self.is_started = placement.component.property(policy.PREFIX + STATE) != "any"
+
+    def _know_nothing(self):
+        self.life = Matter()
+        self.whole = Matter()
+        self.of_steps = collections.defaultdict(Matter)
+
+    @property
+    def matters(self):
+        """All its Matters."""
+        return [self.whole, self.life, *self.of_steps.values()]
 
     @property
     def is_usable(self):
@@ -147,21 +156,20 @@ class KeptComponent(follow.Followed):
             "since": self.since,
             "restarts": self.restarts,
             "last": self.last,
-            "by_hand": sorted(self.hands.values()),
+            "by_hand": sorted(matter.words for matter in self.matters if matter.knowledge == BY_HAND),
             "given_up": self.is_given_up,
         }
 
     def fail(self, why):
         """Note a failure of its state."""
-        self.settled.pop(STATE, None)
+        self.life.lose()
         if not self.has_failed:
             self.has_failed = True
             self.trial.fail(why)
 
     def forget_all(self):
         """Begin as with a component that was never seen."""
-        for notes in (self.settled, self.hands, self.said):
-            notes.clear()
+        self._know_nothing()
         self.trial.begin_again()
         self.repairs.begin_again()
 
@@ -186,10 +194,12 @@ class KeptComponent(follow.Followed):
         self.since = old.since
         self.known = orb.identity(old.shown.node.ref) if old.is_there else old.known
         if self.known is not None:
-            self.hands = old.hands
-            self.settled = old.settled
+            self.life = old.life
+            self.of_steps = old.of_steps
+        for matter in self.matters:
+            matter.complaint = None
         if not old.is_started:
-            self.settled.pop(STATE, None)
+            self.life.lose()
 
     def begin_again(self):
         """Something about it has changed: what was given up is tried again."""
@@ -217,7 +227,7 @@ class KeptComponent(follow.Followed):
             self.change(WHOLE)
         else:
             self.placement.error = errors.Failed(self.where, f"is back; its policy is {restart}")
-            self.keeper.complain(self, WHOLE, self.placement.error)
+            self.keeper.complain(self, self.whole, self.placement.error)
 
     def vanished(self, seen):
         self.placement.error = self.error  # tasks that are at work go on with what they have, and fail
@@ -228,7 +238,7 @@ class KeptComponent(follow.Followed):
         self.become("absent")
         self.keeper.happened(self, seen)
         for other in self.drives:  # its contexts stop, and nobody has done that
-            other.settled.pop(STATE, None)
+            other.life.lose()
 
     def hung(self, error):
         self.become("hung")

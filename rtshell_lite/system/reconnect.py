@@ -36,7 +36,7 @@ class Connections:
             if not all(kept.is_usable for kept in ends):
                 continue
             if _is_shown(connector, ends, batch):
-                ends[0].said.pop(key_of(connector), None)
+                ends[0].of_steps[key_of(connector)].complaint = None
             elif id(connector) in self._making:
                 for kept in ends:
                     kept.change("ports")
