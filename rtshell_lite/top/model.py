@@ -48,10 +48,12 @@ class Entry:
     takes_none = False  # whether it takes no observers
     is_in_doubt = False  # whether it may have lost its observer
 
-    def __init__(self, node, hearing):
-        """`hearing`: the hear.Hearing that lends observers."""
+    def __init__(self, node, hearing, hurried):
+        """`hearing`: the hear.Hearing that lends observers; `hurried`: groups to be looked at now."""
         self.node = node
+        self.name = node.name
         self._hearing = hearing
+        self._hurried = hurried
         self.group = node.endpoint
         self.kind = "component"
         self.state = None
@@ -67,6 +69,7 @@ class Entry:
         self.flow = {}  # {port: values that are written a second}, as measured
         self._flow_until = 0.0
         self.again = 0.0  # when it may be asked again
+        self._row = None  # the last one, as long as nothing has changed
         # when its state, contexts and connections were asked for
         self.asked = self._contexts_asked = self._ports_asked = NEVER
 
@@ -78,11 +81,12 @@ class Entry:
         """Look at everything again, as something has been done to it."""
         self.again = 0.0
         self.asked = self._contexts_asked = self._ports_asked = NEVER
+        self._hurried.add(self.group)
 
     def measured(self):
         """{port: values that are written a second}, if that was measured a moment ago, else {}."""
         if loop.now() > self._flow_until:
-            return {}
+            self.flow = {}
         return self.flow
 
     @property
@@ -97,6 +101,7 @@ class Entry:
 
     def hear(self, event):
         """It has reported an observer.Event: look at what that is about."""
+        self._hurried.add(self.group)
         if event.kind == "RTC_STATUS":
             self.asked = NEVER
         elif event.kind == "EC_EVENT":
@@ -143,6 +148,8 @@ class Entry:
                 self.fail("silent", node.error or e)
             else:
                 self.fail(node.kind, node.error or e)
+        finally:
+            self._row = None
 
     async def _look(self, now):
         was_told = self.asked == NEVER
@@ -201,6 +208,7 @@ class Entry:
         self.seen = self._unseen()
         self.asked = self._contexts_asked = self._ports_asked = NEVER
         self.looked = True
+        self._row = None
 
     def _become(self, kind, state, failure):
         """Note its state, and whether that is another one than before."""
@@ -211,6 +219,7 @@ class Entry:
         self.kind = kind
         self.state = state
         self.failure = failure
+        self._row = None
 
     def _connect(self, links):
         if self.links is not None and len(links) != len(self.links):
@@ -218,7 +227,9 @@ class Entry:
         self.links = links
 
     def row(self, path, name):
-        """Its Row."""
+        """Its Row; the same one, as long as nothing has changed."""
+        if self._row is not None and (self._row.path, self._row.name) == (path, name) and not self.flow:
+            return self._row
         contexts = [context for context in self.seen.contexts if not context.silent_until]
         running = None
         first = None
@@ -229,10 +240,11 @@ class Entry:
         links = None
         if self.links is not None:
             links = len(self.links)
-        return Row(
-            path, name, self.kind, self.state, first and first.rate, running, self.ports, links,
-            self.failure, self.since and loop.now() - self.since, self.event, self.measured(),
+        self._row = Row(
+            path, name, self.kind, self.state, first and first.rate, running, self.ports, links, self.failure,
+            self.since, self.event, self.measured(),
         )
+        return self._row
 
 
 # ---- the system ----
@@ -287,6 +299,8 @@ class Top:
         self._entries = {}  # by identity
         self._groups = {}  # {endpoint of a process, or identity of a component that hangs: Entries}
         self._looked_after = set()  # groups that have a task
+        self._hurried = set()  # those in which something is to be looked at before it is due
+        self._listed = None  # (path, name, Entry) of each component, sorted, until the next walk
         self._doubtful = Slots(DOUBTFUL)
         self._news = []
         self._marks = {}  # by path: what an rtkeep says of a component
@@ -345,12 +359,13 @@ class Top:
                 identity = orb.identity(node.ref)
                 identities[str(node.path)] = identity
                 if identity not in self._entries:
-                    self._entries[identity] = Entry(node, self._hearing)
+                    self._entries[identity] = Entry(node, self._hearing, self._hurried)
             self._found[top], self._failed[top] = identities, failed
             wanted = {identity for listed in self._found.values() for identity in listed.values()}
             unbound = [self._entries[identity] for identity in set(self._entries) - wanted]
             self._tasks.start(self._hearing.take_back(unbound))
             self._entries = {identity: self._entries[identity] for identity in wanted}
+            self._listed = None
             self._look_after_all()
             await loop.sleep(WALK)
 
@@ -363,25 +378,35 @@ class Top:
         self._groups = collections.defaultdict(list)
         for entry in self._entries.values():
             self._groups[entry.group].append(entry)
+        self._hurried.update(self._groups)
         for group in set(self._groups) - self._looked_after:
             self._looked_after.add(group)
             self._tasks.start(self._look_after(group), self._groups[group][0].node.endpoint)
 
     async def _look_after(self, group):
         trusted = False
+        due = 0.0
+        shown = None
         while group in self._groups:
-            entries = self._groups[group]
-            is_large = len(self._entries) > FEW
-            for entry in entries:
-                entry.is_shown = self.shown is None or not is_large or entry.path in self.shown
-                entry.may_report = self._is_live and is_large
-            if trusted:
-                trusted = await self._look(entries)
-            else:
-                async with self._doubtful:
-                    trusted = await self._look(entries)
+            # to look through many costs more than to ask those few that are due
+            if loop.now() >= due or group in self._hurried or self.shown is not shown:
+                self._hurried.discard(group)
+                shown = self.shown
+                trusted = await self._look_at_group(self._groups[group], trusted)
+                due = min([loop.now() + SELDOM, *(entry.due() for entry in self._groups.get(group, ()))])
             await loop.sleep(self.delay if trusted else times.REST)
         self._looked_after.discard(group)
+        self._hurried.discard(group)
+
+    async def _look_at_group(self, entries, trusted):
+        is_large = len(self._entries) > FEW
+        for entry in entries:
+            entry.is_shown = self.shown is None or not is_large or entry.path in self.shown
+            entry.may_report = self._is_live and is_large
+        if trusted:
+            return await self._look(entries)
+        async with self._doubtful:
+            return await self._look(entries)
 
     async def _look(self, entries):
         """Look at components of one process, one call at a time; False when it did not answer.
@@ -461,20 +486,24 @@ class Top:
 
     def rows(self):
         """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
-        entries = self.entries()
-        names = {entry.node.name for _, entry in entries}
-        rows = []
-        for path, entry in entries:
-            name = path
-            if len(names) == len(entries):
-                name = entry.node.name
-            rows.append(entry.row(path, name))
-        rows = [_marked(row, self._marks.get(row.path)) for row in rows]
+        if self._listed is None:
+            self._listed = self._list()
+        rows = [
+            _marked(entry.row(path, name), self._marks.get(path)) for path, name, entry in self._listed
+        ]
         rows += [
             Row(path, path, "unknown", "?", None, None, None, None, failure, None, "", {})
             for path, failure in self.failures().items()
         ]
-        return sorted(rows, key=lambda row: (natural(row.name), row.path))
+        if self.failures():
+            rows.sort(key=lambda row: (natural(row.name), row.path))
+        return rows
+
+    def _list(self):
+        entries = self.entries()
+        are_unique = len({entry.name for _, entry in entries}) == len(entries)
+        listed = [(path, entry.name if are_unique else path, entry) for path, entry in entries]
+        return sorted(listed, key=lambda item: (natural(item[1]), item[0]))
 
     # ---- acting ----
 

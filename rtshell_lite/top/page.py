@@ -160,6 +160,7 @@ class Page:
         self.only = None  # paths, if only these are shown
         self.lines = []  # what is shown of `rows`, with lines for groups
         self.attributes = _attributes()
+        self.drawn = None  # what was shown last, see `_now`
         self.rows = []  # that match the filter
         self.common = ""  # the directory that their names leave out
         self.selected = None  # the path of a Row
@@ -193,7 +194,8 @@ class Page:
         while True:
             self._fit()
             self._take_news()
-            self._draw()
+            if self._is_stale():
+                self._draw()
             await self.looking.bell.wait(self.looking.delay)
 
     async def _key(self):
@@ -386,9 +388,19 @@ class Page:
 
     # ---- drawing ----
 
+    def _is_stale(self):
+        """Whether the page may not be what was drawn last: it has clocks, or something has changed."""
+        has_clocks = self.meters or self.overlay is not None or self.window.getmaxyx()[1] >= rows.WIDE
+        return has_clocks or self.drawn != self._now()
+
+    def _now(self):
+        """All that a page without clocks shows, but for what keys change: these have it drawn."""
+        return self.looking.rows(), self.message, self.only, self.window.getmaxyx()
+
     def _draw(self):
         height, width = self.window.getmaxyx()
-        components = self.looking.rows()
+        self.drawn = self._now()
+        components = self.drawn[0]
         found = rows.arranged(components, self.sort, self.wanted)
         if self.only is not None:
             found = [row for row in found if row.path in self.only]

@@ -6,6 +6,7 @@ import os
 import re
 
 from rtshell_lite import path, text
+from rtshell_lite.net import loop
 from rtshell_lite.views.listing import MARKS
 
 SORTS = ("name", "state", "rate", "connections", "trouble")
@@ -17,7 +18,7 @@ STATES = ("Error", "?", "~", "-", "Active", "Inactive", "Created", "Unknown", No
 # or unasked, or unknown: a part of the tree that cannot be listed. `state` is ? for what does not answer, ~
 # for what was not asked and - for a zombie; `rate` in Hz, of the first context that runs, else of the first
 # one; `running` whether any does; `ports` and `connections` are counts. None is unknown (yet). `failure` is
-# an errors.Error or None. `since` are the seconds for which it has been so, None if that is longer than it
+# an errors.Error or None. `since` is when it became so, by loop.now(), None if that is longer ago than it
 # has been looked at; `event` is what was seen to change last, in words; `flow` {port: values that are written
 # a second}, {} unless measured.
 Row = collections.namedtuple(
@@ -35,12 +36,8 @@ def arranged(rows, sort="name", wanted=""):
 
     A word, in any case, matches part of a path, or a whole state.
     """
-    words = wanted.lower().split()
-    rows = [
-        row
-        for row in rows
-        if all(word in row.path.lower() or word == (row.state or "").lower() for word in words)
-    ]
+    for word in wanted.lower().split():
+        rows = [row for row in rows if word in row.path.lower() or word == (row.state or "").lower()]
     keys = {
         "name": lambda row: 0,
         "state": lambda row: STATES.index(row.state),
@@ -172,7 +169,7 @@ def wide_lines(shown, listed):
         yield "%s  %s  %5s    %s" % (
             text.padded(_wide_line(row), len(WIDE_HEAD) - len("COMPONENT") + names),
             text.padded(group(row, "directory"), directories),
-            _duration(row.since),
+            _duration(row.since and loop.now() - row.since),
             why,
         )
 

@@ -5,6 +5,7 @@ import unittest
 
 from rtshell_lite import errors
 from rtshell_lite.data.statistics import Rate
+from rtshell_lite.net import loop
 from rtshell_lite.top import rows
 
 
@@ -145,7 +146,7 @@ class Shown(unittest.TestCase):
                 state="Active",
                 rate=50.0,
                 connections=2,
-                since=75.0,
+                since=loop.now() - 75.0,
                 event="Inactive to Active",
                 flow={"a:out": 49.96, "a:other": 10.0},
             ),

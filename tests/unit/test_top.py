@@ -1,7 +1,12 @@
 """What rttop shows, without a network: if this fails, it is silent about what it has not seen."""
+import types
 import unittest
+from unittest import mock
 
 from rtshell_lite import errors, path
+from rtshell_lite.corba import orb
+from rtshell_lite.live import observer
+from rtshell_lite.net import loop
 from rtshell_lite.top import model
 
 
@@ -16,6 +21,59 @@ class GiveUp(unittest.TestCase):
         (row,) = looking.rows()
         self.assertEqual((row.path, row.kind), ("/slow", "unknown"))
         self.assertIsInstance(row.failure, errors.Silent)
+
+
+class Rest(unittest.TestCase):
+    """What a large system costs while nothing happens."""
+
+    def setUp(self):
+        patch = mock.patch.object(orb, "identity", lambda ref: ref)
+        patch.start()
+        self.addCleanup(patch.stop)
+        node = types.SimpleNamespace(path="/a:1/x.rtc", ref="x", name="x.rtc", endpoint=("a", 2))
+        self.looking = model.Top([], 0.5)
+        self.entry = model.Entry(node, self.looking._hearing, self.looking._hurried)
+        self.looking._found, self.looking._failed = {"top": {"/a:1/x.rtc": "x"}}, {"top": {}}
+        self.looking._entries = {"x": self.entry}
+
+    def test_a_row_is_made_again_only_if_it_may_be_another_one(self):
+        (row,) = self.looking.rows()
+        self.assertIs(self.looking.rows()[0], row)
+        self.entry.fail("silent", errors.Silent("x", "no answer"))
+        self.assertEqual(self.looking.rows()[0].state, "?")
+        self.entry.keep_measured({"out": 5.0})
+        self.assertEqual(self.looking.rows()[0].flow, {"out": 5.0})
+
+    def test_components_are_looked_through_when_one_is_due_or_has_reported(self):
+        looked = []
+        pauses = []
+        sleep = loop.sleep
+
+        async def pause(seconds):
+            pauses.append(seconds)
+            await sleep(0)
+
+        async def look(entries):
+            looked.append(loop.now())
+            for entry in entries:
+                entry.asked = loop.now()
+            return True
+
+        async def main():
+            self.looking._look = look
+            self.looking._entries = dict.fromkeys(range(model.FEW + 1), self.entry)
+            self.looking.shown = set()
+            self.looking._groups = {self.entry.group: [self.entry]}
+            async with loop.background(self.looking._look_after(self.entry.group)):
+                while len(pauses) < 20:
+                    await sleep(0)
+                before = len(looked)
+                self.entry.hear(observer.Event(0.0, "RTC_STATUS", "0", "ERROR"))
+                while len(pauses) < 40:
+                    await sleep(0)
+            return before, len(looked)
+        with mock.patch.object(loop, "sleep", pause):
+            self.assertEqual(loop.run(main()), (1, 2))
 
 
 if __name__ == "__main__":
