@@ -12,6 +12,7 @@ import collections
 import fcntl
 import os
 import pty
+import signal
 import subprocess
 import sys
 import tempfile
@@ -120,6 +121,7 @@ def main():
     parser.add_argument("--beats", action="store_true")
     parser.add_argument("followers", nargs="*", metavar="COMMAND")
     args = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # the follower is to end, too
     worlds.start_name_server()
     world = worlds.World("many", str(args.n), *["--flavour", "java"] * args.polled)
     place = "localhost:%d" % worlds.Server.port
