@@ -40,17 +40,17 @@ class Finder:
         if not name.startswith("rtshell_lite."):
             return None
         (above,) = path
-        place = os.path.join(above, name.rpartition(".")[2])
+        stem = os.path.join(above, name.rpartition(".")[2])
         try:
             is_package = zipimporter(above).is_package(name)
         except ZipImportError:
             return None
         if is_package:
-            file = os.path.join(place, "__init__.py")
+            file = os.path.join(stem, "__init__.py")
             return spec_from_file_location(
-                name, file, loader=Loader(name, file), submodule_search_locations=[place]
+                name, file, loader=Loader(name, file), submodule_search_locations=[stem]
             )
-        file = place + ".py"
+        file = stem + ".py"
         return spec_from_file_location(name, file, loader=Loader(name, file))
 
 
@@ -81,11 +81,11 @@ class Store:
 
     def __init__(self, archive, directory):
         status = os.stat(archive)
-        place = os.path.abspath(archive)
-        made_of = place, status.st_size, status.st_mtime_ns, sys.version
+        archive_path = os.path.abspath(archive)
+        made_of = archive_path, status.st_size, status.st_mtime_ns, sys.version
         self._identity = MAGIC_NUMBER + os.fsencode(repr(made_of))
         self._end = ".%08x.%s-%d" % (
-            zlib.crc32(os.fsencode(place)),
+            zlib.crc32(os.fsencode(archive_path)),
             sys.implementation.cache_tag,
             sys.flags.optimize,
         )

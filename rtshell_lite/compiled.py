@@ -40,9 +40,9 @@ def join(modules):
     index = {}
     codes = []
     offset = 0
-    for name, place, status, code in modules:
+    for name, file_name, status, code in modules:
         codes.append(marshal.dumps(code))
-        index[name] = place, int(status.st_mtime), status.st_size, offset, len(codes[-1])
+        index[name] = file_name, int(status.st_mtime), status.st_size, offset, len(codes[-1])
         offset += len(codes[-1])
     head = marshal.dumps(index)
     size = _BEGIN + len(head) + offset
@@ -60,8 +60,8 @@ class _Finder(Loader):
     def find_spec(self, name, path=None, target=None):
         if name not in self._index:
             return None
-        place, mtime, size, _, _ = self._index[name]
-        origin = os.path.join(_LIB, place)
+        file_name, mtime, size, _, _ = self._index[name]
+        origin = os.path.join(_LIB, file_name)
         try:
             status = os.stat(origin)
         except OSError:
@@ -69,7 +69,7 @@ class _Finder(Loader):
         if (int(status.st_mtime), status.st_size) != (mtime, size):
             return None
         spec = ModuleSpec(name, self, origin=origin)  # type: ignore
-        if place.endswith("__init__.py"):
+        if file_name.endswith("__init__.py"):
             spec.submodule_search_locations = [os.path.dirname(origin)]
         return spec
 
@@ -78,11 +78,11 @@ class _Finder(Loader):
         super().exec_module(module)
 
     def get_code(self, name):
-        place, _, _, offset, length = self._index[name]
+        file_name, _, _, offset, length = self._index[name]
         file = os.open(os.path.join(_LIB, NAME), os.O_RDONLY | os.O_CLOEXEC)
         try:
             code = marshal.loads(os.pread(file, length, self._start + offset))
         finally:
             os.close(file)
-        fix_file_name(code, os.path.join(_LIB, place))
+        fix_file_name(code, os.path.join(_LIB, file_name))
         return code

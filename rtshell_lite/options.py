@@ -507,8 +507,8 @@ def listen(parser):
         "receive logs that OpenRTM 2 sends through Fluent Bit, at this TCP port (default: "
         f"{FLUENTD}; 0: any) of {HERE}, where only this host can send, or of the address HOST: "
         f"0.0.0.0:{FLUENTD} lets anybody send who reaches it",
-        type=place, const=(HERE, FLUENTD),
-    ).value_like = is_place
+        type=listen_address, const=(HERE, FLUENTD),
+    ).value_like = is_listen_address
     parser.option(
         "--from ADDRESS ...",
         "with --listen: only from this IP address; may be repeated (default: from anybody)",
@@ -533,7 +533,7 @@ def is_loopback(address):
     return address in ("::1", "localhost") or address.startswith("127.")
 
 
-def place(word):
+def listen_address(word):
     """An option type: (host, TCP port) of [HOST:]PORT, [::1]:2809 with IPv6; HERE without a host."""
     host, _, number = word.rpartition(":")
     if ":" in host and not (host.startswith("[") and host.endswith("]")):
@@ -543,8 +543,8 @@ def place(word):
     return host.strip("[]") or HERE, int(number)
 
 
-def is_place(word):
-    """Whether a word looks like a `place`, not like a path in the RTC Tree."""
+def is_listen_address(word):
+    """Whether a word looks like a `listen_address`, not like a path in the RTC Tree."""
     host, _, number = word.rpartition(":")
     return number.isdecimal() and "/" not in word and (":" not in host or host.startswith("["))
 

@@ -40,13 +40,13 @@ class Record(tuple):
 def record(name, fields):
     """The class of a Record with these fields, a text of words."""
     names = tuple(fields.split())
-    parts = {field: item(place) for place, field in enumerate(names)}
+    parts = {field: item(index) for index, field in enumerate(names)}
     return type(name, (Record,), dict(parts, __slots__=(), _fields=names))
 
 
-def item(place):
+def item(index):
     """The property of a class of tuples for the item at a place."""
-    return property(itemgetter(place))
+    return property(itemgetter(index))
 
 
 def cached(most):

@@ -76,8 +76,8 @@ async def is_this_host(host):
 
 async def _addresses(host):
     """The IP addresses of a host, [] for one that is not known. Raises Unanswered."""
-    resolved = await session.on_thread(host, lambda: hosts.places(host))
-    return [place[0] for *_, place in resolved]
+    resolved = await session.on_thread(host, lambda: hosts.resolve(host))
+    return [address[0] for *_, address in resolved]
 
 
 def _is_own_name(host):

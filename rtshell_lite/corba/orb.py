@@ -224,13 +224,14 @@ async def call(where, ref, operation, *args, seconds=None, part=None):
     asked = Call(where, ref, operation, args, seconds, part)
     here = loop.current()
     now = here.session or session.current()
-    place = here.running.place
-    is_elsewhere = place is not None and asked.endpoint != place
+    endpoint = here.running.place
+    is_elsewhere = endpoint is not None and asked.endpoint != endpoint
     try:
         if now.silent or now.stalled or now.end is not None:  # seldom
             asks_others = failures.asks_others(operation)
             # a task that asks this process may look what has become of a call that was not answered
-            failure = now.why_not_asked(where, asked.endpoint, asks_others, insists=asked.endpoint == place)
+            insists = asked.endpoint == endpoint
+            failure = now.why_not_asked(where, asked.endpoint, asks_others, insists=insists)
             if failure:
                 raise failure
         if now.slots is None:

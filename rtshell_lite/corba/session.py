@@ -175,28 +175,28 @@ def at_process(item):
     return item.endpoint, item.where
 
 
-def each(items, function, place=at_process):
+def each(items, function, peer=at_process):
     """What function(item) returns for each item, in parallel by the process that answers, as loop.each: in
     order, an errors.Error for what failed, and for an item that is one.
 
-    `place(item)` gives (endpoint of that process, or anything hashable; the path of the object, or a text,
+    `peer(item)` gives (endpoint of that process, or anything hashable; the path of the object, or a text,
     for errors). After the first silence of a process, what it has not been asked yet fails as NotAsked.
     """
     items = list(items)
-    places = [(None, "") if isinstance(item, errors.Error) else place(item) for item in items]
+    peers = [(None, "") if isinstance(item, errors.Error) else peer(item) for item in items]
     here = current()
 
     async def attempt(number):
         item = items[number]
         if isinstance(item, errors.Error):
             raise item
-        endpoint, where = places[number]
+        endpoint, where = peers[number]
         failure = here.why_not_asked(where, endpoint)
         if failure:
             raise failure
         return await function(item)
 
-    return loop.each(range(len(items)), attempt, lambda number: places[number][0])
+    return loop.each(range(len(items)), attempt, lambda number: peers[number][0])
 
 
 async def on_thread(where, function):

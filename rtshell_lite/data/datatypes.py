@@ -167,7 +167,7 @@ class Types:
         if self._library is None:
             from rtshell_lite.data.idl import library
 
-            self._library = library.Library(library.places() + [""], self.include)
+            self._library = library.Library(library.roots() + [""], self.include)
         return self._library
 
     def _with_fault(self, remedy):

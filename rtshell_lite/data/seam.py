@@ -64,18 +64,18 @@ class Seam:
         """A Message has come through the new connector, and the old one has ended. Returns whether more may
         come that have been delivered.
         """
-        place = self._place(message)
-        if place is None:
+        number = self._delivered_number(message)
+        if number is None:
             self._check(message)
             self._old.clear()
             self._pass(message)
             return False
-        while self._old and self._old[0][0] <= place:
+        while self._old and self._old[0][0] <= number:
             self._old.popleft()
         self._is_checked = True
         return bool(self._old)
 
-    def _place(self, message):
+    def _delivered_number(self, message):
         """The number of the old connector's value that this one is, or None."""
         first = 0
         if not self._is_stamped(message):

@@ -155,9 +155,9 @@ def place_of_timestamp(descriptor):
     """Whether values of a type have a timestamp: FIRST, INSIDE or None."""
     if descriptors.kind(descriptor) != descriptors.STRUCT:
         return None
-    for place, (name, type) in enumerate(descriptors.members(descriptor)):
+    for index, (name, type) in enumerate(descriptors.members(descriptor)):
         if name == "tm" and build_value.is_time(type):
-            if place:
+            if index:
                 return INSIDE
             return FIRST
     return None

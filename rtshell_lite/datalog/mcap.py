@@ -106,7 +106,7 @@ class Chunk:
         self.first, self.last, self.size, self.crc = fields.unpack(CHUNK_HEAD)
         self.compression = fields.string()
         self.within = fields.number()
-        self.place = fields.at
+        self.start = fields.at
 
 
 def schema(body):
@@ -153,8 +153,8 @@ def chunk_index(body):
     """
     fields = Fields(body)
     _, _, offset, length = fields.unpack(_CHUNK_PLACE)
-    places = fields.numbers()
-    return offset, length, places, fields.number()
+    offsets = fields.numbers()
+    return offset, length, offsets, fields.number()
 
 
 def footer(end):
@@ -169,11 +169,11 @@ def footer(end):
     return start, crc
 
 
-def messages_indexed(places, length):
-    """How many messages a chunk has whose MessageIndex records, one for each of `places`, take `length`
+def messages_indexed(count, length):
+    """How many messages a chunk has whose MessageIndex records, of which there are `count`, take `length`
     octets.
     """
-    return (length - (HEAD.size + 6) * places) // 16
+    return (length - (HEAD.size + 6) * count) // 16
 
 
 def walk(octets):
@@ -289,9 +289,9 @@ class Packer:
             crc = zlib.crc32(piece, crc)
         within = CHUNK_HEAD.pack(self.first, self.last, self.size, crc) + string("") + _NUMBER.pack(self.size)
         length = HEAD.size + len(within) + self.size
-        indexes, places = message_indexes(self.times, offset + length)
+        indexes, offsets = message_indexes(self.times, offset + length)
         octets = [HEAD.pack(CHUNK, len(within) + self.size) + within] + pieces + [indexes]
-        return octets, chunk_index_record(self, offset, length, places, len(indexes))
+        return octets, chunk_index_record(self, offset, length, offsets, len(indexes))
 
 
 def counts(times):
@@ -304,23 +304,23 @@ def message_indexes(times, offset):
     is}); `times`: {channel's id: [log time, offset in the chunk, log time, …]}
     """
     indexes = []
-    places = {}
+    offsets = {}
     for channel in sorted(times):
         flat = times[channel]
         indexes.append(
             record(MESSAGE_INDEX, struct.pack("<HI%dQ" % len(flat), channel, 8 * len(flat), *flat))
         )
-        places[channel] = offset
+        offsets[channel] = offset
         offset += len(indexes[-1])
-    return b"".join(indexes), places
+    return b"".join(indexes), offsets
 
 
-def chunk_index_record(chunk, offset, length, places, indexes):
+def chunk_index_record(chunk, offset, length, offsets, indexes):
     """The ChunkIndex of a Chunk or Packer that is at `offset` and takes `length` octets; its MessageIndex
-    records are at `places`, by channel's id, and take `indexes` octets.
+    records are at `offsets`, by channel's id, and take `indexes` octets.
     """
     return record(
-        CHUNK_INDEX, _CHUNK_PLACE.pack(chunk.first, chunk.last, offset, length), _numbers(places),
+        CHUNK_INDEX, _CHUNK_PLACE.pack(chunk.first, chunk.last, offset, length), _numbers(offsets),
         _NUMBER.pack(indexes), string(chunk.compression), _TIMES.pack(chunk.within, chunk.size),
     )
 

@@ -73,8 +73,8 @@ class Range:
         return number
 
 
-def _channel_for(log, port, name, place):
-    """The number of the channel that is played to a Port: the one called `name`, or the one at that `place`
+def _channel_for(log, port, name, index):
+    """The number of the channel that is played to a Port: the one called `name`, or the one with that `index`
     without a name.
 
     Raises errors.NoSuch; errors.Failed when the types differ.
@@ -83,10 +83,10 @@ def _channel_for(log, port, name, place):
     names = [channel.name for channel in log.channels]
     if name in names:
         number = names.index(name)
-    elif name is None and place < len(names):
-        number = place
+    elif name is None and index < len(names):
+        number = index
     else:
-        called = printable(name or "number %d" % (place + 1))
+        called = printable(name or "number %d" % (index + 1))
         there = ", ".join(map(printable, names)) or "none"
         raise errors.NoSuch(where, f"channel in {log.where}", f"{called} (there are: {there})")
     _check_types(log, number, port)
@@ -133,12 +133,12 @@ class Playing:
 
     async def find_sinks(self, targets, properties):
         """Find the ports; `targets` are port_arguments.Targets, `properties` those of the connections."""
-        for place, target in enumerate(await port_arguments.find(targets, "DataInPort")):
+        for index, target in enumerate(await port_arguments.find(targets, "DataInPort")):
             try:
                 if isinstance(target, errors.Error):
                     raise target
                 self._add(
-                    _channel_for(self.decoder.log, target.port, target.name, place), target.port, properties
+                    _channel_for(self.decoder.log, target.port, target.name, index), target.port, properties
                 )
             except errors.Error as e:
                 self.tally.add(e)

@@ -90,8 +90,8 @@ class Log:
 
     def entries(self, start=0):
         """The entries from number `start` on, one by one."""
-        place = bisect.bisect_right([stretch.number for stretch in self._stretches], start) - 1
-        for stretch in self._stretches[max(place, 0) :]:
+        index = bisect.bisect_right([stretch.number for stretch in self._stretches], start) - 1
+        for stretch in self._stretches[max(index, 0) :]:
             for entry in self._messages(stretch):
                 if entry.number >= start:
                     yield entry
@@ -172,7 +172,7 @@ class Log:
             kind, end = self._head(offset) or (None, offset)
             if kind is None or end > self.end:  # what the summary says is not so
                 self._damaged[offset] = 1
-                offset = min((place for place in stretches if place > offset), default=self.end)
+                offset = min((start for start in stretches if start > offset), default=self.end)
                 continue
             if kind == mcap.CHUNK and not self._is_sound(offset, stretches):
                 offset = self._indexes(end)[2]
@@ -219,8 +219,8 @@ class Log:
             while position < self.size - mcap.FOOT.size:
                 kind, end = self._head(position) or (None, self.size)
                 if kind == mcap.CHUNK_INDEX:
-                    offset, length, places, size = mcap.chunk_index(self._body(position, end))
-                    chunks[offset] = length, mcap.messages_indexed(len(places), size), size
+                    offset, length, indexes, size = mcap.chunk_index(self._body(position, end))
+                    chunks[offset] = length, mcap.messages_indexed(len(indexes), size), size
                 elif kind == mcap.STATISTICS:
                     counted = mcap.statistics(self._body(position, end))[1]
                 elif kind in (mcap.SCHEMA, mcap.CHANNEL):
@@ -260,7 +260,7 @@ class Log:
         self._ids = {}
         self._defined = {}  # Schema and Channel records, in chunks or not: bodies by (opcode, id)
         self._numbers = {}  # our number of a channel, by its id
-        self._places = {}  # the same, by its name and type
+        self._indexes_by_type = {}  # the same, by its name and type
         self._counts = counted or {}
         self._stretches = []
         self._others = []  # (opcode, begin, end) of Metadata and Attachment records
@@ -340,15 +340,15 @@ class Log:
         offset after them)
         """
         counts = {}
-        places = {}
+        offsets = {}
         while True:
             head = self._head(offset)
             if head is None or head[0] != mcap.MESSAGE_INDEX or head[1] < offset + HEAD.size + 6:
-                return counts, places, offset
+                return counts, offsets, offset
             fields = self._octets(offset + HEAD.size, 6)
             channel = int.from_bytes(fields[:2], "little")
             counts[channel] = counts.get(channel, 0) + int.from_bytes(fields[2:], "little") // 16
-            places[channel] = offset
+            offsets[channel] = offset
             offset = head[1]
 
     def _look_inside(self, end, counts):
@@ -396,10 +396,10 @@ class Log:
                 self._take_metadata(self._body(self.end, end))
             elif kind == mcap.ATTACHMENT:
                 body = self._octets(self.end + HEAD.size, min(end - self.end, WORDS))
-                logged, name, media, place, size = mcap.attachment(body)
-                if place + size > end - self.end:
+                logged, name, media, start, size = mcap.attachment(body)
+                if start + size > end - self.end:
                     return
-                self.attachments.append((logged, name, media, self.end + HEAD.size + place, size))
+                self.attachments.append((logged, name, media, self.end + HEAD.size + start, size))
             else:
                 return
             self._others.append((kind, self.end, end))
@@ -427,15 +427,15 @@ class Log:
         schema = self._schemas.get(schema_number)
         self._ids.setdefault((topic, schema, encoding, tuple(sorted(about.items()))), number)
         channel = _make_channel(topic, schema, encoding, about)
-        place = self._places.setdefault(channel[:2], len(self.channels))
-        self._numbers[number] = place
-        if place == len(self.channels):
+        index = self._indexes_by_type.setdefault(channel[:2], len(self.channels))
+        self._numbers[number] = index
+        if index == len(self.channels):
             self.channels.append(channel)
             return
-        other = self.channels[place]
+        other = self.channels[index]
         if other.sources != channel.sources and len(other.sources) < MOST:
             more = tuple(dict.fromkeys(other.sources + channel.sources))
-            self.channels[place] = other._replace(sources=more[:MOST])
+            self.channels[index] = other._replace(sources=more[:MOST])
 
     # ---- messages ----
 
@@ -455,7 +455,7 @@ class Log:
             chunk = mcap.Chunk(octets)
         except mcap.Damaged:
             return None
-        inner = memoryview(octets)[chunk.place : chunk.place + chunk.within]
+        inner = memoryview(octets)[chunk.start : chunk.start + chunk.within]
         if len(inner) < chunk.within:
             return None
         if chunk.compression:  # by what is read, or the file is refused
@@ -509,10 +509,10 @@ class Log:
 
     def _index(self, stretch, contents):
         """The ChunkIndex of a Stretch, which is counted in `contents`; b"" for messages in no chunk."""
-        counts, places, after = self._indexes(stretch.end)
+        counts, offsets, after = self._indexes(stretch.end)
         if not stretch.is_chunk or sum(counts.values()) != stretch.count:
             counts = mcap.counts(self._times(stretch))
-            places = {}
+            offsets = {}
             after = stretch.end
         contents.add_chunk(stretch.first, stretch.last, counts)
         if not stretch.is_chunk:
@@ -520,7 +520,7 @@ class Log:
             return b""
         chunk = mcap.Chunk(self._octets(stretch.offset, min(mcap.BEGINNING, stretch.end - stretch.offset)))
         length = stretch.end - stretch.offset
-        return mcap.chunk_index_record(chunk, stretch.offset, length, places, after - stretch.end)
+        return mcap.chunk_index_record(chunk, stretch.offset, length, offsets, after - stretch.end)
 
     def _times(self, stretch):
         """{channel's id: [log time, offset in the chunk, log time, …]} of the messages in a Stretch"""

@@ -200,8 +200,8 @@ def _definition(descriptor, definitions):
         return "struct %s { %s};" % (descriptor[3], "".join(members))
     switch = descriptors.discriminator(descriptor)
     cases = [
-        "%s: %s; " % (_label(descriptor, place, case), _declared(case.type, case.member, definitions))
-        for place, case in enumerate(descriptors.cases(descriptor))
+        "%s: %s; " % (_label(descriptor, index, case), _declared(case.type, case.member, definitions))
+        for index, case in enumerate(descriptors.cases(descriptor))
     ]
     return "union %s switch (%s) { %s};" % (descriptor[3], _reference(switch, definitions), "".join(cases))
 
@@ -214,8 +214,8 @@ def _declared(descriptor, name, definitions):
     return f"{_reference(descriptor, definitions)} {name}{lengths}"
 
 
-def _label(descriptor, place, case):
-    if place == descriptors.default_index(descriptor):
+def _label(descriptor, index, case):
+    if index == descriptors.default_index(descriptor):
         return "default"
     switch = descriptors.target(descriptors.discriminator(descriptor))
     if kind(switch) == ENUM:

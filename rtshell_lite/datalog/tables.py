@@ -33,13 +33,13 @@ class Table:
     def __init__(self, decoder, is_ns=False):
         """`decoder`: decode.Decoder."""
         self.decoder = decoder
-        self.columns = {name: place for place, name in enumerate(HEAD)}
+        self.columns = {name: index for index, name in enumerate(HEAD)}
         self._is_ns = is_ns
         # by channel: its name as a cell; _Numbers, or None; [(column, function, sort)], None where it has no
         # such form
         self._plans = {}
-        # by channel and lengths of its sequences: the places of its cells; None: as they come
-        self._places = {}
+        # by channel and lengths of its sequences: the columns of its cells; None: as they come
+        self._cell_columns = {}
 
     def head(self):
         """The line with the names of the columns."""
@@ -129,19 +129,19 @@ class Table:
         """The cells in their columns; `key` names a combination of columns that may come again, or
         is None.
         """
-        if key is None or key[1] is None or key not in self._places:
-            places = [self.columns.setdefault(printable(name), len(self.columns)) for name in names()]
-            if places == list(range(len(head), len(head) + len(places))):
-                places = None
+        if key is None or key[1] is None or key not in self._cell_columns:
+            columns = [self.columns.setdefault(printable(name), len(self.columns)) for name in names()]
+            if columns == list(range(len(head), len(head) + len(columns))):
+                columns = None
             if key is not None and key[1] is not None:
-                self._places[key] = places
+                self._cell_columns[key] = columns
         else:
-            places = self._places[key]
-        if places is None:
+            columns = self._cell_columns[key]
+        if columns is None:
             return head + scalars
-        row = head + [""] * (max(places) + 1 - len(head))
-        for place, scalar in zip(places, scalars):
-            row[place] = scalar
+        row = head + [""] * (max(columns) + 1 - len(head))
+        for column, scalar in zip(columns, scalars):
+            row[column] = scalar
         return row
 
 
@@ -200,8 +200,8 @@ class _Numbers:
         except struct.error:
             return None
         row = list(map(str, numbers))
-        for place in self._times:
-            row[place : place + 2] = [spell(divmod(numbers[place] * 10**9 + numbers[place + 1], 10**9))]
+        for index in self._times:
+            row[index : index + 2] = [spell(divmod(numbers[index] * 10**9 + numbers[index + 1], 10**9))]
         return row
 
 

@@ -47,13 +47,13 @@ async def _connected(endpoint):
     host, port = endpoint
     world = loop.world()
     if is_numeric(host):
-        places = world.resolve(host, port)
+        ways = world.resolve(host, port)
     else:
-        places = await loop.on_thread(world.resolve, host, port)
+        ways = await loop.on_thread(world.resolve, host, port)
     failure = None
-    for place in places:
+    for way in ways:
         try:
-            return await tcp.connect(place)
+            return await tcp.connect(way)
         except OSError as e:
             failure = failure or e
     raise failure

@@ -260,8 +260,8 @@ def _refusing(snapshot, number, e, endpoint):
             "port", snapshot.where, f"its port {number} refuses its profile ({reason(e)})", _restart(snapshot)
         )
     if not isinstance(e, errors.LostMember):
-        place = f"{printable(endpoint[0])}:{endpoint[1]}"
-        message = f"cannot tell from here about its port {number}, at {place} ({reason(e)})"
+        address = f"{printable(endpoint[0])}:{endpoint[1]}"
+        message = f"cannot tell from here about its port {number}, at {address} ({reason(e)})"
         return fail("port", snapshot.where, message, remedies.network(endpoint))
     return fail(
         "port", snapshot.where,

@@ -213,9 +213,9 @@ async def _troubles(link, ends, culprits):
         else:
             troubles += _differences(link, end, _redo(link, others))
             if end.port.node is None:
-                place = f"{printable(end.port.name)} at {orb.at_address(end.ref)}"
+                far_end = f"{printable(end.port.name)} at {orb.at_address(end.ref)}"
                 message = (
-                    f"the far end of connection {_called(connector)}, {place}, lives, but is bound in no "
+                    f"the far end of connection {_called(connector)}, {far_end}, lives, but is bound in no "
                     "name server that is known here"
                 )
                 cure = remedies.words("unbound", path=shell_word(where))

@@ -184,8 +184,8 @@ def _harm(option, value, whom):
 
 def _harm_of_end_point(value, whom):
     """`_harm` of giop:TRANSPORT:HOST:PORT, where HOST and PORT may be empty."""
-    transport, _, place = value.partition("giop:")[2].partition(":")
-    host, _, port = place.rpartition(":")
+    transport, _, address = value.partition("giop:")[2].partition(":")
+    host, _, port = address.rpartition(":")
     host = host.strip("[]")
     why = addresses.why_not_bound(host, _number(port)) if transport == "tcp" else ""
     if why:
@@ -318,19 +318,21 @@ def _working_directory():
 # ---- rtmount ----
 
 
-async def _is_stale(place):
-    return await session.on_thread(printable(place), lambda: kernel.is_stale(place))
+async def _is_stale(directory):
+    return await session.on_thread(printable(directory), lambda: kernel.is_stale(directory))
 
 
 async def _mounts():
     """Mounted RTC Trees whose rtmount has been killed; one that is stopped answers nobody."""
-    places = kernel.mounted()
-    answers = await session.each(places, _is_stale, lambda place: (("mount", place), printable(place)))
+    directories = kernel.mounted()
+    answers = await session.each(
+        directories, _is_stale, lambda directory: (("mount", directory), printable(directory))
+    )
     return [
         warn(
-            "mount", HERE, f"{printable(place)} is a mount of an rtmount that has been killed",
-            remedies.command("unmount", directory=place),
+            "mount", HERE, f"{printable(directory)} is a mount of an rtmount that has been killed",
+            remedies.command("unmount", directory=directory),
         )
-        for place, stale in zip(places, answers)
+        for directory, stale in zip(directories, answers)
         if stale is True
     ]

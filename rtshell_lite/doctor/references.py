@@ -205,12 +205,12 @@ def alias(node):
     """
     if node.alias is not None:
         return ok("context", str(node.path), "an alias: the same directory as " + str(node.alias))
-    place = "%s:%d" % node.endpoint
+    address = "%s:%d" % node.endpoint
     return ok(
         "context",
         str(node.path),
-        f"an alias: a directory of the name server at {printable(place)}, which is examined by: "
-        f"rtdoctor {shell_word(place)}",
+        f"an alias: a directory of the name server at {printable(address)}, which is examined by: "
+        f"rtdoctor {shell_word(address)}",
     )
 
 

@@ -29,7 +29,7 @@ async def findings(nodes, seconds):
         elif orb.identity(again.ref) == orb.identity(node.ref):
             continue
         else:
-            places = f"it was at {orb.at_address(node.ref)}, and is at {orb.at_address(again.ref)} now"
-            message = f"started again within {seconds:g} s: {places}"
+            change = f"it was at {orb.at_address(node.ref)}, and is at {orb.at_address(again.ref)} now"
+            message = f"started again within {seconds:g} s: {change}"
         all_findings.append(warn("component", where, message, remedies.words("crash loop")))
     return all_findings

@@ -30,41 +30,41 @@ async def visits(tops):
     by_server = collections.OrderedDict()
     for top in sorted(tops, key=str):
         by_server.setdefault(top.server, []).append(top)
-    places = [path.Path(server, (), None, False) for server in by_server]
-    used = await _ports(places)
+    paths = [path.Path(server, (), None, False) for server in by_server]
+    used = await _ports(paths)
     answers = await session.each(
-        places, lambda place: _visit(place, by_server[place.server], used), tree.at_server
+        paths, lambda server_path: _visit(server_path, by_server[server_path.server], used), tree.at_server
     )
     all_visits = []
-    for place, visit in zip(places, answers):
+    for server_path, visit in zip(paths, answers):
         if isinstance(visit, errors.Error):
-            visit = _too_late(place, visit)
+            visit = _too_late(server_path, visit)
         all_visits.append(visit)
     return all_visits
 
 
-async def _ports(places):
+async def _ports(paths):
     """The TCP ports of the name servers at some Paths."""
     numbers = set()
-    for place in places:
+    for server_path in paths:
         try:
-            numbers.add((await tree.resolve(place)).endpoint[1])
+            numbers.add((await tree.resolve(server_path)).endpoint[1])
         except errors.Error:  # which a visit reports
             continue
     return numbers - {None}
 
 
-def _too_late(place, e, findings=()):
+def _too_late(server_path, e, findings=()):
     """The Visit to a name server for which, or for whose names, there was not enough time."""
-    where = str(place)
+    where = str(server_path)
     late = fail("name server", where, reason(e), remedies.words("more time", path=shell_word(where)))
-    return Visit(place, [], list(findings) + [late], [], {}, aliases.Known(), "")
+    return Visit(server_path, [], list(findings) + [late], [], {}, aliases.Known(), "")
 
 
-async def _visit(place, tops, used):
+async def _visit(server_path, tops, used):
     """The Visit to one name server; `used` are the ports of all."""
-    visit = Visit(place, [], [], [], {}, aliases.Known(), "")
-    server = await tree.resolve(place)
+    visit = Visit(server_path, [], [], [], {}, aliases.Known(), "")
+    server = await tree.resolve(server_path)
     if server.kind == "server" and not await _reach(visit, server, used):
         return visit
     for top in tops:
@@ -75,11 +75,11 @@ async def _visit(place, tops, used):
     await _share(visit, tops)
     looked, probes = await session.each(
         [tree.check_alive, _probes], lambda ask: ask(visit.nodes),
-        lambda ask: ((ask.__name__, place), str(place)),
+        lambda ask: ((ask.__name__, server_path), str(server_path)),
     )
     for failure in (looked, probes):
         if isinstance(failure, errors.Error):
-            return _too_late(place, failure, visit.findings)
+            return _too_late(server_path, failure, visit.findings)
     visit.nodes[:] = looked
     if not any(node.kind not in ("root", "server", "directory") for node in looked) and any(
         not top.names for top in tops

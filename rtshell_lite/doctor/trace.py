@@ -398,9 +398,9 @@ class Trace:
             faults.append((last.where, fault, last.depth))
         silences = list(self._silences())
         first = min(_sure(faults), key=lambda fault: fault[1].is_slight, default=None)
-        silent = min(_sure(silences), key=self._place, default=None)
+        silent = min(_sure(silences), key=self._depth, default=None)
         if silent is not None:
-            if first is None or first[1].sure == PROBABLE or self._place(silent) < self._place(first):
+            if first is None or first[1].sure == PROBABLE or self._depth(silent) < self._depth(first):
                 first = silent
         if first is not None:
             return first[:2]
@@ -413,7 +413,7 @@ class Trace:
             return f"this machine is too busy to tell: everything takes {self.slower:.0f} times as long"
         return "not all components answered in this time"
 
-    def _place(self, fault):
+    def _depth(self, fault):
         """Where data comes first, as a number."""
         if self.against:
             return -fault[2]

@@ -56,9 +56,9 @@ def _links(profile):
     locate = capture.locator(profile)
     links = []
     for connector in profile.data_port_connectors:
-        places = [capture.port_path(end, locate(end)) for end in connector.ends]
-        if len(places) > 1 and None not in places:
-            links += [(places[0], place) for place in places[1:]]
+        ends = [capture.port_path(end, locate(end)) for end in connector.ends]
+        if len(ends) > 1 and None not in ends:
+            links += [(ends[0], end) for end in ends[1:]]
     return links
 
 

@@ -130,7 +130,7 @@ class Case(tuple):
     """A case of a union: its label, the member's name and type."""
 
     __slots__ = ()
-    label, member, type = [records.item(place) for place in range(3)]
+    label, member, type = [records.item(index) for index in range(3)]
 
 
 class Item:

@@ -100,15 +100,15 @@ def _fixed_struct(descriptor):
             codes, lambda leaves, i: make_struct(*leaves[i : i + size]),
             lambda value: [getattr(value, n) for n in names],
         )
-    places = []
+    makers = []
     index = 0
     for part in parts:
-        places.append((part.make, index))
+        makers.append((part.make, index))
         index += len(part.codes)
 
     def make(leaves, i):
         return make_struct(
-            *[inner(leaves, i + index) if inner else leaves[i + index] for inner, index in places]
+            *[inner(leaves, i + index) if inner else leaves[i + index] for inner, index in makers]
         )
 
     def flatten(value):

@@ -32,7 +32,7 @@ class Address(tuple):
     """What an IOR says: text, text, int, bytes."""
 
     __slots__ = ()
-    type_id, host, port, key = [item(place) for place in range(4)]
+    type_id, host, port, key = [item(index) for index in range(4)]
 
 
 class BadReference(ValueError):
@@ -310,14 +310,14 @@ def guarded(descriptor, taker, holder):
             "profiles",
             _PROFILES,
         )
-    places = {descriptors.SEQUENCE: [1], descriptors.ARRAY: [1], descriptors.ALIAS: [3]}.get(sort, [])
+    indexes = {descriptors.SEQUENCE: [1], descriptors.ARRAY: [1], descriptors.ALIAS: [3]}.get(sort, [])
     if sort in (descriptors.STRUCT, descriptors.EXCEPTION):
-        places = list(range(5, len(descriptor), 2))
-    if not places:
+        indexes = list(range(5, len(descriptor), 2))
+    if not indexes:
         return descriptor
     parts = list(descriptor)
-    for place in places:  # no union in our IDL has references, and no type contains itself
-        parts[place] = guarded(descriptor[place], taker, holder)
+    for index in indexes:  # no union in our IDL has references, and no type contains itself
+        parts[index] = guarded(descriptor[index], taker, holder)
     if sort == descriptors.STRUCT and descriptors.ANY in parts[5::2]:
         parts[1] = holder(parts[1])
     if all(new is old for new, old in zip(parts, descriptor)):

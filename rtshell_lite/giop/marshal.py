@@ -123,16 +123,16 @@ class Maker(cdr.Maker):
         whole = self._pairs_reader()
 
         def read(data, offset):
-            place = data.find(mark, offset)
-            if place < 0 or place & 3:
+            begin = data.find(mark, offset)
+            if begin < 0 or begin & 3:
                 return [pair for pair in whole(data, offset)[0] if pair[0] == name], len(data)
-            place += len(mark)
-            place += -place & 3
-            kind, bound, length = start.unpack_from(data, place)
-            end = place + start.size + length
+            begin += len(mark)
+            begin += -begin & 3
+            kind, bound, length = start.unpack_from(data, begin)
+            end = begin + start.size + length
             if kind != STRING or bound or data[end - 1]:
                 return whole(data, offset)
-            return [(name, data[place + start.size : end - 1])], end
+            return [(name, data[begin + start.size : end - 1])], end
 
         return read
 

@@ -36,15 +36,15 @@ class CachedAnswer:
 
     0 seconds: each request gets an answer that was asked for after the request came.
 
-    place()  (endpoint, where) of the peer
+    peer()   (endpoint, where) of the peer
     ask()    the value, a coroutine
     """
 
-    __slots__ = ("_cache", "_place", "_ask", "_seconds", "_value", "_until", "_asked", "_in_flight", "_next")
+    __slots__ = ("_cache", "_peer", "_ask", "_seconds", "_value", "_until", "_asked", "_in_flight", "_next")
 
-    def __init__(self, cache, place, ask, seconds):
+    def __init__(self, cache, peer, ask, seconds):
         self._cache = cache
-        self._place = place
+        self._peer = peer
         self._ask = ask
         self._seconds = seconds
         self._value = None
@@ -82,7 +82,7 @@ class CachedAnswer:
         return await wait
 
     def _start(self, waits):
-        endpoint, where = self._place()
+        endpoint, where = self._peer()
         self._until = 0.0
         self._asked = self._cache.changes
         self._in_flight = waits

@@ -48,7 +48,7 @@ class ComponentDirectory(Directory):
                     raise
                 return await ask()
 
-        return self.mount.answer(self.place, checked, seconds)
+        return self.mount.answer(self.peer, checked, seconds)
 
     async def _has_come_back(self):
         """Whether another object has its name now:
@@ -72,7 +72,7 @@ class ComponentDirectory(Directory):
                 source.expire()
         self.node = node
 
-    def place(self):
+    def peer(self):
         return self.node.endpoint if self.node.ref is not None else None, self.node.path
 
     async def _profile(self):
@@ -241,7 +241,7 @@ class ExecutionDirectory(Directory):
         super().__init__(above, name)
         self._index = index
         self._ref = ref
-        self._profile = self.mount.answer(self.place, lambda: component.context(self._node(), self._ref))
+        self._profile = self.mount.answer(self.peer, lambda: component.context(self._node(), self._ref))
 
     def renew(self, index, ref):
         if not orb.same(ref, self._ref):
@@ -253,7 +253,7 @@ class ExecutionDirectory(Directory):
 
     def _asked(self, operation):
         """A CachedAnswer that is what the context itself answers now."""
-        return self.mount.answer(self.place, lambda: orb.call(self.where, self._ref, operation), 0)
+        return self.mount.answer(self.peer, lambda: orb.call(self.where, self._ref, operation), 0)
 
     def entries(self, value):
         return {
@@ -265,7 +265,7 @@ class ExecutionDirectory(Directory):
             ),
             "rate": (Control, self._asked("get_rate"), "{:g}\n".format, self._set_rate),
             "kind": (Text, self._profile, lambda context: context.kind + "\n"),
-            "owner": (Text, self.mount.answer(self.place, self._owner), line),
+            "owner": (Text, self.mount.answer(self.peer, self._owner), line),
         }
 
     async def _owner(self):

@@ -107,8 +107,8 @@ def _is_filled(directory):
 
 
 def _helper():
-    places = [os.path.join(place, name) for name in HELPERS for place in os.get_exec_path()]
-    return next((path for path in places if os.access(path, os.X_OK)), None)
+    paths = [os.path.join(directory, name) for name in HELPERS for directory in os.get_exec_path()]
+    return next((path for path in paths if os.access(path, os.X_OK)), None)
 
 
 def mount(directory, read_only=False):

@@ -20,7 +20,7 @@ class ManagerDirectory(Directory):
     def renew(self, node):
         self.node = node
 
-    def place(self):
+    def peer(self):
         return self.node.endpoint, self.node.path
 
     def entries(self, value):
@@ -35,7 +35,7 @@ class ManagerDirectory(Directory):
         return {"loadable": self._lines("get_loadable_modules")}  # runs a process for each module
 
     def _lines(self, operation, key=None):
-        return Text, self.mount.answer(self.place, lambda: self._modules(operation, key)), "".join
+        return Text, self.mount.answer(self.peer, lambda: self._modules(operation, key)), "".join
 
     async def _modules(self, operation, key):
         await orb.is_alive(self.where, self.node.ref)  # looking for modules may take long
@@ -56,7 +56,7 @@ class ManagedDirectory(Directory):
 
     def __init__(self, above, name):
         super().__init__(above, name)
-        self.source = self.mount.answer(self.place, self._listed)
+        self.source = self.mount.answer(self.peer, self._listed)
 
     async def _listed(self):
         """[(Node, the Path where it is bound or None)]"""

@@ -131,7 +131,7 @@ class ContextDirectory(Directory):
         super().__init__(above, name)
         self.node = node
         self._bindings = {}
-        self.source = self.mount.answer(self.place, self._listed)
+        self.source = self.mount.answer(self.peer, self._listed)
         self.mount.contexts.setdefault(orb.identity(node.ref), self)
 
     def renew(self, node):
@@ -140,7 +140,7 @@ class ContextDirectory(Directory):
             self.mount.contexts[orb.identity(node.ref)] = self
         self.node = node
 
-    def place(self):
+    def peer(self):
         return self.node.endpoint, self.node.path
 
     async def _listed(self):
@@ -159,7 +159,7 @@ class ContextDirectory(Directory):
         answer = self._bindings.get(name)
         if answer is None:
             self._bindings = {name: answer for name, answer in self._bindings.items() if answer.is_fresh()}
-            answer = self._bindings[name] = self.mount.answer(self.place, lambda: self._ask_for(path))
+            answer = self._bindings[name] = self.mount.answer(self.peer, lambda: self._ask_for(path))
         return self.child(name, self._made(await answer.get()))
 
     async def _ask_for(self, path):

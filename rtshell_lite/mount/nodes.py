@@ -80,9 +80,9 @@ class Mount:
         if self._listener is not None:
             self._listener(kind, what)
 
-    def answer(self, place, ask, seconds=None):
+    def answer(self, peer, ask, seconds=None):
         """A CachedAnswer that is believed for `seconds`, by default the ttl."""
-        return CachedAnswer(self.cache, place, ask, self.ttl if seconds is None else seconds)
+        return CachedAnswer(self.cache, peer, ask, self.ttl if seconds is None else seconds)
 
     def change(self, where, function):
         """Run a coroutine function after those that have been given before for the same place."""
@@ -183,9 +183,9 @@ class Node:
         """How long the kernel may believe its name and size."""
         return self.mount.ttl
 
-    def place(self):
+    def peer(self):
         """(endpoint, where) of the peer that its changes are asked of."""
-        return self.above.place()
+        return self.above.peer()
 
     @property
     def path(self):

@@ -93,7 +93,7 @@ class ConnectionsDirectory(Directory):
     def __init__(self, above, name):
         super().__init__(above, name)
         self.source = above.source
-        self.far = self.mount.answer(self.place, self._far)
+        self.far = self.mount.answer(self.peer, self._far)
 
     async def _far(self):
         """{file name: text of the link}"""

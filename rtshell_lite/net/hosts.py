@@ -52,22 +52,22 @@ class LookUp:
 
     def _ask(self, flags=0):
         try:
-            self.found = _places(self._world, self._host, flags)
+            self.found = _resolve(self._world, self._host, flags)
         except (OSError, ValueError) as e:  # ValueError: a NUL in it
             self.found = e if isinstance(e, OSError) else real.NoSuchHost(0, str(e))
 
 
-def places(host):
+def resolve(host):
     """The places of a host as of getaddrinfo, [] for one that is not known;
     the look-up of a name may take long.
     """
     try:
-        return _places(loop.world(), host)
+        return _resolve(loop.world(), host)
     except (OSError, ValueError):
         return []
 
 
-def _places(world, host, flags=0):
+def _resolve(world, host, flags=0):
     try:
         name = host.encode("ascii")
     except UnicodeError:

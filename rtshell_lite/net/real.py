@@ -109,7 +109,7 @@ def stream(family, protocol=0):
     return _socket.socket(family, _socket.SOCK_STREAM, protocol)
 
 
-def listen(family, place, only_v6=True):
+def listen(family, address, only_v6=True):
     """A socket.socket that listens at a place as of `resolve`, and does not block. Raises OSError,
     OverflowError.
     """
@@ -120,7 +120,7 @@ def listen(family, place, only_v6=True):
         if family == socket.AF_INET6:
             listening.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, only_v6)
         listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listening.bind(place)
+        listening.bind(address)
         listening.listen(LISTEN)
         listening.setblocking(False)
     except (OSError, OverflowError):
@@ -154,11 +154,11 @@ def bind(host, port):
     """Bind a TCP socket to a host, "" for all addresses of this one, and a port, and close it. Raises
     OSError, UnicodeError.
     """
-    family, _, protocol, _, place = resolve(host or None, port, flags=_socket.AI_PASSIVE)[0]
+    family, _, protocol, _, address = resolve(host or None, port, flags=_socket.AI_PASSIVE)[0]
     own = stream(family, protocol)
     try:
         own.setsockopt(_socket.SOL_SOCKET, _socket.SO_REUSEADDR, 1)
-        own.bind(place)
+        own.bind(address)
     finally:
         own.close()
 
@@ -230,14 +230,14 @@ def own_address(host, port):
     """The address of this host that faces another, None if there is no route. Sends nothing; may take long.
     """
     try:
-        places = _socket.getaddrinfo(host, port, 0, _socket.SOCK_DGRAM)
+        candidates = _socket.getaddrinfo(host, port, 0, _socket.SOCK_DGRAM)
     except (OSError, UnicodeError):
         return None
-    for family, kind, protocol, _, place in places:
+    for family, kind, protocol, _, address in candidates:
         probe = None
         try:
             probe = _socket.socket(family, kind, protocol)
-            probe.connect(place)
+            probe.connect(address)
             return probe.getsockname()[0]
         except OSError:
             continue
@@ -366,13 +366,13 @@ def local():
     return socket.socket(socket.AF_UNIX)
 
 
-def tell(place, data):
+def tell(address, data):
     """Send a datagram to a UNIX socket, which may be abstract. Raises OSError."""
     import socket
 
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as out:
         out.setblocking(False)
-        out.sendto(data, place)
+        out.sendto(data, address)
 
 
 def pair():

@@ -15,8 +15,8 @@ def listen(host, port):
     families = (_socket.AF_INET, _socket.AF_INET6) if host else (_socket.AF_INET6, _socket.AF_INET)
     for family in families:
         try:
-            place = world.resolve(host or None, 0, family, _socket.AI_PASSIVE)[0][4]
-            return world.listen(family, place[:1] + (port,) + place[2:], bool(host))
+            address = world.resolve(host or None, 0, family, _socket.AI_PASSIVE)[0][4]
+            return world.listen(family, address[:1] + (port,) + address[2:], bool(host))
         except (OSError, OverflowError, UnicodeError):
             continue
     return None
@@ -26,11 +26,11 @@ async def connect(way):
     """A socket that is connected with a place as of `resolve`, and does not block. Raises OSError; how long
     it waits is limited by the caller.
     """
-    family, _, protocol, _, place = way
+    family, _, protocol, _, address = way
     stream = loop.world().stream(family, protocol)
     try:
         stream.setblocking(False)
-        code = stream.connect_ex(place)
+        code = stream.connect_ex(address)
         if code == errno.EINPROGRESS:
             await loop.ready(stream.fileno(), loop.WRITE)
             code = real.failure(stream)

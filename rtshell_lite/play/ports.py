@@ -80,7 +80,7 @@ class Port:
 
     async def connect(self, profile):
         profile = _plain(profile)
-        if not _is_possible(profile) or not self._places(profile):
+        if not _is_possible(profile) or not self._own_indexes(profile):
             return code("BAD_PARAMETER"), profile
         if profile.connector_id in self.connectors:
             return code("PRECONDITION_NOT_MET"), profile
@@ -96,10 +96,10 @@ class Port:
 
     async def notify_connect(self, profile):
         profile = _plain(profile)
-        places = []
+        indexes = []
         if _is_possible(profile):
-            places = self._places(profile)
-        if len(places) != 1:
+            indexes = self._own_indexes(profile)
+        if len(indexes) != 1:
             return code("BAD_PARAMETER"), profile
         name = profile.connector_id
         if not name or name in self.connectors or name in self.coming or self._is_double(profile):
@@ -108,7 +108,7 @@ class Port:
             return code("OUT_OF_RESOURCES"), profile
         self.coming.add(name)
         try:
-            return await self._join(profile, profile.ports[places[0] + 1 :])
+            return await self._join(profile, profile.ports[indexes[0] + 1 :])
         finally:
             self.coming.discard(name)
 
@@ -136,7 +136,7 @@ class Port:
             self.carriers[profile.connector_id] = carrier
         return result, profile
 
-    def _places(self, profile):
+    def _own_indexes(self, profile):
         """The numbers of the ports of a ConnectorProfile that are this one."""
         return [number for number, end in enumerate(profile.ports) if orb.same(end, self.reference)]
 
@@ -179,8 +179,8 @@ class Port:
         if connector_id in self.carriers:
             await self.carriers[connector_id].finish()
         self.forget(connector_id)
-        place = self._places(profile)[0]
-        following = profile.ports[place + 1 :]
+        index = self._own_indexes(profile)[0]
+        following = profile.ports[index + 1 :]
         if not following:
             return code("RTC_OK")
         try:

@@ -91,8 +91,8 @@ def _is_below(where, top):
         return True
     names = [str(name) for name in where.names]
     *above, last = [str(name) for name in top.names]
-    place = len(above)
-    if len(names) <= place or names[:place] != above:
+    depth = len(above)
+    if len(names) <= depth or names[:depth] != above:
         return False
     (match,) = search.patterns([last], ())
-    return bool(match(names[place]))
+    return bool(match(names[depth]))

@@ -287,11 +287,11 @@ class Stage:
 def _out_port(owner, name, type_id):
     """The out port of a component with that name, made where it has none."""
     added = port_kinds.OutPort(owner, name, _properties("DataOutPort", {}, type_id))
-    for place, port in enumerate(owner.ports):
+    for index, port in enumerate(owner.ports):
         if port.name == name:
             if not isinstance(port, port_kinds.OutPort):
-                owner.ports[place] = added
-            return owner.ports[place]
+                owner.ports[index] = added
+            return owner.ports[index]
     owner.ports.append(added)
     return added
 

@@ -149,43 +149,43 @@ class _Bindings:
         """Walk the name server of `path`, the naming context to delete, and those of RTCTREE_NAMESERVERS;
         returns self.
         """
-        places = {}  # type: dict  # Path of a directory: the Path by which it is known
+        known_paths = {}  # type: dict  # Path of a directory: the Path by which it is known
         endless = session.current().endless
         before = set(endless)
         for node in await tree.walk_servers(await tree.known_servers(path.server), managers=False):
             if node.kind not in ("server", "directory"):
                 continue
-            place = await self.known.path(node) or places.get(node.alias)
-            if place is None:
+            known_path = await self.known.path(node) or known_paths.get(node.alias)
+            if known_path is None:
                 self.known.enter(node)
-                place = node.path
-            places[node.path] = place
+                known_path = node.path
+            known_paths[node.path] = known_path
             if node.kind == "server":
-                self._roots.add(place)
+                self._roots.add(known_path)
             else:
-                self._bind(places, node, place)
+                self._bind(known_paths, node, known_path)
         if endless - before or str(Path(path.server, (), None, False)) in endless:
             raise errors.Failed(str(path), "not deleted: its other names are not known, as not all is listed")
         above = await tree.resolve(path.parent())
         self._without((await self.known.path(above), path.names[-1]))
         return self
 
-    def _bind(self, places, node, place):
-        above = places[node.path.parent()]
-        self._names[above, node.path.names[-1]] = place, node.path
+    def _bind(self, known_paths, node, known_path):
+        above = known_paths[node.path.parent()]
+        self._names[above, node.path.names[-1]] = known_path, node.path
 
     def _without(self, gone):
         """Find what can be reached without the name `gone`, a pair (Path of the directory, Name)."""
         todo = [(root, root) for root in self._roots]
         below = {}  # type: dict
-        for (above, name), (place, _) in self._names.items():
+        for (above, name), (inner, _) in self._names.items():
             if (above, name) != gone:
-                below.setdefault(above, []).append((place, name))
+                below.setdefault(above, []).append((inner, name))
         while todo:
-            place, leads = todo.pop(0)
-            if place not in self._left:
-                self._left[place] = leads
-                todo += [(inner, leads.child(name)) for inner, name in below.get(place, ())]
+            path, leads = todo.pop(0)
+            if path not in self._left:
+                self._left[path] = leads
+                todo += [(inner, leads.child(name)) for inner, name in below.get(path, ())]
 
     async def other_path(self, node):
         """A Path by which a naming context can still be reached, or None."""

@@ -197,15 +197,15 @@ def _paths(kinds, port_types=(), port_needed=False):
             return []
         offered = []
         for entry in await _all_entries(above):
-            place = _no_option(above + entry.name)
+            path = _no_option(above + entry.name)
             if entry.kind == "directory" or entry.kind == "manager" and "manager" not in kinds:
-                offered.append(Candidate(place + "/", False, ""))
+                offered.append(Candidate(path + "/", False, ""))
             elif entry.kind == "component" and port_types and port_needed:
-                offered.append(Candidate(place + ":", False, ""))
+                offered.append(Candidate(path + ":", False, ""))
             elif entry.kind == "component" and port_types:
-                offered.append(Candidate(place, False, ""))
+                offered.append(Candidate(path, False, ""))
             elif entry.kind in kinds and not port_needed:
-                offered.append(Candidate(place, True, ""))
+                offered.append(Candidate(path, True, ""))
         return offered
 
     return complete
@@ -350,11 +350,11 @@ def _listed(word):
         is_hidden = name.startswith(".") and not begun.startswith(".")
         if is_hidden or not is_plain(name):
             continue
-        place = _no_option(above + name)
+        path = _no_option(above + name)
         if os.path.isdir(os.path.join(directory, name)):
-            offered.append(Candidate(place + "/", False, ""))
+            offered.append(Candidate(path + "/", False, ""))
         else:
-            offered.append(Candidate(place, True, ""))
+            offered.append(Candidate(path, True, ""))
     return offered
 
 

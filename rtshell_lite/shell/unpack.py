@@ -63,14 +63,14 @@ def _modules(lib, names):
     for name in sorted(names):
         if not (name.startswith("lib/rtshell_lite/") and name.endswith(".py")):
             continue
-        place = name[len("lib/") :]
-        module = place[: -len(".py")].replace("/", ".")
+        file_name = name[len("lib/") :]
+        module = file_name[: -len(".py")].replace("/", ".")
         if module.endswith(".__init__"):
             module = module.rpartition(".")[0]
-        path = os.path.join(lib, place)
+        path = os.path.join(lib, file_name)
         with open(path, "rb") as file:
             code = compile(file.read(), path, "exec", dont_inherit=True)
-            yield module, place, os.fstat(file.fileno()), code
+            yield module, file_name, os.fstat(file.fileno()), code
 
 
 class Files:
@@ -136,27 +136,27 @@ class Files:
 
     def _check_links(self, directory):
         """Raise Error if a directory below ours is a link: it may lead anywhere."""
-        place = self.directory
+        path = self.directory
         for part in directory.split("/"):
-            place = os.path.join(place, part)
-            if os.path.islink(place):
-                raise errors.Error(f"{place}: refused: it is a link")
+            path = os.path.join(path, part)
+            if os.path.islink(path):
+                raise errors.Error(f"{path}: refused: it is a link")
 
     def _check_compiled(self, directory):
         """Raise Error if what Python has compiled, or will compile, is anything but a file in a directory."""
-        place = os.path.join(self.directory, directory, "__pycache__")
-        if os.path.islink(place):
-            raise errors.Error(f"{place}: refused: it is a link")
-        if not os.path.isdir(place):
+        cache = os.path.join(self.directory, directory, "__pycache__")
+        if os.path.islink(cache):
+            raise errors.Error(f"{cache}: refused: it is a link")
+        if not os.path.isdir(cache):
             return
-        for entry in os.scandir(place):
+        for entry in os.scandir(cache):
             if not entry.is_file(follow_symlinks=False):
                 raise errors.Error(f"{entry.path}: refused: it is not a file")
 
     def _write_temporary(self, name):
         content, program = self.contents[name]
-        place = os.path.join(self.directory, *name.split("/"))
-        directory, last = os.path.split(place)
+        path = os.path.join(self.directory, *name.split("/"))
+        directory, last = os.path.split(path)
         os.makedirs(directory, exist_ok=True)
         temporary = os.path.join(directory, f".{last[:50]}.{os.urandom(8).hex()}.tmp")
         file = create(temporary, 0o600)

@@ -163,16 +163,16 @@ async def doubt(component, where, e):
     that shows that it is gone. `where` is its Path.
     """
     ref = saved_reference(component)
-    place = orb.at_address(ref)
+    address = orb.at_address(ref)
     if isinstance(e, errors.ConnectionRefused):
         if isinstance(await orb.refusal(where, orb.endpoint(ref)), errors.ProcessGone):
             return ""
-        return f"{place}, where it was, refuses: dead, or a firewall closes this port"
+        return f"{address}, where it was, refuses: dead, or a firewall closes this port"
     if isinstance(e, errors.NotAsked):
-        return f"{place}, where it was, could not be asked ({e.why})"
+        return f"{address}, where it was, could not be asked ({e.why})"
     if isinstance(e, errors.Silent):
-        return f"{place}, where it was, does not answer ({e.why}): it hangs, or is out of reach"
-    return f"{place}, where it was, is out of reach ({e.why})"
+        return f"{address}, where it was, does not answer ({e.why}): it hangs, or is out of reach"
+    return f"{address}, where it was, is out of reach ({e.why})"
 
 
 def is_reference(name, value):

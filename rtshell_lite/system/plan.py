@@ -15,11 +15,11 @@ from rtshell_lite.system.outcomes import NOT_TRIED, REACHED
 from rtshell_lite.text import printable
 
 # One component to be taken through a transition in one of its contexts. `context` is the context's id in the
-# file, and `place` its place there; `path` the component's, spelt for the terminal. Of its conditions:
-# `order`, the smallest sequence number (None: it has no condition), `wait` (milliseconds, None: it has none),
-# `after` (Afters), `texts` as they are shown.
+# file, and `context_index` its index there; `path` the component's, spelt for the terminal. Of its
+# conditions: `order`, the smallest sequence number (None: it has no condition), `wait` (milliseconds, None:
+# it has none), `after` (Afters), `texts` as they are shown.
 Action = collections.namedtuple(
-    "Action", "number component context place path required order wait after texts"
+    "Action", "number component context context_index path required order wait after texts"
 )
 
 # That an action waits for the action `number`: with `sync` until that one has reached its state, else until
@@ -73,12 +73,12 @@ def _actions(profile, start):
     actions = []
     for component in components:
         contexts = [
-            context.id or str(place) for place, context in enumerate(component.execution_contexts)
+            context.id or str(index) for index, context in enumerate(component.execution_contexts)
         ] or ["0"]
-        for place, context in enumerate(contexts):
+        for index, context in enumerate(contexts):
             actions.append(
                 Action(
-                    len(actions) + 1, component, context, place, capture.shown_path(component),
+                    len(actions) + 1, component, context, index, capture.shown_path(component),
                     start and component.is_required, None, None, (), (),
                 )
             )

@@ -170,7 +170,7 @@ async def _life_at_saved_address(placement, is_own):
     ref = capture.saved_reference(placement.component)
     if ref is None:
         return ""
-    place = orb.at_address(ref)
+    address = orb.at_address(ref)
     try:
         if await capture.living_reference(placement.component) is None:
             return ""
@@ -180,7 +180,7 @@ async def _life_at_saved_address(placement, is_own):
         why = await capture.doubt(placement.component, placement.path, e)
         return why and why + " (REFERENCE in the file)"
     words = "restart it, or end its process; if that is another robot, take REFERENCE out of the file"
-    return f"it lives at {place}, though its name is not bound: {words}"
+    return f"it lives at {address}, though its name is not bound: {words}"
 
 
 def _named_managers(profile, locate):

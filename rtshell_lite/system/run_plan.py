@@ -281,8 +281,8 @@ def _context(node, contexts, action):
     if action.context.isdigit():
         if int(action.context) in contexts.handles:
             return contexts.handles.index(int(action.context))
-    elif action.place < contexts.owned:  # some files give names to contexts
-        return action.place
+    elif action.context_index < contexts.owned:  # some files give names to contexts
+        return action.context_index
     handles = ", ".join(str(handle) for handle in sorted(contexts.handles)) or "none"
     raise errors.NoSuch(
         str(node.path), "execution context", f"{printable(action.context)} (it has {handles})"

@@ -40,7 +40,7 @@ def directory():
     return path
 
 
-def place(name):
+def stem(name):
     """The path, without its ending, of the lock and the socket for a file."""
     real = os.path.realpath(name)
     base = os.path.basename(real).encode("utf-8", "surrogateescape")[:40].decode("utf-8", "ignore")
@@ -51,7 +51,7 @@ class Lock:
     """Held by the one rtkeep of a file until its process ends. Raises Failed, which names the other one."""
 
     def __init__(self, name):
-        self.path = place(name) + ".lock"
+        self.path = stem(name) + ".lock"
         while not self._take(name):
             pass
         os.ftruncate(self.fd, 0)
@@ -92,7 +92,7 @@ class Door:
     """
 
     def __init__(self, name, answer):
-        self.path = place(name) + ".socket"
+        self.path = stem(name) + ".socket"
         self.answer = answer
         self._listener = None
         self._group = None

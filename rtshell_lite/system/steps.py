@@ -471,9 +471,9 @@ def own_contexts(placement):
     component and that it owns.
     """
     owned = [context.handle for context in placement.found.owned] if placement.found else None
-    for place, described in enumerate(placement.component.execution_contexts):
+    for index, described in enumerate(placement.component.execution_contexts):
         if described.id.isdigit() and owned is None:
-            yield place, int(described.id), described
+            yield index, int(described.id), described
         elif described.id.isdigit() and int(described.id) in owned:
             yield owned.index(int(described.id)), int(described.id), described
 

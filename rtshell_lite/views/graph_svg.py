@@ -118,8 +118,8 @@ def _path(start, end, way):
     to_x, to_y, _ = end
     path = "M%d,%d" % (x, y)
     if isinstance(way, layout.Detour):
-        for place, corner in enumerate(way.corners):
-            path += " %s%d" % ("HV"[place % 2], corner)
+        for index, corner in enumerate(way.corners):
+            path += " %s%d" % ("HV"[index % 2], corner)
         return path + " V%d H%d" % (to_y, to_x)
     for item in way:
         path += _curve(x, y, item.x, item.y) + " H%d" % (item.x + item.width)

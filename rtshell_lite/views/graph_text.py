@@ -72,9 +72,9 @@ def _stack(picture):
     """
     rows = []
     row_of = {}
-    for place, number in enumerate(in_order(picture)):
+    for index, number in enumerate(in_order(picture)):
         box = picture.boxes[number]
-        if place:
+        if index:
             rows.append(Row("├", "", "┤"))
         else:
             rows.append(Row("┌", "", "┐"))

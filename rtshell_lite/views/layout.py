@@ -34,7 +34,7 @@ class Item:
         self.number = number
         self.width = width
         self.height = height
-        self.x = self.y = self.place = self.column = self.row = 0
+        self.x = self.y = self.index = self.column = self.row = 0
         # (Item in the column to the left or right, where on it, where on this one, from 0 to 1) of each line
         self.before = []
         self.after = []
@@ -76,7 +76,7 @@ def arrange(picture, sizes, port_of):
     port_of  a function of an Item and a port: (x, y, 1 for the right side and -1 for the left)
     """
     boxes = [Item(number, width, height) for number, (width, height) in enumerate(sizes)]
-    rank = {number: place for place, number in enumerate(graph.in_order(picture))}
+    rank = {number: index for index, number in enumerate(graph.in_order(picture))}
     scale = _scale(sizes)
     columns = _columns(picture, boxes, rank, PAGE[1] * scale)
     lines = sum(boxes[target].column != boxes[source].column + 1 for source, _, target, _, _ in picture.edges)
@@ -114,16 +114,16 @@ def _columns(picture, boxes, rank, tallest):
     free = {}  # the column that had room last, by the first one that an item may be in
 
     def put(item, first):
-        place = free.get(first, first)
-        while place < len(columns) and heights[place] + item.height > tallest:
-            place += 1
-        free[first] = place
-        if place == len(columns):
+        column = free.get(first, first)
+        while column < len(columns) and heights[column] + item.height > tallest:
+            column += 1
+        free[first] = column
+        if column == len(columns):
             columns.append([])
             heights.append(0)
-        columns[place].append(item)
-        heights[place] += item.height + item.space
-        item.column = place
+        columns[column].append(item)
+        heights[column] += item.height + item.space
+        item.column = column
 
     for number in rank:
         if number in used:
@@ -132,8 +132,8 @@ def _columns(picture, boxes, rank, tallest):
     while len(columns) < (len(alone) / 4) ** 0.5:
         columns.append([])
         heights.append(0)
-    for place, number in enumerate(alone):  # to all columns by turns
-        put(boxes[number], place % len(columns))
+    for index, number in enumerate(alone):  # to all columns by turns
+        put(boxes[number], index % len(columns))
     return columns
 
 
@@ -172,9 +172,9 @@ def _breaks(sizes, width):
     """(the first column of each row, if rows are that wide; height of them all)."""
     starts = []
     height = x = tall = 0
-    for place, (wide, high) in enumerate(sizes):
+    for number, (wide, high) in enumerate(sizes):
         if not starts or x + wide > width:
-            starts.append(place)
+            starts.append(number)
             height += tall + MARGIN
             x = tall = 0
         x += wide
@@ -199,9 +199,9 @@ def _way(edge, picture, boxes, rank, columns):
         columns[column].append(passing)
     stops = [boxes[source]] + way + [boxes[target]]
     heights = [_height(rights, out)] + [0.5] * len(way) + [_height(lefts, into)]
-    for place in range(len(stops) - 1):
-        stops[place].after.append((stops[place + 1], heights[place + 1], heights[place]))
-        stops[place + 1].before.append((stops[place], heights[place], heights[place + 1]))
+    for index in range(len(stops) - 1):
+        stops[index].after.append((stops[index + 1], heights[index + 1], heights[index]))
+        stops[index + 1].before.append((stops[index], heights[index], heights[index + 1]))
     return way
 
 
@@ -221,24 +221,24 @@ def _sort(columns):
     fewest = _crossings(columns)
     for _ in range(_SWEEPS):
         for items in columns[1:]:
-            items.sort(key=lambda item: _mean([other.place + y for other, y, _ in item.before], item.place))
+            items.sort(key=lambda item: _mean([other.index + y for other, y, _ in item.before], item.index))
             _number(items)
         for items in reversed(columns[:-1]):
-            items.sort(key=lambda item: _mean([other.place + y for other, y, _ in item.after], item.place))
+            items.sort(key=lambda item: _mean([other.index + y for other, y, _ in item.after], item.index))
             _number(items)
         crossings = _crossings(columns)
         if crossings >= fewest:
             break
         fewest = crossings
         best = [list(items) for items in columns]
-    for place, items in enumerate(best):
-        columns[place][:] = items
+    for number, items in enumerate(best):
+        columns[number][:] = items
         _number(items)
 
 
 def _number(items):
-    for place, item in enumerate(items):
-        item.place = place
+    for index, item in enumerate(items):
+        item.index = index
 
 
 def _crossings(columns):
@@ -246,7 +246,7 @@ def _crossings(columns):
     count = 0
     for items in columns:
         ends = sorted(
-            (item.place + here, other.place + there) for item in items for other, there, here in item.after
+            (item.index + here, other.index + there) for item in items for other, there, here in item.after
         )
         count += _inversions([there for _, there in ends])
     return count
@@ -257,9 +257,9 @@ def _inversions(values):
     seen = []
     inversions = 0
     for value in values:
-        place = bisect.bisect_right(seen, value)
-        inversions += len(seen) - place
-        seen.insert(place, value)  # to move the rest costs less than a tree, up to some 10,000
+        index = bisect.bisect_right(seen, value)
+        inversions += len(seen) - index
+        seen.insert(index, value)  # to move the rest costs less than a tree, up to some 10,000
     return inversions
 
 
@@ -310,14 +310,14 @@ def _stack(items, ys):
 def _detours(picture, boxes, ways, port_of):
     """The Detours of the edges that pass no Items; they are put into `ways`."""
     detours = []
-    for place, (source, out, target, into, _) in enumerate(picture.edges):
-        if ways[place] is None:
+    for number, (source, out, target, into, _) in enumerate(picture.edges):
+        if ways[number] is None:
             ends = []
             for item, port in ((boxes[source], out), (boxes[target], into)):
                 _, y, side = port_of(item, port)
                 ends.append((item, y, side))
-            ways[place] = Detour(ends)
-            detours.append(ways[place])
+            ways[number] = Detour(ends)
+            detours.append(ways[number])
     return detours
 
 
@@ -370,9 +370,9 @@ def _put_rows(rows, detours):
     """Set y of all Items, rows below each other, and of lanes between them; returns the height of it all."""
     lanes = [[] for _ in rows]
     for number, detour in enumerate(detours):
-        for place, row in enumerate(detour.lanes):
-            length = abs(detour.corners[2 * place] - detour.corners[2 * place + 2])
-            lanes[row].append((length, number, 2 * place + 1))
+        for index, row in enumerate(detour.lanes):
+            length = abs(detour.corners[2 * index] - detour.corners[2 * index + 2])
+            lanes[row].append((length, number, 2 * index + 1))
     y = MARGIN
     for row, lanes_below in zip(rows, lanes):
         bottom = y

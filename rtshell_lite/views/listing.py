@@ -188,7 +188,7 @@ def row(node, figures, paint, name=None):
     return cells
 
 
-def place(node):
+def path_fields(node):
     """The path and kind of a node for its JSON object;
     `alias` is the first path of a directory bound by several names.
     """
@@ -200,7 +200,7 @@ def place(node):
 
 def as_dict(node, figures):
     """The JSON object for a node."""
-    fields = dict(place(node), name=node.name)
+    fields = dict(path_fields(node), name=node.name)
     if node.error is not None:
         fields["error"] = str(node.error)
     if figures is not None:

@@ -21,9 +21,9 @@ def keep(picture, numbers):
     for number in range(len(picture.boxes)):
         if number in numbers:
             kept.append(number)
-    places = {number: place for place, number in enumerate(kept)}
-    boxes = [_copy(picture.boxes[number], places) for number in kept]
-    return _connected(picture, boxes, places)
+    new_numbers = {number: new_number for new_number, number in enumerate(kept)}
+    boxes = [_copy(picture.boxes[number], new_numbers) for number in kept]
+    return _connected(picture, boxes, new_numbers)
 
 
 def below(picture, paths):
@@ -44,11 +44,11 @@ def _is_below(where, server, names):
 
 def at(picture, paths):
     """Numbers of the boxes of the components at these Paths."""
-    places = {(path.server, path.names) for path in paths}
+    objects = {(path.server, path.names) for path in paths}
     return {
         number
         for number, box in enumerate(picture.boxes)
-        if box.path and (box.path.server, box.path.names) in places
+        if box.path and (box.path.server, box.path.names) in objects
     }
 
 
@@ -92,26 +92,26 @@ def fold(picture, kind, opened=(), alone=()):
     """
     groups = _groups(picture, kind, alone)
     boxes = []
-    places = {}
+    new_numbers = {}
     singles = {}
     folded = set()
     for number in range(len(picture.boxes)):
-        if number in places:
+        if number in new_numbers:
             continue
         name = group_name(picture, number, kind)
         members = groups.get(name, ())
         if len(members) < 2 or name in opened or number in alone:
-            places[number] = singles[number] = len(boxes)
+            new_numbers[number] = singles[number] = len(boxes)
             boxes.append(picture.boxes[number])
             continue
         for member in members:
-            places[member] = len(boxes)
+            new_numbers[member] = len(boxes)
         folded.add(len(boxes))
         boxes.append(_folded(name, [picture.boxes[member] for member in members]))
-    for place, box in enumerate(boxes):
-        if place not in folded:
-            boxes[place] = _copy(box, singles)
-    return _connected(picture, boxes, places, folded)
+    for number, box in enumerate(boxes):
+        if number not in folded:
+            boxes[number] = _copy(box, singles)
+    return _connected(picture, boxes, new_numbers, folded)
 
 
 def choose_kind(picture, most=MOST):
@@ -188,8 +188,8 @@ def _folded(name, boxes):
 # ---- a new picture out of an old one ----
 
 
-def _copy(box, places):
-    """A box without its ports, whose members and composite are where `places` says."""
+def _copy(box, new_numbers):
+    """A box without its ports, whose members and composite get these `new_numbers`."""
     copy = graph.Box(box.name, box.state, box.missing)
     copy.path = box.path
     copy.process = box.process
@@ -197,21 +197,21 @@ def _copy(box, places):
     copy.snapshot = box.snapshot
     copy.counts = box.counts
     copy.labels = dict(box.labels)
-    copy.members = [places[member] for member in box.members if member in places]
-    copy.composite = places.get(box.composite)
+    copy.members = [new_numbers[member] for member in box.members if member in new_numbers]
+    copy.composite = new_numbers.get(box.composite)
     return copy
 
 
-def _connected(picture, boxes, places, folded=()):
-    """The Graph of boxes that hold those of a picture, by `places`; of those in `folded`, ports are not
+def _connected(picture, boxes, new_numbers, folded=()):
+    """The Graph of boxes that hold those of a picture, by `new_numbers`; of those in `folded`, ports are not
     shown.
     """
     edges = []
     parallel = collections.OrderedDict()
     for source, out, target, into, service in picture.edges:
-        if source not in places or target not in places:
+        if source not in new_numbers or target not in new_numbers:
             continue
-        start, end = places[source], places[target]
+        start, end = new_numbers[source], new_numbers[target]
         if start not in folded and end not in folded:
             edges.append((start, out, end, into, service))
         elif start != end:

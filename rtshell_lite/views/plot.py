@@ -45,14 +45,14 @@ class Field:
         self._take(value, "", 0, numbers)
         return numbers[:MOST]
 
-    def _take(self, value, name, place, numbers):
-        if place == len(self._steps):
+    def _take(self, value, name, index, numbers):
+        if index == len(self._steps):
             _leaves(value, name, numbers, not self._steps)
             return
-        member, start, end = self._steps[place]
+        member, start, end = self._steps[index]
         if member is not None:
             inner = self._member(value, member)
-            self._take(inner, f"{name}.{member}" if name else member, place + 1, numbers)
+            self._take(inner, f"{name}.{member}" if name else member, index + 1, numbers)
             return
         first = int(start)
         last = first + 1
@@ -61,7 +61,7 @@ class Field:
         if not isinstance(value, (list, tuple, bytes)):
             raise errors.NoSuch(self.path, "field", f"[{first}] (it is not a sequence)")
         for number, element in enumerate(value[first:last], first):
-            self._take(element, f"{name}[{number}]", place + 1, numbers)
+            self._take(element, f"{name}[{number}]", index + 1, numbers)
 
     def _member(self, value, member):
         members = value if isinstance(value, dict) else getattr(value, "__dict__", {})
@@ -311,8 +311,8 @@ def ticks(low, high, most):
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough * 0.999)
     digits = max(0, -int(math.floor(math.log10(step) + 1e-9)))
     ticks = []
-    for place in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
-        value = place * step
+    for multiple in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
+        value = multiple * step
         words = "%.10g" % value if abs(value) >= 1e15 or digits > 5 else "%.*f" % (digits, value + 0.0)
         ticks.append((value, words))
     return ticks

@@ -69,8 +69,8 @@ def lines(picture):
     yield "</svg>"
 
 
-def _colours(place):
-    words = [f".s{number} {{ stroke: {style[place]}; }}" for number, style in enumerate(STYLES)]
+def _colours(index):
+    words = [f".s{number} {{ stroke: {style[index]}; }}" for number, style in enumerate(STYLES)]
     return "\n".join(words) + "\n"
 
 
@@ -115,11 +115,11 @@ def _heading(panel, y):
 
 def _path(data, number, stretch=1.0):
     """A line in the style of a series; there are as many wide styles. `stretch` makes its dashes longer."""
-    turn, place = divmod(number, len(STYLES))
-    names = f"series s{place}" + " wide" * (turn % 2)
+    turn, index = divmod(number, len(STYLES))
+    names = f"series s{index}" + " wide" * (turn % 2)
     more = ""
-    if STYLES[place][2]:
-        lengths = [f"{float(length) * stretch:.4g}" for length in STYLES[place][2].split()]
+    if STYLES[index][2]:
+        lengths = [f"{float(length) * stretch:.4g}" for length in STYLES[index][2].split()]
         more = ' stroke-dasharray="%s"' % " ".join(lengths)
     return f'<path class="{names}" d="{data}"{more}/>'
 

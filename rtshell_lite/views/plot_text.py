@@ -223,9 +223,9 @@ def _time_axis(picture, width, margin):
     axis = list(" " * margin + "+" + "-" * (right + 1))
     below = ""
     for moment, words in marks:
-        place = place_of(moment)
-        axis[place] = "+"
-        begin = max(0, place - len(words) // 2)
+        column = place_of(moment)
+        axis[column] = "+"
+        begin = max(0, column - len(words) // 2)
         end = begin + len(words) + 1 + len(unit)
         room = len(below)
         if below:
@@ -233,9 +233,9 @@ def _time_axis(picture, width, margin):
         if begin >= room and end <= width:
             below = padded(below, begin) + words
     for moment, _ in picture.marks:
-        place = place_of(moment)
-        if left <= place < len(axis):
-            axis[place] = "!"
+        column = place_of(moment)
+        if left <= column < len(axis):
+            axis[column] = "!"
     yield "".join(axis)
     yield f"{below} {unit}"
     yield f"0 is {plot.date(picture.first)}"

@@ -107,13 +107,13 @@ class _Hoist:
                 for node in condition.children():
                     if node.local == "WaitTime":
                         _milliseconds(node, self.fail)
-                self._place(section).content.append(
+                self._system_section(section).content.append(
                     _node(
                         section, "targets", dict(section.attributes), condition.children() + others + [target]
                     )
                 )
 
-    def _place(self, section):
+    def _system_section(self, section):
         """The section of the whole system with the name of a component's section."""
         if section.local not in self.sections:
             self.sections[section.local] = _node(section, section.local)

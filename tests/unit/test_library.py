@@ -183,7 +183,7 @@ class Hostile(unittest.TestCase):
             os.mkdir(os.path.join(made.path, "e.idl"))
             made.write("b0.idl", "\0module M { interface Service {" * 1000)
             self.assertTrue(datatypes.Types().interface("IDL:M/Service:1.0"))
-            texts = library.Library(library.places()).texts()
+            texts = library.Library(library.roots()).texts()
             self.assertEqual(
                 sorted(os.path.basename(path) for path, text in texts.items() if text),
                 ["b0.idl", "service.idl"],
@@ -212,11 +212,11 @@ class Hostile(unittest.TestCase):
             before = library.MOST_FILES, library.LARGEST, library.CANDIDATES
             try:
                 library.MOST_FILES = 20
-                self.assertLessEqual(len(library.Library(library.places()).texts()), 22)
+                self.assertLessEqual(len(library.Library(library.roots()).texts()), 22)
                 self.assertIn("too many files", notes.listener.of(notes.NOTE)[-1])
                 library.MOST_FILES = before[0]
                 library.LARGEST = 1000
-                self.assertLess(len(library.Library(library.places()).texts()), 20)
+                self.assertLess(len(library.Library(library.roots()).texts()), 20)
                 self.assertIn("too many IDL files", notes.listener.of(notes.NOTE)[-1])
             finally:
                 library.MOST_FILES, library.LARGEST, library.CANDIDATES = before

@@ -31,9 +31,9 @@ def version():
 def from_url(where, url):
     """The reference of a corbaloc; contacts nobody. Raises BadPath."""
     corbaloc, protocol, rest = (url.split(":", 2) + ["", ""])[:3]
-    place, slash, key = rest.partition("/")
-    version, _, place = place.rpartition("@")
-    host, port = split_address(place)
+    address, slash, key = rest.partition("/")
+    version, _, address = address.rpartition("@")
+    host, port = split_address(address)
     if (
         corbaloc != "corbaloc"
         or protocol not in ("", "iiop")

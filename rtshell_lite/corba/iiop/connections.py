@@ -138,8 +138,8 @@ class Connection:
                 self._error = self._error or look_up.found
                 continue
             self._via = host, port
-            for *way, place in look_up.found:
-                yield (*way, place[:1] + (port,) + place[2:])
+            for *way, address in look_up.found:
+                yield (*way, address[:1] + (port,) + address[2:])
 
     def go_on(self):
         """Take the next step towards a connection.
@@ -162,16 +162,16 @@ class Connection:
             self._failed(code)
         raise self._error or OSError(0, "no address of IIOP in its reference")
 
-    def _begun_with(self, family, kind, protocol, _, place):
+    def _begun_with(self, family, kind, protocol, _, address):
         """Begin to connect with a place: its error number."""
         try:
             self._socket = loop.world().stream(family, protocol)
             real.send_at_once(self._socket)
             self._socket.setblocking(False)
-            return self._socket.connect_ex(place)
+            return self._socket.connect_ex(address)
         except OSError as e:
             if e.errno in (errno.EMFILE, errno.ENFILE) and forget(self._memory, *list(self._memory.idle)):
-                return self._begun_with(family, kind, protocol, None, place)
+                return self._begun_with(family, kind, protocol, None, address)
             return e.errno
 
     def _failed(self, code):

@@ -16,7 +16,7 @@ VOID = 1  # the TCKind of what has no type
 
 def export(parser, interface, depth):
     """Read one operation, or one line of attributes, without its semicolon."""
-    start = parser.place()
+    start = parser.state()
     is_attribute = parser.is_word("attribute", "readonly")
     try:
         if is_attribute:

@@ -124,9 +124,9 @@ class Operation:
         parts += [(parameter.name, parameter.type) for parameter in self.parameters]
         parts += [(descriptors.words(descriptor), descriptor) for descriptor in self.raises]
         for where, descriptor in parts:
-            for place, inner in descriptors.walk(descriptor, where):
+            for part, inner in descriptors.walk(descriptor, where):
                 if kind(inner) == VALUE:
-                    return f"{place} is {spelled(inner)}, which cannot be sent"
+                    return f"{part} is {spelled(inner)}, which cannot be sent"
         return ""
 
     def schema(self):

@@ -153,7 +153,7 @@ def _last(type_id):
     return re.split(r"[/.:]", type_id)[-1]
 
 
-def places():
+def roots():
     """Where IDL files are looked for that nobody names: the directories, and the files, of RTSHELL_IDL, of
     OpenRTM-aist; the working directory is not among them.
     """
@@ -170,21 +170,21 @@ def _paths(roots):
     seen = set()
     todo = [(root, 0) for root in reversed(roots)]
     while todo:
-        place, depth = todo.pop()
-        if os.path.isfile(place):
-            yield place
+        root, depth = todo.pop()
+        if os.path.isfile(root):
+            yield root
             continue
         inner = []
-        for entry in _listed(place, seen):
+        for entry in _listed(root, seen):
             entries += 1
             if entries > MOST_ENTRIES or count > MOST_FILES:
-                notes.note(f"{printable(place)} and what comes after it are not searched: too many files")
+                notes.note(f"{printable(root)} and what comes after it are not searched: too many files")
                 return
-            path = os.path.join(place, entry.name)
+            path = os.path.join(root, entry.name)
             if entry.name.endswith(".idl"):
                 count += 1
                 yield path
-            elif place and depth < DEEPEST and entry.name[0] != "." and _is_directory(entry):
+            elif root and depth < DEEPEST and entry.name[0] != "." and _is_directory(entry):
                 inner.append((path, depth + 1))
         todo += reversed(inner)
 

@@ -98,12 +98,12 @@ class Parser:
             self._go()
         return token
 
-    def place(self):
+    def state(self):
         """Where the parser is, for go_back."""
         return self.at, list(self.prefixes), self.scope.prefix
 
-    def go_back(self, place):
-        self.at, self.prefixes, self.scope.prefix = place
+    def go_back(self, state):
+        self.at, self.prefixes, self.scope.prefix = state
         self._go()
 
     def fault(self, why, token=None):

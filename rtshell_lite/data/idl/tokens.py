@@ -358,11 +358,11 @@ class _File:
 
     def _included(self, name, is_beside):
         """The path of a file to include: beside this one, or in the directories given; or None."""
-        places = list(self.source.include)
+        directories = list(self.source.include)
         if is_beside:
-            places.insert(0, os.path.dirname(self.path))
-        for place in places:
-            path = os.path.join(place, name)
+            directories.insert(0, os.path.dirname(self.path))
+        for directory in directories:
+            path = os.path.join(directory, name)
             if os.path.isfile(path):
                 return path
         return None

@@ -206,11 +206,11 @@ def _foreign_element(doc, node, table, depth):
     parts = dict(node.value) if isinstance(node.value, dict) else {}
     tag = parts.pop("element", None)
     if tag:
-        place = tag
+        start = tag
         tag = _text(doc, tag)
     else:
         tag = ""
-        place = node
+        start = node
     attributes = _attributes(doc, parts.pop("attributes")) if "attributes" in parts else {}
     content = parts.pop("content", None)
     if (
@@ -220,10 +220,10 @@ def _foreign_element(doc, node, table, depth):
         or content
         and not isinstance(content.value, list)
     ):
-        doc.fail(place.pos, "an element is needed here: its name, attributes and content")
+        doc.fail(start.pos, "an element is needed here: its name, attributes and content")
     field = table and table.children.get(names.raw(tag))
     if field and field.kind != fields.TEXT:
-        doc.fail(place.pos, f"{values.shown(tag)} is not a foreign element")
+        doc.fail(start.pos, f"{values.shown(tag)} is not a foreign element")
     items = []
     if content:
         for item in content.value:
