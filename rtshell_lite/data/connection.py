@@ -25,7 +25,7 @@ SILENT = "may stay, because the component does not answer; when it does again"
 REFUSED = "may stay, because the component refused to remove it; to try again"
 
 
-class Connection:
+class PortConnection:
     """A connector of a port. `failure` is the errors.Error that says what is wrong with it now, or None."""
 
     kind = side = dataflow = None  # the port's type; the name of its object in properties; push or pull

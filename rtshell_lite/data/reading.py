@@ -11,7 +11,7 @@ import sys
 from rtshell_lite import errors
 from rtshell_lite.corba import liveness, orb, servants, session
 from rtshell_lite.data import clocks, seam, writing
-from rtshell_lite.data.connection import BUSY, SILENT, Connection, Ended
+from rtshell_lite.data.connection import BUSY, SILENT, PortConnection, Ended
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 
@@ -40,7 +40,7 @@ AWAY = "it was not connected meanwhile"  # why values may be missing
 OVERFLOWN = "they exceeded the port's buffer"
 
 
-class Reader(Connection):
+class Reader(PortConnection):
     """A connector from a DataOutPort that calls deliver(Message), which returns at once, for each value.
 
     dataflow: "push" (the component calls us), "pull" (we fetch, for components that cannot reach us), None

@@ -16,7 +16,7 @@ import math
 
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
-from rtshell_lite.data.connection import Connection
+from rtshell_lite.data.connection import PortConnection
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, connectors, ports, tree
 from rtshell_lite.text import shell_word
@@ -227,7 +227,7 @@ def _hertz(rate):
 # ---- sending ----
 
 
-class Writer(Connection):
+class Writer(PortConnection):
     """A connector to a DataInPort; `put` sends it values. `little` is the byte order that it expects.
 
     `anyway`: even if the component will not read the values. `several`: more than one value is coming. Then,

@@ -83,7 +83,7 @@ class Incidents:
         """Copy a slice of what is kept, or the rest."""
         if incident.writer is None:
             incident.name = self._free_name(incident)
-            incident.writer = writer.Writer(incident.name, ring.channels, max(incident.first, self._begun))
+            incident.writer = writer.LogWriter(incident.name, ring.channels, max(incident.first, self._begun))
             incident.writer.describe("trigger", _described(incident))
             for attachment in ring.attached.values():
                 incident.writer.attach(*attachment)

@@ -46,7 +46,7 @@ def load(name, modules=()):
         if start[:1] == b"\x80" or start[:2] in SIMPKL:
             from rtshell_lite.datalog import simpkl
 
-            return simpkl.Log(file, where, size, modules)
+            return simpkl.PickledLog(file, where, size, modules)
         if is_text(start):
             raise errors.Failed(
                 where, "a log of text; it is for people, and can be neither played nor inspected"

@@ -30,7 +30,7 @@ def _complete(name, log):
     if log.damaged:
         raise errors.Failed(log.where, "damaged in its middle; without --in-place a sound copy is written")
     if not log.closed:
-        writer.Writer(name, None, 0, append=True).close()
+        writer.LogWriter(name, None, 0, append=True).close()
 
 
 def _copy(log, out):
@@ -40,7 +40,7 @@ def _copy(log, out):
             for octets in log.sound_records():
                 file.write(octets)
             file.flush()
-            writer.Writer(temporary.path, None, 0, append=True).close()
+            writer.LogWriter(temporary.path, None, 0, append=True).close()
             temporary.take_place()
     finally:
         temporary.remove()

@@ -48,7 +48,7 @@ class Record:
 
 _NO_FIELDS = {}  # type: dict  # never changed; one for each of millions of objects would take much memory
 _MARK = object()
-# What protocols 0 and 1 write for an object, by its names in Python 2; see Machine.reduce.
+# What protocols 0 and 1 write for an object, by its names in Python 2; see PickleMachine.reduce.
 _RECONSTRUCTOR = Class("copy_reg", "_reconstructor")
 _OBJECT = Class("__builtin__", "object")
 _HELPERS = {
@@ -59,7 +59,7 @@ _HELPERS = {
 }
 
 
-class Machine:
+class PickleMachine:
     """Reads successive pickles from a file of `size` octets;
     `is_known(module, name)` says which classes may appear.
     """
@@ -326,8 +326,8 @@ _OPERATIONS = {
     b"N": lambda m: m.push(None),
     b"\x88": lambda m: m.push(True),
     b"\x89": lambda m: m.push(False),
-    b"I": Machine.integer_line,
-    b"L": Machine.integer_line,
+    b"I": PickleMachine.integer_line,
+    b"L": PickleMachine.integer_line,
     b"J": lambda m: m.push(m._number("<i")),
     b"K": lambda m: m.push(m._number("<B")),
     b"M": lambda m: m.push(m._number("<H")),
@@ -335,8 +335,8 @@ _OPERATIONS = {
     b"\x8b": lambda m: m.long("<I"),
     b"F": lambda m: m.push(float(m._line())),
     b"G": lambda m: m.push(m._number(">d")),
-    b"S": Machine.string_line,
-    b"V": Machine.unicode_line,
+    b"S": PickleMachine.string_line,
+    b"V": PickleMachine.unicode_line,
     b"U": lambda m: m.old_string("<B"),
     b"T": lambda m: m.old_string("<i"),
     b"X": lambda m: m.text("<I"),
@@ -367,12 +367,12 @@ _OPERATIONS = {
     b"h": _recall(lambda m: m._number("<B")),
     b"j": _recall(lambda m: m._number("<I")),
     b"c": lambda m: m.find(m._line(), m._line()),
-    b"\x93": Machine.find_on_stack,
+    b"\x93": PickleMachine.find_on_stack,
     b"i": _instance,
     b"o": _old_instance,
     b"\x81": _new_instance,
-    b"R": Machine.reduce,
-    b"b": Machine.build,
+    b"R": PickleMachine.reduce,
+    b"b": PickleMachine.build,
 }
 
 # Those that make an object larger than a number.

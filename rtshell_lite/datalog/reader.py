@@ -97,7 +97,7 @@ class Log:
                     yield entry
 
     def octets(self, start=0):
-        """The messages from number `start` on as a Writer takes them: (channel, received, little, data)."""
+        """The messages from number `start` on, for a LogWriter: (channel, received, little, data)."""
         self._parses = False
         try:
             for entry in self.entries(start):

@@ -58,19 +58,19 @@ class File:
         self.append = append
 
     def writer(self, channels, begun):
-        """The Writer for these Channels, recorded since `begun` (ns since the epoch).
+        """The LogWriter for these Channels, recorded since `begun` (ns since the epoch).
         Raises OSError, errors.Failed.
         """
         if self.form == "text":
             from rtshell_lite.datalog import textlog
 
-            return textlog.Writer(self.name, channels.found, channels.types, self.append)
+            return textlog.TextWriter(self.name, channels.found, channels.types, self.append)
         if self.form == "simpkl":
             notes.note("simpkl files are only read; recording as MCAP")
         if self.limits is None:
             from rtshell_lite.datalog import writer
 
-            return writer.Writer(self.name, channels.found, begun, self.append)
+            return writer.LogWriter(self.name, channels.found, begun, self.append)
         from rtshell_lite.datalog import ring
 
         if self.is_in_memory:

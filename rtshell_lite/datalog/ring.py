@@ -32,7 +32,7 @@ def ring_limits(span, size, leave):
 
 
 class Parts:
-    """Writes one log after another, with the methods of writer.Writer: NAME-000001.mcap …, or NAME where
+    """Writes one log after another, with the methods of writer.LogWriter: NAME-000001.mcap …, or NAME where
     there is but one.
     """
 
@@ -80,7 +80,7 @@ class Parts:
         if not self._is_single:
             name = self._part_name(self._number)
         self._due = loop.now() + (self.limits.seconds or 0)
-        self._writer = writer.Writer(name, self.channels, begun, append)
+        self._writer = writer.LogWriter(name, self.channels, begun, append)
 
     def add(self, channel):
         self.channels.append(channel)
@@ -200,7 +200,7 @@ class Parts:
 
 
 class Memory:
-    """A ring in memory, with the methods of a Writer: nothing is written until a trigger comes."""
+    """A ring in memory, with the methods of a LogWriter: nothing is written until a trigger comes."""
 
     protected = None
 

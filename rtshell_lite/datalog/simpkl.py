@@ -16,7 +16,7 @@ _STANDARD = {"RTC", "Img"}  # modules of the standard data types
 _HOMES = {"RTC", "Img", "rtctree", "OpenRTM_aist"}  # the packages that have them: rtctree.rtc.RTC, say
 
 
-class Log:
+class PickledLog:
     """An open log, to be used in a `with` statement like reader.Log.
 
     Its entries have a `value` instead of data: structs as dicts, enumerators by name, octets of Python 2 as
@@ -118,7 +118,7 @@ class Log:
             yield "recording has not ended regularly, or goes on"
 
     def _machine(self, position):
-        machine = pickles.Machine(self._file, self.size, self._may_appear)
+        machine = pickles.PickleMachine(self._file, self.size, self._may_appear)
         machine.position = position
         return machine
 

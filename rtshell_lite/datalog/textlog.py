@@ -12,8 +12,8 @@ from rtshell_lite.datalog import gaps, logfile, writer
 from rtshell_lite.text import printable
 
 
-class Writer:
-    """Writes a log of text, instead of a writer.Writer.
+class TextWriter:
+    """Writes a log of text, instead of a writer.LogWriter.
     `types` are the datatypes.Type of the channels, or None.
     """
 
@@ -81,7 +81,7 @@ class Writer:
             files.sync(self._file)
 
     def close(self):
-        """Flush to the disk, and close. Raises errors.Failed as writer.Writer does."""
+        """Flush to the disk, and close. Raises errors.Failed as writer.LogWriter does."""
         try:
             self._file.flush()
             self.sync()

@@ -17,8 +17,8 @@ STAMPS = {True: struct.Struct("<II"), False: struct.Struct(">II")}  # by byte or
 
 
 class Stream:
-    """What a Writer knows of a channel: its `id` in the file, how many messages it has (`count`), and whether
-    they begin with a timestamp.
+    """What a LogWriter knows of a channel: its `id` in the file, how many messages it has (`count`), and
+    whether they begin with a timestamp.
     """
 
     def __init__(self, channel, number):
@@ -36,7 +36,7 @@ class Stream:
         return seconds * 10**9 + nanoseconds or moment
 
 
-class Writer:
+class LogWriter:
     """A log file that is being written. All its methods raise OSError, and leave a file of whole records."""
 
     def __init__(self, name, channels, begun, append=False):

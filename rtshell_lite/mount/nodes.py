@@ -156,7 +156,7 @@ def meant(text, where):
 # ---- nodes ----
 
 
-class Node:
+class FileNode:
     """A file, a link or a directory. `id` is the kernel's number of it, 0 while it knows none;
     `lookups` how often it asked.
     """
@@ -198,7 +198,7 @@ class Node:
         return posixpath.join(self.mount.directory, self.path)
 
 
-class File(Node):
+class File(FileNode):
     """A regular file of text."""
 
     __slots__ = ()
@@ -275,7 +275,7 @@ class WritableItem(Item):
         await self.above.store(self.name, meant(text, self.where))
 
 
-class Link(Node):
+class Link(FileNode):
     """A symbolic link; `target` is the text that it leads to."""
 
     __slots__ = ("_target",)
@@ -301,7 +301,7 @@ class Link(Node):
         raise errors.Refused(self.where, "cannot be removed")
 
 
-class Directory(Node):
+class Directory(FileNode):
     """A directory. `known` are its nodes that the kernel knows, by name."""
 
     __slots__ = ("mount", "known", "__weakref__")

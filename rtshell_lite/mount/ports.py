@@ -125,7 +125,7 @@ class ConnectionsDirectory(Directory):
         return dict(zip(unique(end.connector.name for end in ends), ends))
 
     def entries(self, snapshot):
-        return {name: (Connection,) for name in self.named(snapshot)}
+        return {name: (ConnectionLink,) for name in self.named(snapshot)}
 
     async def make_link(self, name, target):
         where = posixpath.join(self.where, name)
@@ -136,7 +136,7 @@ class ConnectionsDirectory(Directory):
                 f"{line(target).strip()} is not a port of this mount; a link's target starts at the link",
             )
         await connectors.connect([await self.above.fresh(), await other.fresh()], meant(name, where))
-        return self.child(name, (Connection,))
+        return self.child(name, (ConnectionLink,))
 
     async def disconnect(self, name):
         """Remove the connection of this file name."""
@@ -147,7 +147,7 @@ class ConnectionsDirectory(Directory):
         await connectors.disconnect(port, end.connector)
 
 
-class Connection(Link):
+class ConnectionLink(Link):
     """A link to the port at another end of a connection."""
 
     __slots__ = ()

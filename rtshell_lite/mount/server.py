@@ -10,7 +10,7 @@ import stat
 
 from rtshell_lite import errors
 from rtshell_lite.mount import kernel, wire
-from rtshell_lite.mount.nodes import Absent, Directory, Link, Node
+from rtshell_lite.mount.nodes import Absent, Directory, Link, FileNode
 from rtshell_lite.mount.openfile import Listing, OpenFile
 from rtshell_lite.net import loop
 from rtshell_lite.text import printable
@@ -228,12 +228,12 @@ class Server:
                 self._forget(self.nodes[number], count)
 
     def getattr(self, request):
-        node = self._node(request, Node)
+        node = self._node(request, FileNode)
         return wire.attributes_reply(self._attributes(node), node.seconds)
 
     def setattr(self, request):
         if wire.changed(request.body) & ~wire.HARMLESS:
-            raise errors.Refused(self._node(request, Node).where, "modes and owners cannot be changed")
+            raise errors.Refused(self._node(request, FileNode).where, "modes and owners cannot be changed")
         return self.getattr(request)
 
     async def readlink(self, request):
@@ -264,7 +264,7 @@ class Server:
         self._change(request, node, remove)
 
     def open(self, request):
-        node = self._node(request, Node)
+        node = self._node(request, FileNode)
         flags = wire.opening(request.body)
         is_read = flags & os.O_ACCMODE == os.O_RDONLY
         if not is_read and not node.mode & stat.S_IWUSR:  # root is not stopped by modes
@@ -335,7 +335,7 @@ class Server:
 
     def refuse(self, request):
         where = posixpath.join(
-            self._node(request, Node).where, printable(wire.named(request.opcode, request.body))
+            self._node(request, FileNode).where, printable(wire.named(request.opcode, request.body))
         )
         raise errors.Refused(where, "nothing can be made, moved or removed here but connections and zombies")
 

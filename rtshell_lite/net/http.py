@@ -48,7 +48,7 @@ _HEADER = re.compile(rb"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([ \t!-~\x80-\xff]*)
 Request = collections.namedtuple("Request", "method target headers here")
 
 # What it gets: status; type of the content; the content, octets, or for a stream that lasts a coroutine
-# function that is called with the Connection; further headers, (name, value).
+# function that is called with the HttpConnection; further headers, (name, value).
 Answer = collections.namedtuple("Answer", "status kind content headers")
 
 
@@ -73,7 +73,7 @@ async def serve(listener, answer):
     """Accept connections at a listening socket for ever, and answer each as the function answer(Request)
     says, which returns an Answer. No failure of a connection ends it.
     """
-    open_ones = []  # Connections, the oldest first
+    open_ones = []  # HttpConnections, the oldest first
     async with loop.Group() as group:
         while True:
             await loop.ready(listener.fileno(), loop.READ)
@@ -87,13 +87,13 @@ async def serve(listener, answer):
                 continue
             if len(open_ones) >= MOST:
                 _make_room(open_ones)
-            connection = Connection(accepted, address)
+            connection = HttpConnection(accepted, address)
             open_ones.append(connection)
             connection.task = group.start(_attend(connection, answer, open_ones))
 
 
 def _make_room(open_ones):
-    """Close the oldest Connection that gets nothing, or of the address that has most; False if there
+    """Close the oldest HttpConnection that gets nothing, or of the address that has most; False if there
     is none.
     """
     if not open_ones:
@@ -106,7 +106,7 @@ def _make_room(open_ones):
 
 
 async def _attend(connection, answer, open_ones):
-    """Answer one Connection, whatever it does, and close it."""
+    """Answer one HttpConnection, whatever it does, and close it."""
     try:
         connection.socket.setblocking(False)
         await _answer(connection, answer)
@@ -147,7 +147,7 @@ async def _answer(connection, answer):
     await loop.within(FAREWELL, connection.read_all(), Gone())
 
 
-class Connection:
+class HttpConnection:
     """One client, from an address.
 
     is_welcome  whether it gets what it has asked for

@@ -62,7 +62,7 @@ class Unplaced(steps.Step):
         )
 
 
-class Connection(steps.Step):
+class ConnectionStep(steps.Step):
     """What connecting and disconnecting share: a connector of the profile, and its `ends` as (Placement, port
     name).
 
@@ -186,7 +186,7 @@ def _joined(connector):
 # ---- connecting ----
 
 
-class Connect(Connection):
+class Connect(ConnectionStep):
     """Make a connection with the id, name and properties that the profile gives it."""
 
     kind = "connect"
@@ -317,7 +317,7 @@ def _agree(name, expected, actual):
 # ---- disconnecting ----
 
 
-class Disconnect(Connection):
+class Disconnect(ConnectionStep):
     """Remove a connection from all of its ends that live."""
 
     kind = "disconnect"

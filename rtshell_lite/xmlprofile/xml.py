@@ -33,7 +33,7 @@ _DECLARATION = re.compile(rb"""\s*<\?xml[^>]{0,200}?\sencoding\s*=\s*["']([A-Za-
 # ---- reading: text to nodes ----
 
 
-class Node:
+class XmlNode:
     """An XML element; names are as in expat. `before` and `inside` are comments, as in fields.Element."""
 
     __slots__ = "tag", "attributes", "content", "line", "column", "before", "inside"
@@ -103,7 +103,7 @@ class _Reader:
         self.one_more()
         if len(self.open) >= DEEPEST:
             self.fail("more than %d levels of elements" % DEEPEST)
-        node = Node(
+        node = XmlNode(
             tag, attributes or _NO_ATTRIBUTES, self.parser.CurrentLineNumber,
             self.parser.CurrentColumnNumber + 1,
         )

@@ -124,7 +124,7 @@ class Case(unittest.TestCase):
         channels = [
             records.Channel(type.name, type.id, type.to_bytes(), ("/h/A.rtc:" + type.name,)) for type in types
         ]
-        out = writer.Writer(self.name, channels, START)
+        out = writer.LogWriter(self.name, channels, START)
         written = []
         for turn in range(EACH):
             batch = []

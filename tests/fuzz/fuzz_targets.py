@@ -234,7 +234,7 @@ class Logs(Target):
             records.Channel("b", "IDL:Own:1.0", b"", ("/x:b", "/y")),
             records.Channel("c", texts.id, texts.to_bytes(), ()),
         ]
-        out = writer.Writer(self.file, channels, 10 ** 18)
+        out = writer.LogWriter(self.file, channels, 10 ** 18)
         data = [long.encode(values.Expression("1", None, long).value(1.5)), b"own", texts.encode(
             values.Expression('["a", "\\u65e5"]', None, texts).value(1.5))]
         out.write([(i % 3, 10 ** 18 + i * 10 ** 6, True, data[i % 3]) for i in range(count)])
@@ -308,7 +308,7 @@ class Logs(Target):
             self._again(log, entries)
 
     def _again(self, log, entries):
-        out = writer.Writer(self.file, log.channels, log.started)
+        out = writer.LogWriter(self.file, log.channels, log.started)
         out.write([(entry.channel, entry.received, entry.little, entry.data) for entry in entries])
         out.close()
         with logfile.load(self.file) as again:

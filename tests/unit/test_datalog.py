@@ -42,7 +42,7 @@ class Case(unittest.TestCase):
         self.name = os.path.join(self.directory.name, "log")
 
     def write(self, written, close=True, append=False, channels=CHANNELS):
-        out = writer.Writer(self.name, channels, START, append)
+        out = writer.LogWriter(self.name, channels, START, append)
         out.write(written)
         if close:
             out.close()
@@ -127,26 +127,26 @@ class Files(Case):
             with self.assertRaisesRegex(errors.Failed, "not a log that"):
                 self.write([], append=True)
             with self.assertRaisesRegex(errors.Failed, "not a log of text"):
-                textlog.Writer(self.name, CHANNELS, [None, None], True)
+                textlog.TextWriter(self.name, CHANNELS, [None, None], True)
             with open(self.name, "rb") as file:
                 self.assertEqual(file.read(), data)
 
     def test_a_device_takes_several_logs_of_text(self):
-        first = textlog.Writer(os.devnull, CHANNELS, [None, None])
-        textlog.Writer(os.devnull, CHANNELS, [None, None]).close()
+        first = textlog.TextWriter(os.devnull, CHANNELS, [None, None])
+        textlog.TextWriter(os.devnull, CHANNELS, [None, None]).close()
         first.close()
 
     def test_a_log_of_text_has_one_writer(self):
-        first = textlog.Writer(self.name, CHANNELS, [None, None])
+        first = textlog.TextWriter(self.name, CHANNELS, [None, None])
         first.write(messages(1))
         for append in (True, False):
             with self.assertRaisesRegex(errors.Failed, "another rtlog"):
-                textlog.Writer(self.name, CHANNELS, [None, None], append)
+                textlog.TextWriter(self.name, CHANNELS, [None, None], append)
         first.close()
-        textlog.Writer(self.name, CHANNELS, [None, None], True).close()
+        textlog.TextWriter(self.name, CHANNELS, [None, None], True).close()
         with open(self.name, "rb") as file:
             self.assertEqual(len(file.read().splitlines()), 1)
-        textlog.Writer(self.name, CHANNELS, [None, None]).close()
+        textlog.TextWriter(self.name, CHANNELS, [None, None]).close()
         self.assertEqual(os.path.getsize(self.name), 0)
 
     def test_places_are_found(self):
@@ -166,7 +166,7 @@ class Files(Case):
     def test_the_index_stays_small(self):
         """What a recording of many days has to remember is on the disk."""
         with mock.patch.object(writer, "INDEXES", 1000):
-            out = writer.Writer(self.name, CHANNELS, START)
+            out = writer.LogWriter(self.name, CHANNELS, START)
             for number in range(50):
                 out.write(messages(2))
             self.assertTrue(out._indexes._rolled)
@@ -199,13 +199,13 @@ class Files(Case):
         log, found = self.read()
         self.assertEqual([log.channels[entry.channel].name for entry in found], ["a", "b", "c", "a"])
         with self.assertRaisesRegex(errors.Failed, "a is of type"):
-            writer.Writer(self.name, [CHANNELS[0]._replace(type_id="T")], START, append=True)
+            writer.LogWriter(self.name, [CHANNELS[0]._replace(type_id="T")], START, append=True)
 
     def test_two_at_once(self):
-        first = writer.Writer(self.name, CHANNELS, START)
+        first = writer.LogWriter(self.name, CHANNELS, START)
         for append in (False, True):
             with self.assertRaisesRegex(errors.Failed, "another rtlog"):
-                writer.Writer(self.name, CHANNELS, START, append)
+                writer.LogWriter(self.name, CHANNELS, START, append)
         first.close()
 
     def test_two_begin_at_once(self):
@@ -216,7 +216,7 @@ class Files(Case):
             tried.append(descriptor)
             if len(tried) == 1:
                 with self.assertRaises(errors.Failed):
-                    writer.Writer(self.name, CHANNELS, START)
+                    writer.LogWriter(self.name, CHANNELS, START)
         written = messages(5)
         with mock.patch("os.fsync", second):
             self.write(written)
@@ -235,7 +235,7 @@ class Files(Case):
         with mock.patch.object(writer, "lock", meanwhile), self.assertRaisesRegex(
             errors.Failed, "another rtlog"
         ):
-            writer.Writer(self.name, CHANNELS, START)
+            writer.LogWriter(self.name, CHANNELS, START)
         self.assertEqual(self.read()[1], as_read(written))
 
     def test_refused_files_are_closed(self):
@@ -243,11 +243,11 @@ class Files(Case):
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always", ResourceWarning)
             with self.assertRaises(errors.Failed):
-                writer.Writer(self.name, CHANNELS, START, True)
-            with mock.patch.object(textlog.Writer, "_prepare", side_effect=OSError), self.assertRaises(
+                writer.LogWriter(self.name, CHANNELS, START, True)
+            with mock.patch.object(textlog.TextWriter, "_prepare", side_effect=OSError), self.assertRaises(
                 OSError
             ):
-                textlog.Writer(self.name, CHANNELS, [None, None])
+                textlog.TextWriter(self.name, CHANNELS, [None, None])
         self.assertEqual([str(each.message) for each in told], [])
 
     def test_a_replaced_file_keeps_its_mode(self):
@@ -260,7 +260,7 @@ class Files(Case):
     def test_a_full_disk(self):
         """What was written before stays whole, and there is no index of what is not there."""
         soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-        out = writer.Writer(self.name, CHANNELS, START)
+        out = writer.LogWriter(self.name, CHANNELS, START)
         out.write(messages(100))
         resource.setrlimit(resource.RLIMIT_FSIZE, (20000, hard))
         try:
@@ -279,7 +279,7 @@ class Damage(Case):
     def test_cut_at_every_octet(self):
         """kill -9, a full disk, a torn copy: all whole chunks are read."""
         written = messages(8)
-        out = writer.Writer(self.name, CHANNELS, START)
+        out = writer.LogWriter(self.name, CHANNELS, START)
         ends = [(out.end, 0)]
         for at in range(0, 8, 2):
             out.write(written[at:at + 2])
@@ -333,7 +333,7 @@ class Damage(Case):
 
     def test_a_damaged_chunk_costs_itself(self):
         written = messages(30)
-        out = writer.Writer(self.name, CHANNELS, START)
+        out = writer.LogWriter(self.name, CHANNELS, START)
         for at in (0, 10, 20):
             out.write(written[at:at + 10])
         out.close()
@@ -367,7 +367,7 @@ class Damage(Case):
         """The file holds all that the recorder said it had written, and nothing else."""
         script = ("import sys; sys.path[:0] = [%r, %r]\n"
                   "import test_datalog as t\n"
-                  "out = t.writer.Writer(sys.argv[1], t.CHANNELS, 1)\n"
+                  "out = t.writer.LogWriter(sys.argv[1], t.CHANNELS, 1)\n"
                   "for n in range(100000):\n"
                   "    out.write(t.messages(50, 5000))\n"
                   "    print((n + 1) * 50, flush=True)\n" % (ROOT, os.path.join(ROOT, "tests", "unit")))

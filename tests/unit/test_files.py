@@ -25,7 +25,7 @@ STRANGER = 12345        # a user that nobody here is
 
 
 def record(name, append=False):
-    writer.Writer(name, CHANNELS, 1, append).close()
+    writer.LogWriter(name, CHANNELS, 1, append).close()
 
 
 def mode(path):
@@ -121,7 +121,7 @@ class Writing(Case):
             found = real(name)
             os.symlink(canary, found)
             return found
-        for number, way in enumerate((record, lambda path: textlog.Writer(path, CHANNELS, [None]))):
+        for number, way in enumerate((record, lambda path: textlog.TextWriter(path, CHANNELS, [None]))):
             with self.subTest(number), mock.patch("rtshell_lite.files.destination", late):
                 with self.assertRaises((OSError, errors.Failed)):
                     way(self.path("log%d" % number))
@@ -141,7 +141,7 @@ class Writing(Case):
         os.chmod(self.top, 0o1777)
         target = self.path("mine", "old")
         for number, way in enumerate(
-            list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]
+            list(WAYS.values()) + [lambda path: textlog.TextWriter(path, CHANNELS, [None])]
         ):
             link = self.path("link%d" % number)
             os.symlink(target, link)
@@ -191,7 +191,7 @@ class Writing(Case):
     def test_one_log_has_one_recorder(self):
         for name in ("new", "old"):
             path = self.path(name, "x" if name == "old" else None)
-            first = writer.Writer(path, CHANNELS, 1)
+            first = writer.LogWriter(path, CHANNELS, 1)
             for way in (record, lambda path: record(path, append=True)):
                 with self.assertRaisesRegex(errors.Failed, "another rtlog"):
                     way(path)
@@ -328,7 +328,7 @@ class Endless(Case):
     def test_a_fifo_that_nobody_reads_is_not_waited_for(self):
         fifo = self.fifo()
         for number, way in enumerate(
-            list(WAYS.values()) + [lambda path: textlog.Writer(path, CHANNELS, [None])]
+            list(WAYS.values()) + [lambda path: textlog.TextWriter(path, CHANNELS, [None])]
         ):
             with self.subTest(number), self.assertRaisesRegex(errors.Failed, "nobody reads"):
                 way(fifo)

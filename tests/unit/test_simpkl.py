@@ -18,7 +18,7 @@ FIRST = 1795247464750000000
 
 
 def machine(data):
-    return pickles.Machine(
+    return pickles.PickleMachine(
         io.BytesIO(data), len(data), lambda module, name: (module, name) == ("known", "Known")
     )
 

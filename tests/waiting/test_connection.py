@@ -35,7 +35,7 @@ def idle_reader():
 
 
 class Connection:
-    """Replaces a connection.Connection; signals come while it is opened or closed."""
+    """Replaces a connection.PortConnection; signals come while it is opened or closed."""
 
     def __init__(self, strikes=()):
         self.strikes = strikes

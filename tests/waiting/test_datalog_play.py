@@ -60,7 +60,7 @@ class Playing(Case):
                 self.numbers(start, end, by_index)
 
     def test_a_line_of_text(self):
-        out = textlog.Writer(self.name, CHANNELS, [None, None])
+        out = textlog.TextWriter(self.name, CHANNELS, [None, None])
         out.write([(0, START + 5, True, b"\1"), (1, START - 1, True, b"")])
         out.close()
         with open(self.name) as file:
@@ -417,7 +417,7 @@ class Deep(Case):
             self.assertEqual(len(list(tables.lines(decoder, log.entries()))), 1 + len(self.messages))
 
     def test_recorded_as_text(self):
-        out = textlog.Writer(self.name, [self.channel], [self.type])
+        out = textlog.TextWriter(self.name, [self.channel], [self.type])
         out.write(self.messages)
         out.close()
         with open(self.name) as file:
@@ -458,11 +458,11 @@ class Recording(Case):
         """
         message, sent = message_of(b"x" * 1000000), threading.Event()
 
-        class Slow(writer.Writer):
+        class Slow(writer.LogWriter):
             def write(self, messages):
                 if messages:
                     sent.wait()
-                writer.Writer.write(self, messages)
+                writer.LogWriter.write(self, messages)
 
         work = recorder_of([None, None])
 
@@ -497,7 +497,7 @@ class Recording(Case):
         work = recorder_of([None, None], 3)
         for _ in range(5):
             work.box.put(1, message_of(b"abc"))
-        self.record(work, writer.Writer(self.name, CHANNELS, START))
+        self.record(work, writer.LogWriter(self.name, CHANNELS, START))
         self.assertEqual([entry.channel for entry in self.read()[1]], [1, 1, 1])
 
     def test_the_same_value_twice(self):
@@ -508,12 +508,12 @@ class Recording(Case):
         for channel in range(2):
             for second in (0, 0, 1, 1, 1, 2):
                 work.box.put(channel, message_of(struct.pack("<III", second, 0, 7)))
-        self.record(work, writer.Writer(self.name, CHANNELS, START), lambda: loop.sleep(0.01))
+        self.record(work, writer.LogWriter(self.name, CHANNELS, START), lambda: loop.sleep(0.01))
         self.assertEqual((work.count, work.repeated), (12, 2))
 
     def test_a_disk_that_is_full(self):
         """It is done at once, and closing says why."""
-        class Full(writer.Writer):
+        class Full(writer.LogWriter):
             def write(self, messages):
                 raise OSError(errno.ENOSPC, "No space left on device")
 
@@ -525,7 +525,7 @@ class Recording(Case):
 
     def test_a_bug_is_no_success(self):
         """Whatever ends what writes, the recording ends with an error."""
-        class Broken(writer.Writer):
+        class Broken(writer.LogWriter):
             def write(self, messages):
                 raise LookupError("broken")
 

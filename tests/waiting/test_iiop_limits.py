@@ -96,7 +96,7 @@ class Time(Calls):
 
 async def connection_to(endpoint):
     """A Connection of the session of this loop."""
-    return connections.Connection(endpoint)
+    return connections.TcpConnection(endpoint)
 
 
 class Connections(Calls):
@@ -120,7 +120,7 @@ class Connections(Calls):
             one._socket, far = _socket.socketpair()
             stale.append((one, far))
         self.idle[endpoint] = [one for one, _ in stale]
-        with mock.patch.object(connections.Connection, "is_idle", lambda self: True):  # nobody has told us
+        with mock.patch.object(connections.TcpConnection, "is_idle", lambda self: True):  # nobody has told us
             for _, far in stale:
                 far.close()
             self.assertIs(self.wait_for(orb.call("w", ref, "_non_existent")), False)

@@ -304,7 +304,7 @@ class Loop(Calls):
         self.assertEqual((len(asked), len(peer.connections)), (4, 2))
 
     def test_requests_given_up_before_there_was_a_connection_are_not_sent(self):
-        connection = connections.Connection(("127.0.0.1", self.script_of(answer).ref.address.port))
+        connection = connections.TcpConnection(("127.0.0.1", self.script_of(answer).ref.address.port))
         request = calls.Request(
             orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None, 3
         )

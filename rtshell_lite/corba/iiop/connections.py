@@ -73,7 +73,7 @@ def sweep(memory):
             memory.idle.pop(endpoint, None)
 
 
-class Connection:
+class TcpConnection:
     """A connection with the process at `endpoint`, (host, port).
 
     requests   what waits for a reply, by number

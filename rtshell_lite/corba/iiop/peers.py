@@ -61,7 +61,7 @@ class _Repeated:
         self._read = call.operation.operation.results[messages.LITTLE]
         self._loop = loop.current()
         self._peer = None  # type: _Peer
-        self._connection = None  # type: connections.Connection  # that the octets are for
+        self._connection = None  # type: connections.TcpConnection  # that the octets are for
         self._octets = None
 
     async def ask(self):
@@ -128,7 +128,7 @@ class _Peer:
         self.waiting = deque()  # type: deque
         self.waiting_for_others = deque()  # type: deque
         # what the loop looks for
-        self.connection = None  # type: connections.Connection
+        self.connection = None  # type: connections.TcpConnection
         self.watched = (None, 0)
 
     def add(self, request):
@@ -334,7 +334,7 @@ class Peers:
     def _connect(self, peer, request):
         peer.connection = connections.kept(self.session.memory, peer.endpoint)
         if peer.connection is None:
-            peer.connection = connections.Connection(peer.endpoint, request.others)
+            peer.connection = connections.TcpConnection(peer.endpoint, request.others)
             self._go_on_connecting(peer)
 
     def _go_on_connecting(self, peer):

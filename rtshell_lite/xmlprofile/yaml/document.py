@@ -13,8 +13,8 @@ _COMMENT = re.compile(f"[^{BREAK}\x00]*")
 _MARKER = re.compile(rf"(?:---|\.\.\.)(?=[ \0{BREAK}])")
 
 
-class Node:
-    """A value and its position: str, list of Node, or dict of str to Node.
+class YamlNode:
+    """A value and its position: str, list of YamlNode, or dict of str to YamlNode.
     `tag`: the type of text, None for plain text.
     """
 
@@ -54,7 +54,7 @@ class Document:
             self.fail(pos, f"more than {MOST_NODES} values")
         if depth > DEEPEST:
             self.fail(pos, f"more than {DEEPEST} levels")
-        return Node(value, pos, tag)
+        return YamlNode(value, pos, tag)
 
     def column(self, pos):
         start = self.text.rfind("\n", 0, pos) + 1

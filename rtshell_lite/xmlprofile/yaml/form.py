@@ -41,7 +41,7 @@ def write(profile):
 
 def _element(doc, node, cls, depth):
     if _is_null(node):
-        node = document.Node({}, node.pos)  # `startUp:` alone
+        node = document.YamlNode({}, node.pos)  # `startUp:` alone
     if not isinstance(node.value, dict):
         doc.fail(node.pos, "a mapping is needed here")
     if depth > DEEPEST_XML:

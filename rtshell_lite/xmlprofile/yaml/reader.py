@@ -5,13 +5,13 @@ tags of plain types; one document. Everything else is refused with line and colu
 trap: duplicate keys and anchors, merge keys, several documents. Nothing is ever evaluated.
 
 Most functions take a document and a position and return where they ended and a node: (doc, pos) -> (pos,
-Node). Functions for block style end at the next token, those for flow style at the end of the node.
+YamlNode). Functions for block style end at the next token, those for flow style at the end of the node.
 """
 
 import re
 
 from rtshell_lite.xmlprofile.yaml import scalars
-from rtshell_lite.xmlprofile.yaml.document import Document, Node
+from rtshell_lite.xmlprofile.yaml.document import Document, YamlNode
 from rtshell_lite.xmlprofile.yaml.scalars import BREAK
 
 MOST_CHARACTERS = 16 << 20
@@ -316,7 +316,7 @@ def _tagged(doc, pos, node, tag):
         return node
     if expected or tag in ("map", "seq"):
         doc.fail(pos, f"the tag !!{tag} does not fit")
-    return Node(node.value, node.pos, tag)
+    return YamlNode(node.value, node.pos, tag)
 
 
 def _scalar(doc, pos, depth, tag, indent=-1, key=False, flow=False):
