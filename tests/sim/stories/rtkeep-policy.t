@@ -87,10 +87,10 @@ When something about it changes, it is tried again, and they follow.
   $ rtcon -i x ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ sleep 5
   $ show rtkeep
-  [08:01:16] /robot/test.host_cxt/ConsoleIn0.rtc: in Error: reset
-  [08:01:16] /robot/test.host_cxt/ConsoleIn0.rtc: Active
-  [08:01:16] /robot/test.host_cxt/ConsoleOut0.rtc: Active
-  [08:01:16] /robot/test.host_cxt/Motor0.rtc: Active
+  [08:01:17] /robot/test.host_cxt/ConsoleIn0.rtc: in Error: reset
+  [08:01:17] /robot/test.host_cxt/ConsoleIn0.rtc: Active
+  [08:01:17] /robot/test.host_cxt/ConsoleOut0.rtc: Active
+  [08:01:17] /robot/test.host_cxt/Motor0.rtc: Active
   $ rtcheck d.xml
   $ strike TERM rtkeep
   $ wait rtkeep

@@ -133,4 +133,3 @@ Other files after some time; the last are kept:
   q-000002.mcap
   q-000003.mcap
   q-000004.mcap
-  q-000005.mcap

@@ -125,12 +125,12 @@ Connections come and go, are made again under their id, with another far end, to
   {"number": 9, "port": "/events", "received": 30.9, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
   {"number": 10, "port": "/events", "received": 30.9, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
   {"number": 11, "port": "/events", "received": 30.9, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
-  {"number": 12, "port": "/events", "received": 34.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
+  {"number": 12, "port": "/events", "received": 34.7, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
   {"number": 13, "port": "/events", "received": 35.1, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
   {"number": 14, "port": "/events", "received": 35.1, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
   {"number": 15, "port": "/events", "received": 35.1, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
   {"number": 16, "port": "/events", "received": 39.3, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"number": 17, "port": "/events", "received": 41.7, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
+  {"number": 17, "port": "/events", "received": 41.9, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
 
 A recorder that stood still lets components go, which would have waited for it:
 
