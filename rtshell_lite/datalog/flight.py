@@ -129,11 +129,11 @@ class Flight:
         """Readers for the ports of components that have come."""
         new = self._not_asked_yet(await self._list())
         readers = []
-        for node, known in zip(new, await session.each(new, _ports)):
-            if isinstance(known, errors.Error):
+        for node, answer in zip(new, await session.each(new, _ports)):
+            if isinstance(answer, errors.Error):
                 continue
             self._due[orb.identity(node.ref)] = None
-            listed, about = known
+            listed, about = answer
             self.components[str(node.path)] = node, listed
             for port in listed:
                 reader = await self._reader(port, about, _is_fast(listed, about))
@@ -146,9 +146,9 @@ class Flight:
         """The Nodes of all components below the paths; which could not be listed is in `failures`."""
         self.failures = {}
         nodes = []
-        known = self._answering() if self._walks % times.WHOLE else {}
+        answering = self._answering() if self._walks % times.WHOLE else {}
         self._walks += 1
-        answers = await session.each(self._tops, lambda top: _components(top, known), tree.at_server)
+        answers = await session.each(self._tops, lambda top: _components(top, answering), tree.at_server)
         for top, listed in zip(self._tops, answers):
             if isinstance(listed, errors.Error):
                 self.failures[str(top)] = listed
@@ -224,19 +224,21 @@ async def _ports(node):
     return listed, (("context", context.kind), ("rate", f"{context.rate:g}"))
 
 
-async def _components(top, known):
+async def _components(top, with_nodes):
     """The components at and below a Path, whose last name may be a pattern; members of a composite, too. The
-    name server is not asked for those `known`, {path as text: Node}.
+    name server is not asked for those `with_nodes`, {path as text: Node}.
     """
     names = top.names
     if names and any(mark in str(names[-1]) for mark in "*?"):
         parent = await tree.resolve(top.parent())
         match = search.patterns([str(names[-1])], ())[0]
         below = [node for node in await tree.children(parent) if match(node.name)]
-        nodes = [each for node in below for each in await tree.walk(node, managers=node.kind == "manager")]
+        nodes = []
+        for node in below:
+            nodes += await tree.walk(node, managers=node.kind == "manager")
     else:
         node = await tree.resolve(top)
-        nodes = await tree.walk(node, managers=node.kind == "manager", objects=known)
+        nodes = await tree.walk(node, managers=node.kind == "manager", objects=with_nodes)
         if node.kind == "component":
             nodes += await _members(node, {orb.identity(node.ref)})
     if nodes and nodes[0].error is not None:
@@ -244,19 +246,19 @@ async def _components(top, known):
     return [node for node in nodes if node.kind == "component" and node.alias is None]
 
 
-async def _members(node, known):
-    """The Nodes of the members of a composite, as far as they have names, and are not among those `known`,
+async def _members(node, refs):
+    """The Nodes of the members of a composite, as far as they have names, and are not among those of `refs`,
     identities: a composite may claim to be a member of itself.
     """
     from rtshell_lite import path as paths
 
-    found = []
+    members = []
     for organisation in await composites.owned(node):
         for text in await composites.member_paths(node, organisation):
             if not text.startswith("/"):
                 continue
             member = await tree.component(paths.parse(text))
-            if orb.identity(member.ref) not in known:
-                known.add(orb.identity(member.ref))
-                found += [member] + await _members(member, known)
-    return found
+            if orb.identity(member.ref) not in refs:
+                refs.add(orb.identity(member.ref))
+                members += [member] + await _members(member, refs)
+    return members

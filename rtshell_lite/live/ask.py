@@ -92,9 +92,9 @@ class Seen:
     def take(self, shown, parts):
         """Take what a snapshot.Snapshot has been told of "contexts", "state", "configuration" or "ports"."""
         if "contexts" in parts:
-            known = {}  # type: dict
-            self.owned = [_shown(context, known) for context in shown.owned]
-            self.participating = [_shown(context, known) for context in shown.participating]
+            contexts = {}  # type: dict
+            self.owned = [_shown(context, contexts) for context in shown.owned]
+            self.participating = [_shown(context, contexts) for context in shown.participating]
         if "contexts" in parts or "state" in parts:
             states = zip(shown.contexts, shown.states)
             state_in = {orb.identity(context.ref): state for context, state in states}
@@ -105,16 +105,16 @@ class Seen:
         if "ports" in parts:
             self.take_ports(shown.ports)
 
-    def _take_sets(self, known):
-        self.has_sets = known is not None
+    def _take_sets(self, configuration):
+        self.has_sets = configuration is not None
         self.set = None
         if not self.has_sets:
             return
-        self._configuration = known.ref
-        if not known.active:
+        self._configuration = configuration.ref
+        if not configuration.active:
             self.set = "", {}
-        elif known.active in known.raw:  # else it has been made since they were listed
-            self.set = known.active, known.set(known.active, True).values
+        elif configuration.active in configuration.raw:  # else it has been made since they were listed
+            self.set = configuration.active, configuration.set(configuration.active, True).values
 
     def take_ports(self, listed):
         """Take its ports.Ports."""
@@ -149,11 +149,11 @@ class Seen:
 
     async def _which(self, before, refs):
         """(the contexts of these references, the Events of those that have come and gone)"""
-        known = {context.identity: context for context in self.contexts}
+        contexts = {context.identity: context for context in self.contexts}
         news = []
         now = []
         for ref in refs:
-            context = known.get(orb.identity(ref))
+            context = contexts.get(orb.identity(ref))
             if context is None:
                 handle = ""
                 if self.has_handles:
@@ -220,17 +220,17 @@ class Seen:
         return [_event("CONFIG_EVENT", f"{name}.{parameter}", "CFG_UPDATE_PARAM") for parameter in changed]
 
     async def _which_ports(self):
-        known = {port.identity: port for port in self.ports}
+        gone = {port.identity: port for port in self.ports}
         news = []
         now = []
         for ref in await ports.refs(self.node):
-            port = known.pop(orb.identity(ref), None)
+            port = gone.pop(orb.identity(ref), None)
             if port is None:
                 port = _Port(await ports.port(self.node, ref, brief=True))
                 news.append(_event("PORT_EVENT", port.name, "PORT_ADD"))
             now.append(port)
         self.ports = now
-        return [_event("PORT_EVENT", port.name, "PORT_REMOVE") for port in known.values()] + news
+        return [_event("PORT_EVENT", port.name, "PORT_REMOVE") for port in gone.values()] + news
 
     async def _connections_of(self, port):
         path = self.node.path
@@ -247,17 +247,17 @@ class Seen:
         port.take(connectors)
         now = port.connections
         lost = [connector_id for connector_id in before if now.get(connector_id) != before[connector_id]]
-        made = [connector_id for connector_id in now if now[connector_id] != before.get(connector_id)]
-        words = len(lost) * ["PORT_DISCONNECT"] + len(made) * ["PORT_CONNECT"]
+        added = [connector_id for connector_id in now if now[connector_id] != before.get(connector_id)]
+        words = len(lost) * ["PORT_DISCONNECT"] + len(added) * ["PORT_CONNECT"]
         return [_event("PORT_EVENT", port.name, word) for word in words]
 
 
-def _shown(context, known):
-    """The _Context of a component.Context; `known`: those of others, by identity, and this one then."""
+def _shown(context, contexts):
+    """The _Context of a component.Context; `contexts`: those of others, by identity, and this one then."""
     identity = orb.identity(context.ref)
-    if identity not in known:
-        known[identity] = _Context(context.ref, str(context.handle), None, context.rate, context.running)
-    return known[identity]
+    if identity not in contexts:
+        contexts[identity] = _Context(context.ref, str(context.handle), None, context.rate, context.running)
+    return contexts[identity]
 
 
 def _event(*words):

@@ -169,10 +169,10 @@ class Presence:
         self._group.start(work, place)
 
     async def _detach_all(self):
-        lent = [each for each in self.followed if each.subscription is not None]
-        await hear.take_back([each.subscription for each in lent], times.HURRY)
-        for each in lent:
-            each.forget()
+        lent = [entry for entry in self.followed if entry.subscription is not None]
+        await hear.take_back([entry.subscription for entry in lent], times.HURRY)
+        for entry in lent:
+            entry.forget()
 
     async def still_absent(self, absent):
         """These have been looked for, in vain."""
@@ -181,7 +181,7 @@ class Presence:
 
     def of_process(self, endpoint):
         """Those that are there in a process."""
-        return [each for each in self.followed if each.is_there and each.endpoint == endpoint]
+        return [entry for entry in self.followed if entry.is_there and entry.endpoint == endpoint]
 
     def suspect(self, endpoint):
         """A connection with a process has ended, or it has been quiet for long: look whether it lives."""
@@ -193,37 +193,37 @@ class Presence:
         try:
             here = self.of_process(endpoint)
             now = loop.now()
-            doubtful = [each for each in here if each.is_hung or each.is_ending or each.late_at < now]
-            hung = [each for each in doubtful if each.is_hung]
-            others = [each for each in doubtful or here[:1] if not each.is_hung]
+            doubtful = [entry for entry in here if entry.is_hung or entry.is_ending or entry.late_at < now]
+            hung = [entry for entry in doubtful if entry.is_hung]
+            others = [entry for entry in doubtful or here[:1] if not entry.is_hung]
             await loop.each(others, self.ask)  # of one after the other each would wait for those before it
-            for each in hung:
-                await self.ask(each)
+            for entry in hung:
+                await self.ask(entry)
         finally:
             self._suspected.discard(endpoint)
 
-    async def ask(self, each):
+    async def ask(self, entry):
         """Ask a component whether it lives, and act on the answer."""
-        shown = each.shown
+        shown = entry.shown
         if shown is None:
             return
         try:
-            await _alive(each)
+            await _alive(entry)
         except errors.Refused:
             pass  # it lives
         except errors.Error as e:
-            if each.shown is shown:  # not another one that has come meanwhile
-                self.failed(each, e)
+            if entry.shown is shown:  # not another one that has come meanwhile
+                self.failed(entry, e)
             return
-        if each.shown is not shown:
+        if entry.shown is not shown:
             return
-        session.current().ask_again(each.endpoint)
-        each.lived = loop.now() - (times.BEATS_LATE - 1) * each.beat
-        if each.is_hung:
-            each.is_hung = False
+        session.current().ask_again(entry.endpoint)
+        entry.lived = loop.now() - (times.BEATS_LATE - 1) * entry.beat
+        if entry.is_hung:
+            entry.is_hung = False
             self._try_connections()
-            each.answered()
-        each.lives()
+            entry.answered()
+        entry.lives()
 
     def _try_connections(self):
         """A far end that may have held up others does so no more."""
@@ -232,51 +232,51 @@ class Presence:
             if other.seen is not None:
                 other.seen.wait_no_more()
 
-    def failed(self, each, error):
+    def failed(self, entry, error):
         """A question to a component has failed: it is gone; or its process refuses connections, and all its
         components are gone, or may be; or it hangs.
         """
-        if not each.is_there:
+        if not entry.is_there:
             return
         if isinstance(error, errors.Gone):
             self._try_connections()
-            self._lose(each, error, "has exited")
+            self._lose(entry, error, "has exited")
         elif isinstance(error, errors.ConnectionRefused):
             # also where it may live: its name may lead to another object now
             seen = "its process is gone" if isinstance(error, errors.ProcessGone) else error.why
             self._try_connections()
-            for other in self.of_process(each.endpoint):
+            for other in self.of_process(entry.endpoint):
                 self._lose(other, error, seen)
-        elif not each.is_hung:
-            each.is_hung = True
-            each.hung(error)
+        elif not entry.is_hung:
+            entry.is_hung = True
+            entry.hung(error)
 
     @staticmethod
-    def _lose(each, error, seen):
-        if each.is_ending:
+    def _lose(entry, error, seen):
+        if entry.is_ending:
             seen = "has exited"
-        each.forget()
-        each.dead = orb.identity(each.shown.node.ref)
-        each.shown = each.seen = None
-        each.error = error
-        each.is_hung = each.is_ending = False
-        each.vanished(seen)
+        entry.forget()
+        entry.dead = orb.identity(entry.shown.node.ref)
+        entry.shown = entry.seen = None
+        entry.error = error
+        entry.is_hung = entry.is_ending = False
+        entry.vanished(seen)
 
     # ---- looking around ----
 
     async def _look_around(self):
         while True:
             now = loop.now()
-            absent = [each for each in self.followed if each.shown is None and each.is_sought]
+            absent = [entry for entry in self.followed if entry.shown is None and entry.is_sought]
             if absent and now >= self._seek_at:
                 self._seek_at = math.inf
                 self.start(self._seek(absent))
             late = self._late(now) if now > self._late_at else []
-            doubtful = [each for each in self.followed if each.is_hung or each.is_ending]
-            for endpoint in {each.endpoint: None for each in late + doubtful if each.is_there}:
+            doubtful = [entry for entry in self.followed if entry.is_hung or entry.is_ending]
+            for endpoint in {entry.endpoint: None for entry in late + doubtful if entry.is_there}:
                 self.suspect(endpoint)
-            for each in late:
-                self.lend_again(each)
+            for entry in late:
+                self.lend_again(entry)
             self.ask_around(now)
             await loop.sleep(min(times.SEEK if absent else 1.0, self.look / 2))
 
@@ -284,61 +284,61 @@ class Presence:
         """Those that are late. To look through all costs most of what following costs at rest: it is done as
         soon as the next can be late, or is new.
         """
-        late_at = {each: each.late_at for each in self.followed}
+        late_at = {entry: entry.late_at for entry in self.followed}
         self._late_at = min([now + times.BEATS_LATE * times.BEAT_SHOWN, *late_at.values()])
-        return [each for each in self.followed if late_at[each] < now]
+        return [entry for entry in self.followed if late_at[entry] < now]
 
     async def _seek(self, absent):
         """Look whether absent components have come."""
-        found = await session.each(
-            absent, self._found, lambda each: (tree.server_endpoint(each.path), each.where)
+        nodes = await session.each(
+            absent, self._found, lambda entry: (tree.server_endpoint(entry.path), entry.where)
         )
-        for each, node in zip(absent, found):
+        for entry, node in zip(absent, nodes):
             if isinstance(node, errors.Error):
-                each.error = node
+                entry.error = node
                 continue
-            each.error = None
-            each.shown = snapshot.Snapshot(node)
-            each.heard = loop.now()
-            each.appeared()
-        await self.still_absent([each for each in absent if not each.is_there])
+            entry.error = None
+            entry.shown = snapshot.Snapshot(node)
+            entry.heard = loop.now()
+            entry.appeared()
+        await self.still_absent([entry for entry in absent if not entry.is_there])
         self._seek_at = loop.now() + max(times.SEEK, 0.01 * len(absent))
 
     @staticmethod
-    async def _found(each):
+    async def _found(entry):
         """The Node of an absent component. Raises what says why it is absent."""
-        node = await tree.component(each.path)
+        node = await tree.component(entry.path)
         now = loop.now()
-        if orb.identity(node.ref) == each.dead and now - each.asked < times.AGAIN:
-            raise each.error
-        each.asked = now
+        if orb.identity(node.ref) == entry.dead and now - entry.asked < times.AGAIN:
+            raise entry.error
+        entry.asked = now
         (node,) = await tree.check_alive([node])
         if node.kind != "component":
-            each.dead = orb.identity(node.ref)
+            entry.dead = orb.identity(node.ref)
             raise node.error
         return node
 
-    def lend_again(self, each):
+    def lend_again(self, entry):
         """A component that is late may have lost its observer after a failed call."""
-        each.lived = loop.now()
-        self.start(self._lend_again(each), each.endpoint)
+        entry.lived = loop.now()
+        self.start(self._lend_again(entry), entry.endpoint)
 
     @staticmethod
-    async def _lend_again(each):
-        if each.subscription is None:
+    async def _lend_again(entry):
+        if entry.subscription is None:
             return
         try:
-            await each.subscription.attach()
+            await entry.subscription.attach()
         except errors.Error:
             pass  # whether it lives is asked elsewhere
-        each.missed("RTC_STATUS")
-        each.missed("PORT_EVENT")
+        entry.missed("RTC_STATUS")
+        entry.missed("PORT_EVENT")
 
     # ---- what nobody reports ----
 
-    def queue_of(self, each):
+    def queue_of(self, entry):
         """What is asked one question after the other: a process."""
-        return each.endpoint
+        return entry.endpoint
 
     def at_a_time(self, kind, number):
         """How many of `number` questions of a kind are put at a time, MOST at most."""
@@ -347,9 +347,9 @@ class Presence:
     def ask_around(self, now):
         """Ask for what is not reported."""
         queues = collections.defaultdict(list)
-        for each in self.followed:
-            if each.seen is not None and each.shown is not None and not each.is_hung:
-                queues[self.queue_of(each)].append(each)
+        for entry in self.followed:
+            if entry.seen is not None and entry.shown is not None and not entry.is_hung:
+                queues[self.queue_of(entry)].append(entry)
         for queue in self._asked.keys() - queues.keys():  # a process that is restarted has another port
             del self._asked[queue]
             self._counts.pop(queue, None)
@@ -369,7 +369,7 @@ class Presence:
         for kind in sorted(overdue, key=overdue.get, reverse=True):
             if overdue[kind] < self.look:
                 break
-            of_kind = [question for each in some for question in _questions(each, kind, now)]
+            of_kind = [question for entry in some for question in _questions(entry, kind, now)]
             asked[kind] = now
             if of_kind:
                 asked[None] = now
@@ -386,49 +386,49 @@ class Presence:
         finally:
             self._asking.discard(queue)
 
-    async def _put(self, each, kind, question):
+    async def _put(self, entry, kind, question):
         """Ask a component a question, and report what its answer shows."""
-        shown = each.shown
-        if shown is None or each.is_hung:
+        shown = entry.shown
+        if shown is None or entry.is_hung:
             return
         try:
             events = await question()
         except errors.Refused:
-            each.missed(kind)
+            entry.missed(kind)
             return
         except errors.Error as e:
             if kind == "PORT_EVENT" and isinstance(e, errors.Silent):
-                each.patience.wait()
-            await self.ask(each)
+                entry.patience.wait()
+            await self.ask(entry)
             return
         if kind == "PORT_EVENT":
-            each.wait_no_more()
-        if each.shown is shown:
+            entry.wait_no_more()
+        if entry.shown is shown:
             for event in events:
-                each.reported(event)
+                entry.reported(event)
 
 
-def _questions(each, kind, now):
+def _questions(entry, kind, now):
     """Those of a kind that a component is asked, see `Presence._due`."""
     shows = ask.SHOWS[kind]
-    if shows == "PORT_EVENT" and now < each.patience.until:
+    if shows == "PORT_EVENT" and now < entry.patience.until:
         return
-    if shows != "PORT_EVENT" and each.reports:
+    if shows != "PORT_EVENT" and entry.reports:
         return
-    for question in kind(each.seen):
-        yield each, shows, question
+    for question in kind(entry.seen):
+        yield entry, shows, question
 
 
-async def _alive(each):
+async def _alive(entry):
     """Raise what shows that a component is gone, or hangs; a process that ends drops its
     connections first.
     """
-    ref = each.shown.node.ref
+    ref = entry.shown.node.ref
     for _ in range(times.LOST_ANSWERS):
         try:
-            return await orb.is_alive(each.path, ref)
+            return await orb.is_alive(entry.path, ref)
         except (errors.Unanswered, errors.Gone, errors.ConnectionRefused):
             raise
         except errors.Unreachable:
             await loop.sleep(times.LOST_ANSWER)
-    return await orb.is_alive(each.path, ref)
+    return await orb.is_alive(entry.path, ref)

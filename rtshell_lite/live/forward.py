@@ -56,42 +56,42 @@ def pairs(data, spend=lambda octets, values: None):
 
     spend(octets, values) is called with what was in octets: all that was unpacked, then what is in each pair.
     """
-    kind, count, at = msgpack.head(data, 0)
+    kind, count, offset = msgpack.head(data, 0)
     if kind != msgpack.ARRAY or not 2 <= count <= 4:
         raise msgpack.Malformed("not an event")
-    tag, at = msgpack.value(data, at)
-    kind, number, inner = msgpack.head(data, at)
+    tag, offset = msgpack.value(data, offset)
+    kind, number, inner = msgpack.head(data, offset)
     if kind == msgpack.ARRAY and count < 4:
-        options = _options(data, _skipped(data, at), count > 2)
+        options = _options(data, _skipped(data, offset), count > 2)
         return tag, _listed(data, inner, number), options
-    body, at = msgpack.value(data, at)
+    body, offset = msgpack.value(data, offset)
     if isinstance(body, (bytes, str)):
-        options = _options(data, at, count > 2)
+        options = _options(data, offset, count > 2)
         if isinstance(body, str):
             body = body.encode("utf-8", "surrogateescape")
         return tag, _packed(body, options, spend), options
-    record, at = msgpack.value(data, at)
-    return tag, iter([(body, record)]), _options(data, at, count > 3)
+    record, offset = msgpack.value(data, offset)
+    return tag, iter([(body, record)]), _options(data, offset, count > 3)
 
 
-def _skipped(data, at):
-    """Where the value after the one at `at` begins."""
-    end = msgpack.Scan().end(memoryview(data)[at:])
+def _skipped(data, offset):
+    """Where the value after the one at `offset` begins."""
+    end = msgpack.Scan().end(memoryview(data)[offset:])
     if end is None:
-        raise IndexError(at)
-    return at + end
+        raise IndexError(offset)
+    return offset + end
 
 
-def _options(data, at, has_any):
+def _options(data, offset, has_any):
     if not has_any:
         return {}
-    options, _ = msgpack.value(data, at)
+    options, _ = msgpack.value(data, offset)
     return options if isinstance(options, dict) else {}
 
 
-def _listed(data, at, number):
+def _listed(data, offset, number):
     for _ in range(number):
-        pair, at, _ = _pair(data, at)
+        pair, offset, _ = _pair(data, offset)
         yield pair
 
 
@@ -99,10 +99,10 @@ def _packed(body, options, spend):
     if options.get("compressed") == "gzip":
         body = _unpacked(body)
         spend(len(body), 0)
-    at = 0
+    offset = 0
     budget = msgpack.Budget(msgpack.MOST)
-    while at < len(body):
-        pair, at, values = _pair(body, at)
+    while offset < len(body):
+        pair, offset, values = _pair(body, offset)
         budget.spend(values)
         spend(0, values)
         yield pair
@@ -112,30 +112,30 @@ def _unpacked(body):
     """What was compressed, in one part or in several. Raises Malformed."""
     import zlib
 
-    found = b""
+    octets = b""
     for _ in range(MOST_PARTS):
         stream = zlib.decompressobj(31)
         try:
-            found += stream.decompress(body, LARGEST - len(found) + 1)
+            octets += stream.decompress(body, LARGEST - len(octets) + 1)
         except zlib.error as e:
             raise msgpack.Malformed(str(e))
-        if len(found) > LARGEST:
+        if len(octets) > LARGEST:
             raise msgpack.Malformed("unpacks to more than %d MB" % (LARGEST >> 20))
         if not stream.eof:
             raise msgpack.Malformed("torn")
         body = stream.unused_data
         if not body:
-            return found
+            return octets
     raise msgpack.Malformed("more than %d compressed parts" % MOST_PARTS)
 
 
-def _pair(data, at):
-    """((time, record) at `at`, where the next pair begins, how many values it has)"""
+def _pair(data, offset):
+    """((time, record) at `offset`, where the next pair begins, how many values it has)"""
     budget = msgpack.Budget()
-    pair, at = msgpack.value(data, at, budget=budget)
+    pair, offset = msgpack.value(data, offset, budget=budget)
     if not isinstance(pair, list) or len(pair) != 2:
         raise msgpack.Malformed("not [time, record]")
-    return pair, at, budget.spent
+    return pair, offset, budget.spent
 
 
 def record_of(tag, when, fields, address):
@@ -148,18 +148,18 @@ def record_of(tag, when, fields, address):
         when = loop.wall()
     if not isinstance(fields, dict):
         fields = {"message": fields}
-    known = {}
-    for key, each in fields.items():
+    texts = {}
+    for key, value in fields.items():
         if isinstance(key, str):
-            known[key] = _text(each)
-    host = known.get("host") or address
-    manager = known.get("manager")
+            texts[key] = _text(value)
+    host = texts.get("host") or address
+    manager = texts.get("manager")
     where = f"{host}/{manager}" if manager else host
-    message = known.get("message", known.get("log"))
+    message = texts.get("message", texts.get("log"))
     if message is None:
-        message = " ".join("%s=%s" % item for item in known.items())
-    level = known.get("level", "").strip().upper() or "NORMAL"
-    name = known.get("name") or _text(tag)
+        message = " ".join("%s=%s" % item for item in texts.items())
+    level = texts.get("level", "").strip().upper() or "NORMAL"
+    name = texts.get("name") or _text(tag)
     where = where[:LONGEST]
     return Source(where, where), Record(when, name[:LONGEST], level[:LONGEST], _beginning(message))
 
@@ -171,10 +171,10 @@ def _beginning(message):
     return f"{message[:LONGEST_MESSAGE]}… ({len(message)} characters)"
 
 
-def _text(found):
-    if isinstance(found, bytes):
-        found = found.decode("utf-8", "surrogateescape")
-    return str(found)
+def _text(value):
+    if isinstance(value, bytes):
+        value = value.decode("utf-8", "surrogateescape")
+    return str(value)
 
 
 # ---- connections ----
@@ -278,7 +278,8 @@ class Door:
 
     def _account(self, address):
         if len(self._accounts) >= MOST_KNOWN:
-            self._accounts = {key: each for key, each in self._accounts.items() if not each.is_idle()}
+            busy = [item for item in self._accounts.items() if not item[1].is_idle()]
+            self._accounts = dict(busy)
         key = address
         if ":" in address:  # one host may have all addresses of a /64
             key = ipaddress.ip_address(address.partition("%")[0]).exploded[:19]
@@ -337,8 +338,8 @@ class Door:
             await self._take_messages(sender, take, pause)
             if len(sender.data) > LARGEST:
                 raise msgpack.Malformed("a message of more than %d MB" % (LARGEST >> 20))
-            if sum(len(each.data) for each in self._senders) > MOST_OCTETS:
-                self._turn_away([each for each in self._senders if each.data])
+            if sum(len(other.data) for other in self._senders) > MOST_OCTETS:
+                self._turn_away([other for other in self._senders if other.data])
 
     async def _take_messages(self, sender, take, pause):
         end = sender.scan.end(sender.data)
@@ -348,8 +349,8 @@ class Door:
             del sender.data[:end]
             sender.scan = msgpack.Scan()
             sender.begun = sender.heard if sender.data else None
-            tag, found, options = pairs(message, sender.account.spend)
-            for number, (when, fields) in enumerate(found, 1):
+            tag, records, options = pairs(message, sender.account.spend)
+            for number, (when, fields) in enumerate(records, 1):
                 take(*record_of(tag, when, fields, sender.address))
                 if number % SLICE == 0:
                     await pause()

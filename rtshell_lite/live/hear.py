@@ -53,7 +53,7 @@ class Hearing:
         entry.is_in_doubt = False
         if is_late and process.beating is not None and process.heard == NEVER:
             process.is_deaf = True
-            await self.take_back([each for each in self._lent if each.node.endpoint == entry.node.endpoint])
+            await self.take_back([lent for lent in self._lent if lent.node.endpoint == entry.node.endpoint])
             return
         if entry.subscription is None:
             await self._make(entry, process)

@@ -42,32 +42,32 @@ class Malformed(Exception):
     """Octets that are not MessagePack, or too much of it."""
 
 
-def _read(form, data, at):
-    (number,) = struct.unpack_from(form, data, at)
-    return number, at + struct.calcsize(form)
+def _read(form, data, offset):
+    (number,) = struct.unpack_from(form, data, offset)
+    return number, offset + struct.calcsize(form)
 
 
-def head(data, at):
-    """(kind, number, where what comes after begins) of the value at `at`: the number is the value itself, or
+def head(data, offset):
+    """(kind, number, where what comes after begins) of the value at `offset`: the number is the value itself,
     how many octets or values it has. Raises struct.error or IndexError where the head has not all come,
     Malformed.
     """
-    first = data[at]
-    at += 1
+    first = data[offset]
+    offset += 1
     if first < 0x80 or first >= 0xE0:
         if first >= 0x80:
             first -= 0x100
-        return NUMBER, first, at
+        return NUMBER, first, offset
     if first < 0x90:
-        return MAP, first & 0x0F, at
+        return MAP, first & 0x0F, offset
     if first < 0xA0:
-        return ARRAY, first & 0x0F, at
+        return ARRAY, first & 0x0F, offset
     if first < 0xC0:
-        return TEXT, first & 0x1F, at
+        return TEXT, first & 0x1F, offset
     if first in _CONSTANTS:
-        return CONSTANT, _CONSTANTS[first], at
+        return CONSTANT, _CONSTANTS[first], offset
     if first in _FIXED_EXTENSIONS:
-        return EXTENSION, _FIXED_EXTENSIONS[first], at
+        return EXTENSION, _FIXED_EXTENSIONS[first], offset
     for kind, forms in (
         (NUMBER, _NUMBERS),
         (TEXT, _TEXTS),
@@ -77,8 +77,8 @@ def head(data, at):
         (EXTENSION, _EXTENSIONS),
     ):
         if first in forms:
-            number, at = _read(forms[first], data, at)
-            return kind, number, at
+            number, offset = _read(forms[first], data, offset)
+            return kind, number, offset
     raise Malformed("octet 0x%02x" % first)
 
 
@@ -96,16 +96,16 @@ class Scan:
         """Where the value ends; None while it has not all come. Raises Malformed."""
         while self._wanted:
             try:
-                kind, number, at = head(data, self._at)
+                kind, number, offset = head(data, self._at)
             except (struct.error, IndexError):
                 return None
             if kind in (TEXT, OCTETS):
-                at += number
+                offset += number
             elif kind == EXTENSION:
-                at += 1 + number
-            if at > len(data):
+                offset += 1 + number
+            if offset > len(data):
                 return None
-            self._at = at
+            self._at = offset
             self._wanted -= 1
             self.seen += 1
             if kind in (ARRAY, MAP):
@@ -136,8 +136,8 @@ class Budget:
             raise Malformed("more than %d values" % self._most)
 
 
-def value(data, at, depth=0, budget=None):
-    """(the value at `at`, where the next one begins). Raises Malformed, and struct.error or IndexError where
+def value(data, offset, depth=0, budget=None):
+    """(the value at `offset`, where the next begins). Raises Malformed, and struct.error or IndexError where
     `data` ends in it. It may have as many values as are left in a Budget, MOST_AT_ONCE without one.
     """
     if depth > DEEPEST:
@@ -145,37 +145,37 @@ def value(data, at, depth=0, budget=None):
     if budget is None:
         budget = Budget()
     budget.spend()
-    kind, number, at = head(data, at)
+    kind, number, offset = head(data, offset)
     if kind in (NUMBER, CONSTANT):
-        return number, at
+        return number, offset
     if kind == ARRAY:
         values = []
         for _ in range(number):
-            each, at = value(data, at, depth + 1, budget)
-            values.append(each)
-        return values, at
+            item, offset = value(data, offset, depth + 1, budget)
+            values.append(item)
+        return values, offset
     if kind == MAP:
         fields = {}
         for _ in range(number):
-            key, at = value(data, at, depth + 1, budget)
-            each, at = value(data, at, depth + 1, budget)
+            key, offset = value(data, offset, depth + 1, budget)
+            item, offset = value(data, offset, depth + 1, budget)
             if isinstance(key, (str, bytes, int, float)):
-                fields[key] = each
-        return fields, at
+                fields[key] = item
+        return fields, offset
     if kind == EXTENSION:
-        return _extension(data, at, number), at + 1 + number
-    octets = bytes(data[at : at + number])
+        return _extension(data, offset, number), offset + 1 + number
+    octets = bytes(data[offset : offset + number])
     if len(octets) < number:
-        raise IndexError(at)
+        raise IndexError(offset)
     if kind == TEXT:
-        return octets.decode("utf-8", "surrogateescape"), at + number
-    return octets, at + number
+        return octets.decode("utf-8", "surrogateescape"), offset + number
+    return octets, offset + number
 
 
-def _extension(data, at, number):
-    if number != 8 or data[at] != 0:
+def _extension(data, offset, number):
+    if number != 8 or data[offset] != 0:
         return None
-    seconds, nanoseconds = struct.unpack_from(">LL", data, at + 1)
+    seconds, nanoseconds = struct.unpack_from(">LL", data, offset + 1)
     return seconds + nanoseconds / 1e9
 
 

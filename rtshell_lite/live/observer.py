@@ -172,12 +172,12 @@ def observer(node, interface, kinds, heard, beat=times.BEAT_SHOWN, more=()):
 
 def requested(interface, kinds, beat, more):
     """The properties, [(name, value)], of an `observer`; with None for `beat` it never beats."""
-    wanted = "ALL" if len(kinds) == len(KINDS) else ",".join(_statuses(interface, kinds))
+    statuses = "ALL" if len(kinds) == len(KINDS) else ",".join(_statuses(interface, kinds))
     beats = {
         OBSERVER: ["heartbeat"],
         FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
     }[interface]
-    properties = [("observed_status", wanted), *more]
+    properties = [("observed_status", statuses), *more]
     if beat is not None:
         for name in beats:
             properties += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]

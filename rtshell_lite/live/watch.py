@@ -65,8 +65,8 @@ class Events:
         shows none of the wanted events.
         """
         if not self.kinds & ({ask.SHOWS[kind] for kind in _POLLED} | {LIFE}):
-            wanted = ", ".join(sorted(self.kinds))
-            raise errors.Refused(seen.where, f"offers no observer, and polling does not show {wanted}")
+            kinds = ", ".join(sorted(self.kinds))
+            raise errors.Refused(seen.where, f"offers no observer, and polling does not show {kinds}")
         await seen.look(self._polled)
 
 
@@ -85,10 +85,10 @@ class Records:
         """Whether a Record of a component that was not asked for these is one of them."""
         if self.names and record.logger not in self.names:
             return False
-        known = list(observer.ALL_LEVELS)
-        if record.level not in known:
+        levels = list(observer.ALL_LEVELS)
+        if record.level not in levels:
             return True
-        return known.index(record.level) <= known.index(self.level)
+        return levels.index(record.level) <= levels.index(self.level)
 
     async def subscription(self, node, heard):
         """The logger to attach to a component. Raises Refused for one that takes none."""
@@ -357,17 +357,17 @@ class Watch(follow.Presence):
                 watched.name = watched.where
         return results
 
-    def queue_of(self, each):
+    def queue_of(self, entry):
         """Each alone: one that is slow to answer does not delay what others show."""
-        return each.where
+        return entry.where
 
     def ask_around(self, now):
-        count = sum(len(each.seen.ports or ()) for each in self.followed if each.seen is not None)
+        count = sum(len(entry.seen.ports or ()) for entry in self.followed if entry.seen is not None)
         for kind in _ASKED_PORTS.keys() & self.asks.keys():
             self.asks[kind] = max(_ASKED_PORTS[kind], count / MOST_PORTS / self.look)
         super().ask_around(now)
 
-    def lend_again(self, each):
+    def lend_again(self, entry):
         """Nothing: see Watched.lives."""
 
     def listen(self, door):

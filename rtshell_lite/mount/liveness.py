@@ -81,4 +81,4 @@ class Liveness:
     def sweep(self):
         """Free what is believed no longer, not even by a listing that waits."""
         last = loop.now() - PATIENCE
-        self._known = {identity: known for identity, known in self._known.items() if known[2] >= last}
+        self._known = {identity: belief for identity, belief in self._known.items() if belief[2] >= last}

@@ -129,7 +129,7 @@ class Journal:
 def _follow_ports(flight, events):
     """Have the ports that a flight has found followed, as those of the components that are there."""
     there = [watched for watched in events.followed if watched.shown is not None]
-    for watched in [one for one in there if one.seen is None or one.seen.ports is None]:
+    for watched in [entry for entry in there if entry.seen is None or entry.seen.ports is None]:
         node, listed = flight.components[watched.where]
         if orb.identity(node.ref) == orb.identity(watched.node.ref):
             watched.follow_ports(listed)

@@ -221,9 +221,9 @@ class Keeper(follow.Presence):
                 await kept.observe()
             shown.profile = shown.profile._replace(properties=[])
             parts = PARTS
-        for part, wanted in PARTS.items():
+        for part, how in PARTS.items():
             if part in parts:
-                await shown.ask(**wanted)
+                await shown.ask(**how)
         if kept.shown is not shown:  # it has ended
             return
         kept.held_up.end()

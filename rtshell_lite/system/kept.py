@@ -143,15 +143,15 @@ class KeptComponent(follow.Followed):
     def as_dict(self):
         """For `rtkeep status`."""
         if self.is_paused:
-            wanted = "paused"
+            goal = "paused"
         elif self.is_started:
-            wanted = "Active"
+            goal = "Active"
         else:
-            wanted = "any"
+            goal = "any"
         return {
             "kind": "component",
             "object": self.where,
-            "wanted": wanted,
+            "wanted": goal,
             "state": self.state,
             "since": self.since,
             "restarts": self.restarts,

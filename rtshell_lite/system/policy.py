@@ -33,28 +33,28 @@ def parse(restart=None, burst=None, delay=None, usual=USUAL):
 
     Raises ValueError with the name of the word that is wrong and what it is not.
     """
-    made = usual
+    policy = usual
     if restart and restart not in RESTARTS:
         raise ValueError("restart: not one of " + ", ".join(RESTARTS))
     if restart:
-        made = made._replace(restart=restart)
+        policy = policy._replace(restart=restart)
     if burst:
         number, within = _two_numbers(burst, "/", "burst: not NUMBER/SECONDS")
-        made = made._replace(burst=int(number), within=within)
+        policy = policy._replace(burst=int(number), within=within)
     if delay:
         first, most = _two_numbers(delay, "-", "delay: not FIRST-MOST")
-        made = made._replace(first=first, most=most)
-    return made
+        policy = policy._replace(first=first, most=most)
+    return policy
 
 
 def _two_numbers(text, between, complaint):
     try:
-        one, other = [float(word) for word in text.split(between)]
+        low, high = [float(word) for word in text.split(between)]
     except ValueError:
         raise ValueError(complaint)
-    if not 0 < one <= DAY or not 0 < other <= DAY:
+    if not 0 < low <= DAY or not 0 < high <= DAY:
         raise ValueError(complaint)
-    return one, other
+    return low, high
 
 
 class Trial:

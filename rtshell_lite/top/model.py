@@ -347,11 +347,11 @@ class Top:
         number = 0
         while True:
             if number % times.WHOLE == 0 or len(self._entries) <= FEW:
-                known = {}
+                bound = {}
             else:
-                known = {entry.path: entry.node for entry in self._entries.values() if entry.answered}
+                bound = {entry.path: entry.node for entry in self._entries.values() if entry.answered}
             number += 1
-            nodes, failed = await _walk(top, known)
+            nodes, failed = await _walk(top, bound)
             lost = any(isinstance(error, errors.Unreachable) for error in failed.values())
             # without their name server, they may still live
             identities = dict(self._found.get(top, {})) if lost else {}
@@ -361,10 +361,10 @@ class Top:
                 if identity not in self._entries:
                     self._entries[identity] = Entry(node, self._hearing, self._hurried)
             self._found[top], self._failed[top] = identities, failed
-            wanted = {identity for listed in self._found.values() for identity in listed.values()}
-            unbound = [self._entries[identity] for identity in set(self._entries) - wanted]
+            identified = {identity for listed in self._found.values() for identity in listed.values()}
+            unbound = [self._entries[identity] for identity in set(self._entries) - identified]
             self._tasks.start(self._hearing.take_back(unbound))
-            self._entries = {identity: self._entries[identity] for identity in wanted}
+            self._entries = {identity: self._entries[identity] for identity in identified}
             self._listed = None
             self._look_after_all()
             await loop.sleep(WALK)
@@ -609,13 +609,13 @@ def _rested(entries):
     return sorted((entry for entry in entries if entry.again <= now), key=lambda entry: entry.asked)
 
 
-async def _walk(top, known):
+async def _walk(top, bound):
     """(component nodes below a path, {path: errors.Error} of what cannot be listed); the name server is not
-    asked for those `known`, {path: Node}.
+    asked for those that are `bound`, {path: Node}.
     """
     try:
         start = await tree.resolve(top)
-        walked = list(await tree.walk(start, managers=start.kind == "manager", objects=known))
+        walked = list(await tree.walk(start, managers=start.kind == "manager", objects=bound))
     except errors.Error as e:
         return [], {str(top): e}
     unsure = [node for node in walked if node.kind == "unsure"]
@@ -653,8 +653,8 @@ async def _description(node):
 async def _neighbours(node):
     """The paths, as text, of the components that one is connected with."""
     ends = await places.far_ends(await ports.ports(node))
-    found = [end.port.node for end in ends.values() if end.port is not None and end.port.node is not None]
-    return {str(far.path.object()) for far in found}
+    ports_there = [end.port for end in ends.values() if end.port is not None]
+    return {str(port.node.path.object()) for port in ports_there if port.node is not None}
 
 
 async def _flow(node):

@@ -146,15 +146,15 @@ def _wrapped(line, columns):
 class Page:
     """Shows a top.Top on a curses window until the user has seen enough."""
 
-    def __init__(self, window, looking, meters, sort, wanted, doctor):
-        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `wanted` the filter, to begin with;
+    def __init__(self, window, looking, meters, sort, pattern, doctor):
+        """`meters`: statistics.Meters; `sort` one of rows.SORTS, and `pattern` the filter, to begin with;
         `doctor` gives lines on a Node.
         """
         self.window = window
         self.looking = looking
         self.meters = meters
         self.sort = sort
-        self.wanted = wanted
+        self.pattern = pattern
         self.doctor = doctor
         self.group = "none"  # one of rows.GROUPS
         self.only = None  # paths, if only these are shown
@@ -235,7 +235,7 @@ class Page:
             elif command == "neighbours":
                 self.message = f"{len(value)} connected with {path}; Esc shows all"
                 self.only = value | {path}
-                self.wanted = ""
+                self.pattern = ""
             elif command == MEASURE_ALL:
                 self.message = ""
             elif isinstance(value, list):
@@ -267,15 +267,15 @@ class Page:
             self.typing = False
         elif key == ESCAPE:
             self.typing = False
-            self.wanted = ""
+            self.pattern = ""
         elif key in BACKSPACE:
-            self.wanted = self.wanted[:-1]
+            self.pattern = self.pattern[:-1]
         elif isinstance(key, str):
             pasted = key.replace(PASTE, "").replace(PASTE_END, "")
             if pasted.startswith(ESCAPE):
-                self.wanted += ""
+                self.pattern += ""
             else:
-                self.wanted += "".join(filter(str.isprintable, pasted))
+                self.pattern += "".join(filter(str.isprintable, pasted))
 
     def _obey_overlay(self, key):
         step = self._step(key)
@@ -329,7 +329,7 @@ class Page:
         elif key == "/":
             self.typing = True
         elif key == ESCAPE:
-            self.wanted = ""
+            self.pattern = ""
             self.only = None
         elif str(key).startswith(PASTE):
             self.message = "pasted text is not read as keys"
@@ -401,11 +401,11 @@ class Page:
         height, width = self.window.getmaxyx()
         self.drawn = self._now()
         components = self.drawn[0]
-        found = rows.arranged(components, self.sort, self.wanted)
+        shown = rows.arranged(components, self.sort, self.pattern)
         if self.only is not None:
-            found = [row for row in found if row.path in self.only]
-        found, self.common = rows.shortened(found)
-        self.lines = rows.grouped(found, self.group)
+            shown = [row for row in shown if row.path in self.only]
+        shown, self.common = rows.shortened(shown)
+        self.lines = rows.grouped(shown, self.group)
         self.rows = [line for line in self.lines if isinstance(line, rows.Row)]
         paths = [row.path for row in self.rows]
         number = self.number
@@ -426,7 +426,7 @@ class Page:
 
     def _draw_head(self, components, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
-        matching = f"; {len(self.rows)} with: {self.wanted}" if self.wanted else ""
+        matching = f"; {len(self.rows)} with: {self.pattern}" if self.pattern else ""
         below = f"; below {self.common}" if self.common else ""
         self._put(0, f"{rows.summary(components)}{matching}{below}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
@@ -483,7 +483,7 @@ class Page:
         if self.asked:
             line = f"{self.asked[0].name} {self.asked[1].name}? y/N"
         elif self.typing:
-            line = "/" + self.wanted + "_"
+            line = "/" + self.pattern + "_"
         elif self.message:
             line = text.safe(self.message)
         elif self.plot is not None:
@@ -510,7 +510,7 @@ class Page:
         return text.safe(line).encode(coding, "backslashreplace").decode(coding)
 
 
-async def show(looking, meters, sort, wanted, doctor):
+async def show(looking, meters, sort, pattern, doctor):
     """Show the page until the user ends it; the terminal is always restored."""
     with screen() as window:
-        await Page(window, looking, meters, sort, wanted, doctor).follow()
+        await Page(window, looking, meters, sort, pattern, doctor).follow()

@@ -31,12 +31,12 @@ WIDE = 110  # columns from which on there is room for more
 _NAMES = 36  # columns at most for names, and for directories
 
 
-def arranged(rows, sort="name", wanted=""):
-    """The Rows that match all words of `wanted`, in the order of one of SORTS.
+def arranged(rows, sort="name", pattern=""):
+    """The Rows that match all words of `pattern`, in the order of one of SORTS.
 
     A word, in any case, matches part of a path, or a whole state.
     """
-    for word in wanted.lower().split():
+    for word in pattern.lower().split():
         rows = [row for row in rows if word in row.path.lower() or word == (row.state or "").lower()]
     keys = {
         "name": lambda row: 0,

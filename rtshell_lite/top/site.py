@@ -78,10 +78,11 @@ class Place:
         """
         asked = request.headers.get("host", "").lower()
         host, _ = split_address(asked)
-        known = {request.here, f"[{request.here}]"} | self.names
+        allowed = {request.here, f"[{request.here}]"} | self.names
         if _is_loopback(request.here):
-            known.add("localhost")
-        if host not in known or request.headers.get("origin", "http://" + asked).lower() != "http://" + asked:
+            allowed.add("localhost")
+        origin = request.headers.get("origin", "http://" + asked).lower()
+        if host not in allowed or origin != "http://" + asked:
             raise http.Refused(403)
         import hmac  # not needed where nothing is served
 
@@ -97,8 +98,8 @@ async def place(where, otherwise=None):
     host, port = where
     try:
         world = loop.world()
-        found = await loop.on_thread(world.resolve, host, port)
-        family, _, _, _, address = sorted(found, key=lambda each: each[0])[0]
+        addresses = await loop.on_thread(world.resolve, host, port)
+        family, _, _, _, address = sorted(addresses, key=lambda way: way[0])[0]
         listener = world.listen(family, address)
     except (OSError, OverflowError, UnicodeError) as e:
         if otherwise and getattr(e, "errno", None) == errno.EADDRINUSE:
@@ -162,8 +163,8 @@ class Site:
         """Note what a rows.Row says, if that is new."""
         state = {"?": "Unknown", "~": "Unknown", "-": "Unknown", None: None}.get(row.state, row.state)
         why = rows.reason(row.path, row.failure) if row.failure else safe(row.event)
-        _, (known, words) = self._now.get(row.path, (0, (None, "")))
-        if state == known and words.startswith(why) and bool(why) == bool(words):
+        _, (shown_state, words) = self._now.get(row.path, (0, (None, "")))
+        if state == shown_state and words.startswith(why) and bool(why) == bool(words):
             return
         if why:
             why += calendar.local(" (seen at %H:%M:%S)")
@@ -200,13 +201,13 @@ class Site:
                 shown = answer.snapshot
                 shown.states = ["as above"] * len(shown.states)  # which the page keeps live
             self._details[path] = Detail(shown, entries[path].links, loop.now())
-        known = [detail.snapshot for detail in self._details.values() if detail.snapshot is not None]
-        ends = await places.far_ends([port for each in known for port in each.ports])
+        snapshots = [detail.snapshot for detail in self._details.values() if detail.snapshot is not None]
+        ends = await places.far_ends([port for snapshot in snapshots for port in snapshot.ports])
         lost = {}
         for path, entry in entries.items():
             if not self._is_known(path):
                 lost[path] = entry.node.endpoint
-        fields = page.fields(*self._picture(known, lost, ends))
+        fields = page.fields(*self._picture(snapshots, lost, ends))
         if fields != self._fields:
             self._fields = fields
             boxes = enumerate(fields["boxes"])
@@ -231,9 +232,9 @@ class Site:
                 old.append(path)
         return due + old[:MOST_AGAIN]
 
-    def _picture(self, known, lost, ends=()):
+    def _picture(self, snapshots, lost, ends=()):
         """The arguments of page.fields for components that are known, and others."""
-        system = capture.of_snapshots(known, dict(ends))
+        system = capture.of_snapshots(snapshots, dict(ends))
         drawing = live_graph.of_system(system, lost)
         for box in drawing.picture.boxes:
             if box.path:
@@ -253,8 +254,8 @@ class Site:
             policy = ("Content-Security-Policy", page.live_policy())
             return http.Answer(200, "text/html; charset=utf-8", html.encode(), (policy,))
         if request.target.startswith(path + "events?"):
-            known = request.headers.get("last-event-id") or request.target.partition("?")[2]
-            stream = functools.partial(self._send_events, known)
+            version = request.headers.get("last-event-id") or request.target.partition("?")[2]
+            stream = functools.partial(self._send_events, version)
             return http.Answer(200, "text/event-stream", stream, ())
         raise http.Refused(404)
 
@@ -267,15 +268,15 @@ class Site:
 
     def _since(self, change):
         """{number of a box: [state, words]} of those that are new since a change."""
-        found = {}
+        changed = {}
         for path, number in self._numbers.items():
             when, now = self._now.get(path, (0, None))
             if when > change:
-                found[number] = now
-        return found
+                changed[number] = now
+        return changed
 
-    async def _send_events(self, known, connection):
-        """Send to a browser what changes; it has the version `known`. Raises http.Gone, OSError."""
+    async def _send_events(self, version, connection):
+        """Send to a browser what changes; it has this `version`. Raises http.Gone, OSError."""
         bell = loop.Bell()
         self._bells.add(bell)
         change = 0
@@ -285,14 +286,14 @@ class Site:
             while True:
                 event = ""
                 now = self._since(change)
-                if known != self._name():
+                if version != self._name():
                     event = f"event: system\nid: {self._name()}\ndata: {self._content()}\n\n"
                 elif now:
                     event = f"event: states\ndata: {page_file.as_json(now)}\n\n"
                 elif loop.now() - beat > BEAT:
                     event = ":\n\n"
                 change = self._changes
-                known = self._name()
+                version = self._name()
                 if event:
                     beat = loop.now()
                     await connection.send(event.encode())

@@ -66,7 +66,7 @@ OF_THE_MACHINE = (
 
 # Names that say nothing of what they name, and how often they are still bound.
 EMPTY = {"found", "each", "at", "known", "wanted", "made", "one", "so", "have"}
-MOST_EMPTY = 121
+MOST_EMPTY = 5
 MOST_PLACES = 13
 
 
