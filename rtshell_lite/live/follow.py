@@ -39,6 +39,7 @@ class Followed:
     beat = times.BEAT  # seconds between the heartbeats of its observer
     heard = lived = asked = 0.0  # when it last called us, was last known to live, was looked for
     dead = None  # the identity of its object that is gone
+    in_vain = None  # a Patience with what else it is asked, since it has left such a question unanswered
 
     def __init__(self, path):
         self.path = path
@@ -104,6 +105,20 @@ class Followed:
     def wait_no_more(self):
         """It has answered about its connections, or what held it up may be over."""
         self.patience.end()
+
+    def asked_in_vain(self, shows):
+        """It has not answered such a question, which may hold one of its threads for as long as it hangs."""
+        if shows == "PORT_EVENT":
+            self.patience.wait()
+            return
+        if self.in_vain is None:
+            self.in_vain = times.Patience()
+        self.in_vain.wait()
+
+    def may_be_asked(self, shows, now):
+        """Whether a question that shows this kind of Events may be put."""
+        patience = self.patience if shows == "PORT_EVENT" else self.in_vain
+        return patience is None or now >= patience.until
 
     def forget(self):
         """It has no observer of ours any more."""
@@ -229,6 +244,7 @@ class Presence:
         """A far end that may have held up others does so no more."""
         for other in self.followed:
             other.wait_no_more()
+            other.in_vain = None
             if other.seen is not None:
                 other.seen.wait_no_more()
 
@@ -389,7 +405,7 @@ class Presence:
     async def _put(self, entry, kind, question):
         """Ask a component a question, and report what its answer shows."""
         shown = entry.shown
-        if shown is None or entry.is_hung:
+        if shown is None or entry.is_hung or not entry.may_be_asked(kind, loop.now()):
             return
         try:
             events = await question()
@@ -397,12 +413,14 @@ class Presence:
             entry.missed(kind)
             return
         except errors.Error as e:
-            if kind == "PORT_EVENT" and isinstance(e, errors.Silent):
-                entry.patience.wait()
+            if isinstance(e, errors.Silent):
+                entry.asked_in_vain(kind)
             await self.ask(entry)
             return
         if kind == "PORT_EVENT":
             entry.wait_no_more()
+        else:
+            entry.in_vain = None
         if entry.shown is shown:
             for event in events:
                 entry.reported(event)
@@ -411,7 +429,7 @@ class Presence:
 def _questions(entry, kind, now):
     """Those of a kind that a component is asked, see `Presence._due`."""
     shows = ask.SHOWS[kind]
-    if shows == "PORT_EVENT" and now < entry.patience.until:
+    if not entry.may_be_asked(shows, now):
         return
     if shows != "PORT_EVENT" and entry.reports:
         return

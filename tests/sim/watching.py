@@ -68,9 +68,12 @@ def events_are_true(play, command):
         if not play.robot.was_well(name, command.begun, command.ended) or _is_far(play):
             continue
         last = play.robot.lives[name][-1]
-        history = last.component.states if last.component is not None else []
-        for (since, state), (until, _) in zip(history, history[1:] + [(command.ended, "")]):
-            if command.begun + SEEN < since and min(until, command.ended) - since > SEEN:
+        states = last.component.states if last.component is not None else []
+        # Created, it is in a context that it has just been taken into; what it was before is no news then
+        history = [(since, state) for since, state in states if state != "Created"]
+        befores = [""] + [state for _, state in history]
+        for before, (since, state), (until, _) in zip(befores, history, history[1:] + [(command.ended, "")]):
+            if before != state and command.begun + SEEN < since and min(until, command.ended) - since > SEEN:
                 if (name, state) not in told:
                     return f"{name} has become {state} at {since:.3f}, and nobody is told"
     return None
