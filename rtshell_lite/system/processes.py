@@ -38,6 +38,7 @@ class Process:
         self.restarts = 0
         self.output = output
         self.is_wanted = True
+        self.is_stopping = False
         self.has_finished = False
         self.changed = []  # Waits of those who want to know
 
@@ -241,11 +242,16 @@ class Processes:
         stopped = self.all if stopped is None else stopped
         for process in stopped:
             process.is_wanted = False
-        await loop.each(stopped, self._stop)
+            process.is_stopping = True
+        try:
+            await loop.each(stopped, self._stop)
+        finally:
+            for process in stopped:
+                process.is_stopping = False
 
     async def _stop(self, process):
         for other in self.all:
-            if process.name in other.spec.after and not other.is_wanted:
+            if process.name in other.spec.after and other.is_stopping:  # one that is paused runs on
                 await other.until(lambda: other.pid is None)
         number, seconds = process.spec.stop
         begun = loop.now()

@@ -81,6 +81,7 @@ NAMES = [
     ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
     ("rtlog record -f run.mcap -t 60", "rtlog record -f run.mcap -t 1"),
     ("run.mcap -i -e 1000", "run.mcap -i -e 250"),
+    ("-s 100 -e 200", "-s 100 -e 106"),  # what the buffer of a port has room for, on a busy machine
     ("rtlog ring", "rtlog ring -t 1"),
     ("rtlog record --rotate", "rtlog record -t 1 --rotate"),
     ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
