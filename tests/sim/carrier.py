@@ -114,7 +114,7 @@ class Strand(loop.Task):
         except Raised as e:
             self.error = e
         except Exception as e:
-            self.process.program.failure = e
+            self.process.program.note_failure(e)
             self.error = failure("UNKNOWN")
         self.is_over = True
         self.process.strands.pop(self, None)

@@ -306,7 +306,7 @@ class Program:
         except Killed:
             pass
         except BaseException as e:
-            self.failure = e
+            self.note_failure(e)
         finally:
             self._is_killed = True
             self.is_over = True
@@ -337,6 +337,11 @@ class Program:
             _raise_to(self.silences, name, self.world.time - self.unheard.pop(name))
 
     # ---- what is done to it ----
+
+    def note_failure(self, exception):
+        """It has raised what it should not; that it is killed may show as anything, where it cleans up."""
+        if not self._is_killed:
+            self.failure = exception
 
     def kill(self):
         """SIGKILL."""
