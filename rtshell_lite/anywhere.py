@@ -70,7 +70,7 @@ def _demo_arguments(parser):
 
 
 def _port(word):
-    if not word.isdigit() or int(word) > 65535:
+    if not word.isdecimal() or int(word) > 65535:
         raise errors.Usage(f"{word}: is no TCP port")
     return int(word)
 

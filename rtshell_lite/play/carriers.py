@@ -257,7 +257,7 @@ _PROVIDERS = {"corba_cdr": OutPortCdr, "data_service": DataPullService}
 
 
 def _number(text, default):
-    if text.isdigit() and len(text) < 7:
+    if text.isdecimal() and len(text) < 7:
         return int(text)
     return default
 

@@ -45,7 +45,7 @@ class Odometry(live.Worker):
     RADIUS = 2.0  # metres
 
     def step(self, seconds):
-        self.angle += self.value("speed") / self.RADIUS * seconds
+        self.angle = live.finite(self.angle + self.value("speed") / self.RADIUS * seconds)
         x, y = self.RADIUS * math.cos(self.angle), self.RADIUS * math.sin(self.angle)
         heading = math.atan2(x, -y)
         self.port("pose").send(orb.struct("RTC.Pose2D")(orb.struct("RTC.Point2D")(x, y), heading))
@@ -164,7 +164,8 @@ class Joint(live.Worker):
     angle = 0.0
 
     def step(self, seconds):
-        self.angle += (self.value("target") - self.angle) * min(1.0, self.setting("gain") * seconds)
+        share = min(1.0, self.setting("gain") * seconds)
+        self.angle = live.finite(self.angle + (self.value("target") - self.angle) * share)
         self.port("angle").send(round(self.angle, 4))
 
 

@@ -2,6 +2,8 @@
 work at a rate meanwhile. All that they know is in memory.
 """
 
+import math
+
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.giop import descriptors
@@ -12,10 +14,18 @@ from rtshell_lite.robot.component import FACTS
 from rtshell_lite.text import from_wire
 
 FASTEST = 100.0  # Hz: a context has no higher rate
+BREATH = 0.001  # seconds that others have between two executions, at least
 
 
 class Fault(Exception):
     """What a component raises that goes to Error."""
+
+
+def finite(number):
+    """A number that a component can go on with. Raises Fault."""
+    if not math.isfinite(number):
+        raise Fault
+    return number
 
 
 class Context(component.Context):
@@ -59,6 +69,7 @@ class Context(component.Context):
         if not 0 < rate <= FASTEST:
             return code("BAD_PARAMETER")
         self.rate = rate
+        self.owner.paced.ring()
         return code("RTC_OK")
 
 
@@ -180,6 +191,7 @@ class Worker(component.Component):
         configuration = Configuration(sets, next(iter(sets), ""))
         super().__init__(instance_name, identity, [("language", "Python")], configuration)
         self.tasks = tasks
+        self.paced = loop.Bell()  # rings when the rate has changed
         self.contexts = [Context(self, rate=self.rate)]
         for kind, given in ((InPort, self.ins), (OutPort, self.outs)):
             self.ports += [kind(self, port, types.named(data_type)) for port, data_type in given.items()]
@@ -197,19 +209,25 @@ class Worker(component.Component):
         return next(port for port in self.ports if port.name == name)
 
     def value(self, name, default=0.0):
-        """The last value that has come to an in port, `default` before the first."""
+        """The last value that has come to an in port, `default` before the first. Raises Fault for a number
+        that is infinite or none.
+        """
         value = self.port(name).value
+        if isinstance(value, float):
+            return finite(value)
         return default if value is None else value
 
     def setting(self, name):
         """A number of the active configuration set; that of the class where somebody has set what is none."""
         try:
-            return float(self.configuration.sets[self.configuration.active][name])
-        except (KeyError, ValueError):
+            return finite(float(self.configuration.sets[self.configuration.active][name]))
+        except (KeyError, ValueError, Fault):
             return float(self.settings["default"][name])
 
     def step(self, seconds):
-        """Work; `seconds` have passed since the last time. Raises Fault to go to Error."""
+        """Work; `seconds` have passed since the last time. Raises Fault to go to Error, as it does where it
+        computes what cannot be.
+        """
 
     def rest(self, seconds):
         """So many seconds have passed in which it did not work."""
@@ -219,7 +237,8 @@ class Worker(component.Component):
         before = due = loop.now()
         while True:
             due = max(due, loop.now() - 1) + 1 / self.contexts[0].rate  # it makes up for a second at most
-            await loop.sleep(due - loop.now())
+            if await self.paced.wait(max(BREATH, due - loop.now())):
+                due = loop.now()
             now = loop.now()
             self._execute(now - before)
             before = now
@@ -230,7 +249,7 @@ class Worker(component.Component):
             return self.rest(seconds)
         try:
             self.step(seconds)
-        except Fault:
+        except (Fault, ArithmeticError, ValueError):  # others may send and set any number
             for context in active:
                 context.set_state(self, "Error")
 

@@ -118,6 +118,9 @@ What components of a robot refuse, and mistakes:
   $ rtshell_lite demo --port 99999
   rtshell_lite demo: 99999: is no TCP port (see --help)
   [2]
+  $ rtshell_lite demo --port ²
+  rtshell_lite demo: ²: is no TCP port (see --help)
+  [2]
   $ rtshell_lite demo --port ${RTCSH_CWD##*:}
   rtshell_lite demo: 127.0.0.1:*: cannot listen there; does another program? (glob)
   [1]
