@@ -643,7 +643,7 @@ class Loop:
 
     def unwatch(self, fd):
         """Do not look at a file descriptor any more."""
-        if self._watched.pop(fd, None) is not None:
+        if self._watched.pop(fd, None) is not None and not self.is_closed:
             self._poll.unregister(fd)
 
     def post(self, function, *args):

@@ -173,6 +173,19 @@ class Waiting(Case):
         os.close(ours)
         os.close(theirs)
 
+    def test_a_task_that_outlives_its_loop_ends_without_a_failure(self):
+        """As one does that has not cleaned up in time after a signal."""
+        ours, theirs = os.pipe()
+        left = []
+
+        async def main():
+            left.append(loop.Task(loop.current(), loop.ready(ours, loop.READ), None, None))
+            await loop.sleep(0)
+        loop.run(main())
+        left[0].close()
+        os.close(ours)
+        os.close(theirs)
+
     async def write(self, fd):
         await loop.sleep(0.01)
         os.write(fd, b"x")
