@@ -192,6 +192,14 @@ async def _forgetting_failed(port, operation, connector_id):
     )
 
 
+def removal(port, connector, is_forced=False):
+    """The rtdis command that removes a Connector of a Port, ready for a shell."""
+    words = ["rtdis", "-i", connector.id, ports.label(port)]
+    if is_forced:
+        words.insert(1, "--force")
+    return " ".join(shell_word(word) for word in words)
+
+
 async def disconnect_all(pairs, dry_run=False, is_forced=False):
     """`disconnect` each (Port, Connector): a line or an errors.Error for each;
     a connector of two of the ports is removed once.
@@ -203,7 +211,7 @@ async def disconnect_all(pairs, dry_run=False, is_forced=False):
             continue
         seen.add(connector.id)
         if dry_run:
-            results.append(f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}")
+            results.append(removal(port, connector, is_forced))
             continue
         try:
             await disconnect(port, connector, is_forced)

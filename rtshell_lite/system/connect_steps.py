@@ -5,7 +5,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.robot import connectors, ports
 from rtshell_lite.system import capture, placements, steps
 from rtshell_lite.system.steps import Difference
-from rtshell_lite.text import printable, shell_word
+from rtshell_lite.text import printable
 
 
 class Incomplete(errors.Refused):
@@ -347,7 +347,7 @@ class Disconnect(ConnectionStep):
         living, failures = errors.split(answers)
         self.last = self.connections_between(living)
         for port, connector in self.last[:1]:
-            self.command = f"rtdis -i {shell_word(connector.id)} {shell_word(ports.label(port))}"
+            self.command = connectors.removal(port, connector, self.is_forced)
         for e in failures + [placement.error for placement in self.placements if placement.error is not None]:
             if not self.last and not placements.is_gone(e):
                 raise e

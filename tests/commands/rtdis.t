@@ -105,6 +105,8 @@ Nothing to remove is fine for a component or a port, but not for what was named:
   to-0 outin
   motor outin
   to-0 outin
+  $ rtdis --dry-run --force -i motor ConsoleOut0.rtc
+  rtdis --force -i motor /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
   $ rtdis --dry-run ConsoleOut0.rtc | sh
   $ ctl connectors ConsoleIn0:out; ctl connectors ConsoleOut0:in
 

@@ -20,6 +20,8 @@ The commands that would do it:
   rtdis -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   rtdis -i 'two ends' /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   rtdis -i service /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService
+  $ rtteardown --dry-run --force a.xml | head -1
+  rtdis --force -i one /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
 
 Doing it; other connections stay, and a second time nothing is left to do:
 
