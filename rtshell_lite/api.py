@@ -368,14 +368,17 @@ async def connect(one, other, **properties):
 
 @_plain
 async def disconnect(one, other=None):
-    """Remove the connections of two ports, or all of one; returns how many there were."""
+    """Remove the connections of two ports, or all of one; returns how many there were. Raises the failure of
+    the first that stays, when all others are removed.
+    """
     from rtshell_lite.robot import connectors, ports
 
     ends = await _found(*[path for path in (one, other) if path is not None])
-    removed = ports.joining(ends) if other is not None else ends[0].connectors
-    for connector in removed:
-        await connectors.disconnect(ends[0], connector)
-    return len(removed)
+    joining = ports.joining(ends) if other is not None else ends[0].connectors
+    results = await connectors.disconnect_all([(ends[0], connector) for connector in joining])
+    for failure in errors.split(results)[1][:1]:
+        raise failure
+    return len(joining)
 
 
 @contextlib.contextmanager

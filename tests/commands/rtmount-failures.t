@@ -125,6 +125,7 @@ What is mounted there meanwhile is another tree, and stays when the last file of
 
   $ rtmount $PWD/m; old=$(pgrep -f "rtmount $PWD/m")
   $ sleep 1000 <m/README & one=$!
+  $ soon 'readlink /proc/$one/fd/0 | grep README'
   $ rtmount -u m
   rtmount: $TMP/m: unmounted; its process serves the files that are still open, or is stopped
   $ rtmount m; kill $one

@@ -222,7 +222,11 @@ def _is_surely_dead(play, command, name):
 
 
 def _is_refused(play):
-    return any(name == "close_port" for _, name, _ in play.scenario.faults)
+    return _was_there(play, "close_port")
+
+
+def _was_there(play, fault):
+    return any(name == fault for _, name, _ in play.scenario.faults)
 
 
 def _was_troubled(play, until):
@@ -390,7 +394,8 @@ def changes_what_it_says(play, command):
         return _doubt_parting(play, command, ends)
     if command.name in OF_FILES:
         return _doubt_system(play, command)
-    if command.name == "rtconf" and "set" in ends:
+    # of a component that wavers, another set may have been the active one
+    if command.name == "rtconf" and "set" in ends and not _was_there(play, "waver"):
         if command.gains.get(names[0]) != ends[-1]:
             return f"status 0, and gain is {command.gains.get(names[0])}"
     return None

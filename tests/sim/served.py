@@ -50,7 +50,10 @@ def answers_in_time(play, command):
     """Each request of a program is answered in time, whatever hangs, and one who gives up is free at once."""
     if not command.is_over:
         return "does not end"
-    if command.interrupted is not None and command.ended - command.interrupted > PROMPT:
+    mounts = [each for each in play.commands if each.name == "rtmount" and each.interrupted is not None]
+    is_mount_ending = any(mount.interrupted < command.ended for mount in mounts)  # and all that waits with it
+    is_slow = command.interrupted is not None and command.ended - command.interrupted > PROMPT
+    if is_slow and not is_mount_ending:
         return f"waits for {command.ended - command.interrupted:.2f} s after a signal"
     for request in command.program.requests:
         limit = _limit(play, command, request)
