@@ -3,7 +3,6 @@ What comes while rtlog is held up waits in the component, as far as its memory i
 alone: time
 world: senders 500 100
 world: senders 20 300000 --context big.host_cxt/%n.rtc
-world: senders 2000 8 --context fast.host_cxt/%n.rtc
 both: each ORB receives and sends values in its own way
 
 Values of any size, 500 a second, while rtlog does nothing for 0.2 s, four times:
@@ -56,23 +55,3 @@ without one:
   $ numbers c.mcap; rtlog -d -f c.mcap | grep Missing
   []
   [1]
-
-What the buffer of a port could not hold meanwhile is missing, which is in the log (about how much, only the component knows), and told at the end:
-
-  $ rtlog -q -f d.mcap --events ../fast.host_cxt/Source0.rtc 2> told & pid=$!
-  $ soon '[ $(entries d.mcap :number) -gt 8000 ]'
-  $ kill -STOP $pid
-  $ before=$(ctl @senders3 sent Source0:number)
-  $ soon '[ $(ctl @senders3 sent Source0:number) -gt $((before + 8000)) ]'
-  $ kill -CONT $pid
-  $ soon 'rtlog --json -f d.mcap | grep MISSING.*number'
-  $ kill $pid; wait $pid
-  [143]
-  $ cat told; rtlog -d --json -f d.mcap > info; rtlog --json -f d.mcap 2> nul | python3 -c 'import json, sys
-  > numbers = [entry["value"]["data"] for entry in map(json.loads, sys.stdin) if \
-  >     entry["port"].endswith(":number")]
-  > lost = sum(m - n - 1 for n, m in zip(numbers, numbers[1:]))
-  > told = sum(count for gap in json.load(open("info"))["gaps"] for name, count in gap["counts"].items() if name.endswith(":number"))
-  > print(lost > 1000, told > 0)'
-  rtlog: values are missing (intervals: *); rtlog show says when (glob)
-  True True
