@@ -345,7 +345,8 @@ class Faults(Worlds):
                     world.ctl("fail", operation, str(count), "HANG")
                     begun = time.monotonic()
                     self.check()
-                    self.assertLess(time.monotonic() - begun, 2 * SECONDS + 2)
+                    # on a busy machine; how many timeouts that takes is told by the story rtresurrect-faults
+                    self.assertLess(time.monotonic() - begun, 10 * SECONDS)
 
     def test_processes_that_die(self):
         for place, operation, count in [(self.worlds.index(world), *more) for world, *more in self.faults()]:

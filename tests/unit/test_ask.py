@@ -246,7 +246,7 @@ class Queues(unittest.TestCase):
         self.watch.followed = [
             types.SimpleNamespace(
                 is_hung=False, endpoint=("a", 1), where=str(each), reports=False, shown="it",
-                patience=times.Patience(), seen=types.SimpleNamespace(
+                may_be_asked=lambda shows, now: True, seen=types.SimpleNamespace(
                     contexts=(), has_sets=False, ports=count * [None], _which_owned=None,
                     _which_participating=None, _which_ports=None, asks_port=lambda port: False,
                 ),
