@@ -271,7 +271,7 @@ async def is_alive(where, ref):
 
 
 async def refusal(where, process):
-    """The errors.ConnectionRefused for an object whose `process`, (host, port), refuses; a Path `where` tells
+    """The errors.ConnectionRefused for an object whose `process`, (host, port), refuses; a Path `where` gives
     the name server that has given its reference.
     """
     from rtshell_lite.corba import liveness  # few need it

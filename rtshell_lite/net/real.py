@@ -76,7 +76,7 @@ class Epoll:
         except FileExistsError:
             self._epoll.modify(descriptor, events)
         except PermissionError:
-            if events:  # else whether its reader has gone is asked for: a file has none
+            if events:  # without any, a poll looks whether a pipe's reader has gone; a file has none
                 self._files[descriptor] = events
 
     def unregister(self, descriptor):
@@ -94,7 +94,7 @@ class Epoll:
 
 
 def poll():
-    """What tells which descriptors are ready, with the methods of select.poll."""
+    """An object that finds which descriptors are ready, with the methods of select.poll."""
     try:
         return Epoll()
     except (AttributeError, OSError):  # not on Linux; out of files

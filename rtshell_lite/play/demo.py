@@ -1,7 +1,7 @@
-"""What `rtshell_lite demo` plays: a mobile arm to play with, in this process, and in memory alone.
+"""The robot of `rtshell_lite demo`: a mobile arm, in this process and in memory alone.
 
-Its components are true ones for all commands: they are listed, activated, configured, connected and asked as
-those of a robot are, and what is done to them has an effect on the values that they send.
+All commands work on its components as on those of a robot: they are listed, activated, configured and
+connected, and what is done to them changes the values that they send.
 """
 
 import math
@@ -36,7 +36,7 @@ class Battery(live.Worker):
 
 
 class Odometry(live.Worker):
-    """Drives in a circle, as fast as it is told."""
+    """Drives in a circle, at the speed that comes in."""
 
     category, description = "Sensor", "place of the base by its wheels, metres and radians"
     ins = {"speed": NUMBER}

@@ -218,7 +218,7 @@ class Worker(component.Component):
         return default if value is None else value
 
     def setting(self, name):
-        """A number of the active configuration set; that of the class where somebody has set what is none."""
+        """A number of the active configuration set; that of the class where its text is not a number."""
         try:
             return finite(float(self.configuration.sets[self.configuration.active][name]))
         except (KeyError, ValueError, Fault):
