@@ -15,7 +15,8 @@ from rtshell_lite.robot import component, connectors, ports
 from rtshell_lite.text import printable, shell_word, to_wire
 
 INTERFACES = ("corba_cdr", "data_service")  # usable interface types; the first is preferred
-LOOK = 1.0  # seconds between two looks whether a silent port still exists
+LOOK = 1.0  # seconds between two looks whether silent ports still exist
+MOST = 20  # that are looked at at a time; of more by turns
 
 # That a connector was not removed, why, and when to try again.
 BUSY = (
@@ -276,12 +277,15 @@ class Connections:
         self._stop = self._tasks = self._watching = None
         self._hears_stop = self._is_open = False
         self.absences = 0  # how often it has stepped aside
+        self._ended = set()  # endpoints of processes with which a connection has ended
+        self._looks = 0  # at silent ports
 
     async def __aenter__(self):
         # the Bell rings at Ctrl-Z
         self._stop = loop.Bell()
         self._tasks = loop.Group()
         self._watching = loop.background(self._watch())
+        session.current().on_end.append(self._suspect)
         for connection in self.connections:
             connection.tasks = self._tasks
         await self._watching.__aenter__()
@@ -314,6 +318,7 @@ class Connections:
         for connection in self.connections:
             connection.stop()
             connection.is_closing = True
+        session.current().on_end.remove(self._suspect)
         try:
             await self._watching.__aexit__(None, None, None)
         finally:
@@ -384,7 +389,31 @@ class Connections:
             if await self._stop.wait(LOOK):
                 await self._step_aside()
             else:
-                await self._each("check", [connection for connection in self.live() if connection.is_due()])
+                await self._each("check", self._due())
+
+    def _suspect(self, endpoint):
+        """A connection with a process has ended: it may be gone."""
+        self._ended.add(endpoint)
+
+    def _due(self):
+        """The connections to be looked at: those with a process that may have ended, and silent ones, MOST at
+        a time.
+        """
+        ended = set(self._ended)
+        self._ended.clear()
+        at_once = []
+        silent = []
+        for connection in self.live():
+            is_due = connection.is_due()
+            if connection.endpoint in ended:
+                at_once.append(connection)
+            elif is_due:
+                silent.append(connection)
+        if len(silent) > MOST:
+            first = self._looks % len(silent)
+            self._looks += MOST
+            silent = (silent + silent)[first : first + MOST]
+        return at_once + silent
 
     async def _step_aside(self):
         self.absences += 1

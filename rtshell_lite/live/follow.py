@@ -163,6 +163,7 @@ class Presence:
         self._suspected = set()  # endpoints that are being asked whether they live
         self._seek_at = 0.0  # when absent ones are looked for
         self._late_at = 0.0  # when one may be late, at the soonest
+        self._alarm = loop.Bell()  # rings when one has become what is looked at more often
         self._group = None
 
     async def __aenter__(self):
@@ -191,6 +192,10 @@ class Presence:
 
     async def still_absent(self, absent):
         """These have been looked for, in vain."""
+
+    def look_soon(self):
+        """One is about to end, has become absent, hangs, or is to be asked questions from now on."""
+        self._alarm.ring()
 
     # ---- whether they live ----
 
@@ -265,10 +270,10 @@ class Presence:
                 self._lose(other, error, seen)
         elif not entry.is_hung:
             entry.is_hung = True
+            self.look_soon()
             entry.hung(error)
 
-    @staticmethod
-    def _lose(entry, error, seen):
+    def _lose(self, entry, error, seen):
         if entry.is_ending:
             seen = "has exited"
         entry.forget()
@@ -276,6 +281,7 @@ class Presence:
         entry.shown = entry.seen = None
         entry.error = error
         entry.is_hung = entry.is_ending = False
+        self.look_soon()
         entry.vanished(seen)
 
     # ---- looking around ----
@@ -283,7 +289,8 @@ class Presence:
     async def _look_around(self):
         while True:
             now = loop.now()
-            absent = [entry for entry in self.followed if entry.shown is None and entry.is_sought]
+            missing = [entry for entry in self.followed if entry.shown is None]
+            absent = [entry for entry in missing if entry.is_sought]
             if absent and now >= self._seek_at:
                 self._seek_at = math.inf
                 self.start(self._seek(absent))
@@ -293,8 +300,11 @@ class Presence:
                 self.suspect(endpoint)
             for entry in late:
                 self.lend_again(entry)
-            self.ask_around(now)
-            await loop.sleep(min(times.SEEK if absent else 1.0, self.look / 2))
+            pause = times.SEEK if missing else 1.0  # to look through thousands takes some time
+            if self.ask_around(now) or doubtful:
+                pause = min(pause, self.look / 2)
+            pause = min(pause, max(self._late_at - now, self.look / 2))
+            await self._alarm.wait(pause)
 
     def _late(self, now):
         """Those that are late. To look through all costs most of what following costs at rest: it is done as
@@ -361,7 +371,7 @@ class Presence:
         return number
 
     def ask_around(self, now):
-        """Ask for what is not reported."""
+        """Ask for what is not reported: whether there is something."""
         queues = collections.defaultdict(list)
         for entry in self.followed:
             if entry.seen is not None and entry.shown is not None and not entry.is_hung:
@@ -375,6 +385,7 @@ class Presence:
                 if questions:
                     self._asking.add(queue)
                     self.start(self._put_all(queue, questions), some[0].endpoint)
+        return bool(queues)
 
     def _due(self, queue, some, now):
         """The questions, (Followed, kind of Event, coroutine function), that these are to be asked."""

@@ -24,7 +24,7 @@ KINDS = list(observer.KINDS) + [LIFE]
 # {kind of questions: every how many looks they are asked}, of those that take no observer; and about ports
 _POLLED = {ask.contexts: 5, ask.states: 1, ask.configuration: 5}
 _ASKED_PORTS = {ask.which_ports: 10, ask.connections: 10}
-MOST_PORTS = 100  # that are asked for their connections in a second
+MOST_PORTS = 30  # that are asked for their connections in a second
 
 
 class Events:
@@ -160,6 +160,7 @@ class Watched(follow.Followed):
         self.heard = loop.now()
         if isinstance(item, Event) and item.event == "FINALIZE":
             self.is_ending = True
+            self.watch.look_soon()
         self.reported(item)
         if self.reported_silence == "NO_HEARTBEAT":
             self.answered()
@@ -170,11 +171,13 @@ class Watched(follow.Followed):
         await self.watch.what.poll(seen)
         if self.shown is shown:  # not another one that has come meanwhile
             self.seen = seen
+            self.watch.look_soon()
 
     def follow_ports(self, listed):
         """Ask its ports.Ports for their connections from now on."""
         if self.seen is None:
             self.seen = ask.Seen(self.node, self._asks_port)
+            self.watch.look_soon()
         self.seen.take_ports(listed)
 
     def _asks_port(self, port):
@@ -365,7 +368,7 @@ class Watch(follow.Presence):
         count = sum(len(entry.seen.ports or ()) for entry in self.followed if entry.seen is not None)
         for kind in _ASKED_PORTS.keys() & self.asks.keys():
             self.asks[kind] = max(_ASKED_PORTS[kind], count / MOST_PORTS / self.look)
-        super().ask_around(now)
+        return super().ask_around(now)
 
     def lend_again(self, entry):
         """Nothing: see Watched.lives."""

@@ -83,9 +83,9 @@ def calls(world):
 
 
 def wait_until_at_rest(world):
-    """Wait until the components are asked as much in each of some seconds."""
+    """Wait until the components are asked as much in some seconds as in those before."""
     counts = []
-    while len(counts) < 20 or max(counts[-5:]) > 2 * min(counts[-10:]) + 50:
+    while len(counts) < 60 or sum(counts[-6:]) > 1.5 * sum(counts[-12:-6]) + 50:
         before = sum(calls(world).values())
         time.sleep(1)
         counts.append(sum(calls(world).values()) - before)

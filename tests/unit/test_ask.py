@@ -269,7 +269,7 @@ class Queues(unittest.TestCase):
         self.assertFalse(self.watch._asked or self.watch._counts)
 
     def test_many_ports_are_asked_more_rarely(self):
-        for count, seconds in ((5, 2), (100, 10)):
+        for count, seconds in ((5, 2), (30, 10)):
             self.follow(10, count)
             self.watch.ask_around(0.0)
             self.assertEqual(self.watch.asks[ask.connections] * self.watch.look, seconds)

@@ -41,13 +41,14 @@ class Late(unittest.TestCase):
         """Look around for some seconds, in which it calls us every second, or not at all."""
         end = self.now + seconds
 
-        async def sleep(pause):
+        async def wait(pause):
             self.now += pause
             if is_heard:
                 self.component.heard = int(self.now)
             if self.now > end:
                 raise Ended
-        with mock.patch.object(loop, "now", lambda: self.now), mock.patch.object(loop, "sleep", sleep):
+        bell = self.presence._alarm
+        with mock.patch.object(loop, "now", lambda: self.now), mock.patch.object(bell, "wait", wait):
             with self.assertRaises(Ended):
                 loop.run(self.presence._look_around())
 

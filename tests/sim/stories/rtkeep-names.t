@@ -34,10 +34,10 @@ It is back without a name; a process that is started again binds its names, and 
   [08:00:20] /robot/test.host_cxt/In0.rtc: its process is gone
   [08:00:20] /robot/test.host_cxt/Out0.rtc: its process is gone
   [08:00:20] /robot/test.host_cxt/Set0.rtc: its process is gone
-  [08:00:20] /robot/test.host_cxt/In0.rtc: restored connection straight
-  [08:00:20] /robot/test.host_cxt/In0.rtc: Active
-  [08:00:20] /robot/test.host_cxt/Out0.rtc: Active
-  [08:00:20] /robot/test.host_cxt/Set0.rtc: Active
+  [08:00:21] /robot/test.host_cxt/In0.rtc: restored connection straight
+  [08:00:21] /robot/test.host_cxt/In0.rtc: Active
+  [08:00:21] /robot/test.host_cxt/Out0.rtc: Active
+  [08:00:21] /robot/test.host_cxt/Set0.rtc: Active
   $ ctl @these state Set0
   ACTIVE
   $ ctl @these connectors In0:out

@@ -25,7 +25,7 @@ A component that dies ends its part of the recording; when none is left, recordi
   $ kill senders
   $ wait rtlog2
   ! rtlog: /robot/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
-  [4] after 3.1 s
+  [4] after 2.1 s
   $ wait rtlog
   ! rtlog: Recording for 4.0s.
   ! rtlog: /robot/test.host_cxt/Source0.rtc:number: the component is gone, and its process too

@@ -129,7 +129,7 @@ Killed in the middle of its stream:
   $ wait rtprint
   …
   ! rtprint: /robot/test.host_cxt/Source0.rtc:number: the component is gone, and its process too
-  [4] after 2.0 s
+  [4] after 1.2 s
   $ rtprint --pull ConsoleIn0.rtc:out &
   $ sleep 1
   $ kill two

@@ -19,9 +19,9 @@ One that exits in good order, one that dies, observed and polled, and come back.
   $ sleep 10
   $ show rtwatch
   [Motor0.rtc 2.0] 0 FINALIZE
-  [Dies0.rtc 2.0] DIED
+  [Motor0.rtc 2.0] EXITED
   [Gone0.rtc 2.0] DIED
-  [Motor0.rtc 2.1] EXITED
+  [Dies0.rtc 2.0] DIED
   [Plain0.rtc 2.1] EXITED
   ! rtwatch: /robot/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
   ! rtwatch: /robot/test.host_cxt/Gone0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
@@ -30,8 +30,8 @@ One that exits in good order, one that dies, observed and polled, and come back.
   $ rtact Dies0.rtc Gone0.rtc
   $ sleep 1
   $ show rtwatch
-  [Dies0.rtc 12.1] BACK
-  [Gone0.rtc 12.1] BACK
+  [Dies0.rtc 12.0] BACK
+  [Gone0.rtc 12.0] BACK
   [Dies0.rtc 22.0] 0 ACTIVE
   [Gone0.rtc 22.0] 0 ACTIVE
   $ strike TERM rtwatch
@@ -118,7 +118,7 @@ One that answers, but has lost its observer: it is lent once more, then the comp
   $ strike TERM rtwatch
   $ wait rtwatch
   [ConsoleIn0.rtc 88.6] 0 INACTIVE
-  [ConsoleOut0.rtc 88.7] 0 INACTIVE
+  [ConsoleOut0.rtc 89.0] 0 INACTIVE
   [143] after 34.0 s
   $ ctl observers ConsoleIn0
   $ ctl observers ConsoleOut0
@@ -168,10 +168,10 @@ that after Ctrl-C, SIGTERM or SIGHUP; the observer is gone all the same.
   $ strike TERM rtwatch
   $ wait rtwatch
   [ConsoleIn0.rtc 98.7] HEARTBEAT
-  [ConsoleOut0.rtc 98.7] RTC_HEARTBEAT
-  [ConsoleOut0.rtc 98.7] EC_HEARTBEAT
   [Microwave0.rtc 98.7] RTC_HEARTBEAT
   [Microwave0.rtc 98.7] EC_HEARTBEAT
+  [ConsoleOut0.rtc 98.7] RTC_HEARTBEAT
+  [ConsoleOut0.rtc 98.7] EC_HEARTBEAT
   [143] after 2.1 s
   $ ctl @observed2 observers ConsoleIn0
   $ ctl @observed2 observers ConsoleOut0
