@@ -20,6 +20,7 @@ FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader 
 MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 
 _quiet = _verbose = False
+_line = None  # the progress.Line of the work that was begun first
 
 
 # ---- running a command ----
@@ -263,6 +264,8 @@ def say(line):
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
         pass  # the last flush will report it
+    if _line is not None:
+        _line.erase()
     if sys.stderr is not None:
         try:
             sys.stderr.write(text.cut(text.safe(line)) + "\n")
@@ -280,6 +283,24 @@ def _progress(line):
         say(line)
 
 
+def _far(work):
+    """Show how far a notes.Work is, on a terminal; others that begin meanwhile are parts of it."""
+    global _line
+    if _quiet or not (sys.stderr and sys.stderr.isatty()) or work.prints and sys.stdout.isatty():
+        return
+    if _line is None and not work.is_over:
+        from rtshell_lite import progress
+
+        _line = progress.Line(work, os.path.basename(sys.argv[0]))
+    if _line is None or _line.work is not work:
+        return
+    if work.is_over:
+        _line.end()
+        _line = None
+    else:
+        _line.draw()
+
+
 def _failed_action(error):
     say(f"Action failed: {error}")
 
@@ -288,6 +309,7 @@ _PRINTERS = {
     notes.NOTE: note,
     notes.DETAIL: detail,
     notes.PROGRESS: _progress,
+    notes.WORK: _far,
     notes.FAILED_ACTION: _failed_action,
     notes.FAILURE: complain,
 }

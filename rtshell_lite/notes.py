@@ -3,6 +3,7 @@
 notes.note("…")      a remark
 notes.detail("…")    what was done, for --verbose
 notes.progress("…")  what begins now
+notes.Work(…)        long work, of which a terminal shows how far it is
 notes.fail(e)        a failure, an errors.Error, an OSError or a line; returns its exit status
 """
 
@@ -13,6 +14,7 @@ from rtshell_lite import errors
 NOTE = "note"
 DETAIL = "detail"
 PROGRESS = "progress"
+WORK = "work"
 FAILED_ACTION = "failed action"
 FAILURE = "failure"
 
@@ -33,6 +35,52 @@ def detail(line):
 def progress(line):
     """Remark what begins now, in the words of rtshell: without the name of the command."""
     _tell(PROGRESS, line)
+
+
+class Work:
+    """Long work: `with notes.Work("components", 300) as work: …`.
+
+    noun    what is counted; octets are shown as MB
+    done    how many of `total` are done
+    prints  whether something is printed on stdout meanwhile
+    even    whether each takes about as long as the others: then it is shown how long the rest will take
+    """
+
+    def __init__(self, noun, total, prints=False, even=True):
+        self.noun = noun
+        self.total = total
+        self.prints = prints
+        self.even = even
+        self.done = 0
+        self.is_over = False
+
+    def __enter__(self):
+        _tell(WORK, self)
+        return self
+
+    def __exit__(self, *_):
+        self.is_over = True
+        _tell(WORK, self)
+
+    def reach(self, done):
+        """Note how many are done."""
+        self.done = done
+        _tell(WORK, self)
+
+    def count(self):
+        """One more is done."""
+        self.reach(self.done + 1)
+
+    def counting(self, function):
+        """A coroutine function that awaits function(item), and counts it as done."""
+
+        async def counted(item):
+            try:
+                return await function(item)
+            finally:
+                self.count()
+
+        return counted
 
 
 def action_failed(error):

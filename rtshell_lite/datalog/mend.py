@@ -2,7 +2,7 @@
 
 import os
 
-from rtshell_lite import errors, files
+from rtshell_lite import errors, files, notes
 from rtshell_lite.datalog import logfile, writer
 from rtshell_lite.text import printable
 
@@ -16,11 +16,12 @@ def mend(name, out=None):
     with logfile.load(name) as log:
         if log.form != "mcap":
             raise errors.Failed(log.where, "a log of rtshell; only MCAP can be mended")
-        if out is None:
-            _complete(name, log)
-        else:
-            with files.Naming(out):
-                _copy(log, out)
+        with notes.Work("octets", log.size) as log.work:
+            if out is None:
+                _complete(name, log)
+            else:
+                with files.Naming(out):
+                    _copy(log, out)
         return [note for note in log.notes() if log.torn or log.damaged]
 
 

@@ -33,6 +33,7 @@ class Log:
     """
 
     form = "mcap"
+    work = None  # the notes.Work that is told how far reading is, in octets
 
     def __init__(self, file, where, size):
         """Find the channels and the messages. Raises errors.Failed."""
@@ -92,9 +93,14 @@ class Log:
         """The entries from number `start` on, one by one."""
         index = bisect.bisect_right([stretch.number for stretch in self._stretches], start) - 1
         for stretch in self._stretches[max(index, 0) :]:
+            self._reach(stretch.offset)
             for entry in self._messages(stretch):
                 if entry.number >= start:
                     yield entry
+
+    def _reach(self, offset):
+        if self.work is not None:
+            self.work.reach(offset)
 
     def octets(self, start=0):
         """The messages from number `start` on, for a LogWriter: (channel, received, little, data)."""
@@ -169,6 +175,7 @@ class Log:
         yield self._octets(0, len(mcap.MAGIC))
         offset = len(mcap.MAGIC)
         while offset < self.end:
+            self._reach(offset)
             kind, end = self._head(offset) or (None, offset)
             if kind is None or end > self.end:  # what the summary says is not so
                 self._damaged[offset] = 1

@@ -10,6 +10,7 @@ from rtshell_lite.datalog import pickles
 from rtshell_lite.datalog.records import Channel, Entry, is_moment
 
 CLOSING = 256  # octets kept free for the CurPos
+PART = 1000  # entries after which is told how far reading is
 DEEP = 100  # levels of a value
 _RTSHELL = {("rtshell.port_types", "PortSpec"), ("rtshell.simpkl_log", "CurPos"), ("rtshell.ilog", "EntryTS")}
 _STANDARD = {"RTC", "Img"}  # modules of the standard data types
@@ -33,6 +34,7 @@ class PickledLog:
         """
         self.where = where
         self.size = size
+        self.work = None  # the notes.Work that is told how far reading is, in octets
         self._file = file
         self._modules = frozenset(modules)
         self.torn = 0
@@ -102,6 +104,8 @@ class PickledLog:
             if number >= start:
                 yield entry
             number += 1
+            if self.work is not None and number % PART == 0:
+                self.work.reach(machine.position)
 
     def since(self, moment):
         """The number of the first entry that arrived at `moment` (ns) or later, or None."""

@@ -2,7 +2,7 @@
 
 import collections
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import session
 from rtshell_lite.data import clocks, connection, datatypes, reading
 from rtshell_lite.doctor import buffers, remedies
@@ -151,12 +151,14 @@ async def _slept(seconds):
     begun = loop.now()
     missed = 0.0
     now = begun
-    while now < begun + seconds:
-        piece = min(PIECE, begun + seconds - now)
-        await loop.sleep(piece)
-        before = now
-        now = loop.now()
-        missed += now - before - piece
+    with notes.Work("s", round(seconds)) as work:
+        while now < begun + seconds:
+            piece = min(PIECE, begun + seconds - now)
+            await loop.sleep(piece)
+            before = now
+            now = loop.now()
+            missed += now - before - piece
+            work.reach(int(now - begun))
     return now - begun, missed
 
 

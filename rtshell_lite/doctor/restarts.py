@@ -15,7 +15,7 @@ async def findings(nodes, seconds):
     """
     bound = [node for node in nodes if node.kind in ("component", "zombie") and node.ref is not None]
     bound.sort(key=lambda node: str(node.path))
-    await loop.sleep(seconds)
+    await loop.pass_by(seconds)
     now = session.current()
     now.end = max(now.end, loop.now() + now.timeout)
     all_findings = []

@@ -655,7 +655,7 @@ class _Clock:
     async def reach(self, seconds):
         """Wait until these seconds have passed."""
         while self.passed() < seconds:
-            await loop.sleep(seconds - self.passed())
+            await loop.pass_by(seconds - self.passed())
 
 
 async def of_silent(where, error):

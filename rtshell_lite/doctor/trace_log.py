@@ -2,7 +2,7 @@
 were recorded.
 """
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.data import reading
 from rtshell_lite.doctor import trace
 from rtshell_lite.robot import ports, tree
@@ -136,10 +136,11 @@ def _measure(traced, log, channels, seconds):
     if seconds is not None and log.last is not None:
         first = log.since(log.last - int(seconds * 1e9)) or 0
     spent = ((log.last or 0) - (log.first or 0)) / 1e9
-    for entry in log.entries(first):
-        watch = by_channel.get(entry.channel)
-        if watch is not None and entry.data is not None:
-            watch.take(reading.Message(entry.received, entry.data, entry.little))
+    with notes.Work("octets", log.size) as log.work:
+        for entry in log.entries(first):
+            watch = by_channel.get(entry.channel)
+            if watch is not None and entry.data is not None:
+                watch.take(reading.Message(entry.received, entry.data, entry.little))
     for watch in watches.values():
         watch.seconds = min(spent, seconds or spent)
         watch.until = log.last or 0

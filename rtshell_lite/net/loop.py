@@ -23,7 +23,7 @@ from _collections import deque  # which `collections` is made of, as here of oth
 from _heapq import heappop, heappush
 from _thread import _local as Local, allocate_lock  # which `threading` is made of
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.net import real
 
 READ = select.POLLIN  # events for which `ready` and `Loop.watch` look
@@ -37,6 +37,7 @@ _COROUTINE = 0x280  # flag of the code of coroutines and asynchronous generators
 PATIENCE = 0.2  # seconds until a signal strikes a task that awaits nothing
 SPARE = 0.1  # seconds that a thread waits for more work
 FOREVER = 3600.0  # seconds of one poll, which has a limit
+SHOWN = 0.5  # seconds between two looks how far a pause is
 ROUNDS = 4  # that tasks go on, as they wake each other, until a look at what has come
 
 _here = Local()  # its `loop` is the one that runs on this thread
@@ -474,6 +475,15 @@ class Bell:
         rang = self._rings
         self._rings = False
         return rang
+
+
+async def pass_by(seconds):
+    """Let some seconds pass, and say how far that is."""
+    with notes.Work("s", round(seconds)) as work:
+        begun = now()
+        while now() < begun + seconds:
+            await sleep(min(SHOWN, begun + seconds - now()))
+            work.reach(int(now() - begun))
 
 
 async def ready(fd, events):

@@ -78,16 +78,17 @@ async def assess(step):
     return outcome
 
 
-async def carry_out(outcomes, all_or_nothing=False):
+async def carry_out(outcomes, all_or_nothing=False, on_step=lambda: None):
     """Do the pending steps. `all_or_nothing`:
-    if anything required fails, or on an interruption, undo all of them.
+    if anything required fails, or on an interruption, undo all of them. `on_step` is called after each that
+    is done, or was not to be done.
     """
     is_complete = False
     try:
         for level in _levels([outcome for outcome in outcomes if outcome.pending]):
             if all_or_nothing and _spoilt(outcomes):
                 break
-            await _carry_out(level, outcomes, all_or_nothing)
+            await _carry_out(level, outcomes, all_or_nothing, on_step)
         is_complete = True
     finally:
         if all_or_nothing and (not is_complete or _spoilt(outcomes)):
@@ -241,10 +242,12 @@ def _living_placements(outcomes):
 # ---- doing ----
 
 
-async def _carry_out(level, outcomes, all_or_nothing):
+async def _carry_out(level, outcomes, all_or_nothing, on_step):
     """Do the steps of one level."""
     todo = await _look(level)
-    await _act_on_all(todo, all_or_nothing)
+    for _ in range(len(level) - len(todo)):
+        on_step()
+    await _act_on_all(todo, all_or_nothing, on_step)
     for outcome in todo:
         if isinstance(outcome.failure, errors.Unanswered):
             # one call was lost; whether the process answers others decides what is reported
@@ -266,7 +269,7 @@ async def _carry_out(level, outcomes, all_or_nothing):
             outcome.step.give_up(outcome.error)
 
 
-async def _act_on_all(outcomes, is_to_be_known):
+async def _act_on_all(outcomes, is_to_be_known, on_step):
     """Do these steps at the same time.
 
     `is_to_be_known`: after Ctrl-C, what has begun goes on for as long as an answer may take; it is undone
@@ -281,7 +284,7 @@ async def _act_on_all(outcomes, is_to_be_known):
     async with loop.Group() as group:
         for outcome in outcomes:
             outcome.running = True
-            group.start(_act(outcome, over), outcome.step.endpoint)
+            group.start(_act(outcome, over, on_step), outcome.step.endpoint)
         try:
             await all_over()
         except BaseException:
@@ -290,7 +293,7 @@ async def _act_on_all(outcomes, is_to_be_known):
             raise
 
 
-async def _act(outcome, over):
+async def _act(outcome, over, on_step):
     """Do a step, and note what is known of it in case an interruption comes before it is judged."""
     outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was done"), UNCERTAIN)
     try:
@@ -301,6 +304,7 @@ async def _act(outcome, over):
     finally:
         outcome.running = False
         over.ring()
+        on_step()
 
 
 async def _tried(change):

@@ -8,6 +8,7 @@ import re
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
+from rtshell_lite.notes import Work  # `notes` are lines here
 from rtshell_lite.robot import component, places, ports, search, snapshot, tree
 from rtshell_lite.robot.snapshot import BRIEF, FULL, NAMES, PROFILE
 from rtshell_lite.text import from_wire, printable
@@ -201,7 +202,9 @@ async def capture(
     silent = {}
     lost = {}
     question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
-    for node, answer in zip(nodes, await session.each(nodes, question)):
+    with Work("components", len(nodes)) as work:
+        asked = await session.each(nodes, work.counting(question))
+    for node, answer in zip(nodes, asked):
         if not isinstance(answer, errors.Error):
             answers.append(answer)
         elif await _is_zombie(node, answer):
@@ -576,7 +579,8 @@ async def ask_each(profile, function=ask):
         except errors.BadPath as e:
             paths.append(errors.Failed("/" + printable(described.path_uri), e))
     valid = [where for where in paths if not isinstance(where, errors.Error)]
-    coming = iter(await tree.on_components(valid, function))
+    with Work("components", len(valid)) as work:
+        coming = iter(await tree.on_components(valid, work.counting(function)))
     answers = []
     for where in paths:
         if isinstance(where, errors.Error):

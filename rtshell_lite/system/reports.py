@@ -16,7 +16,8 @@ async def of_steps(args, outcomes, carry_out):
     """
     try:
         if not args.dry_run:
-            await carry_out(outcomes, args.rollback)
+            with notes.Work("steps", sum(outcome.pending for outcome in outcomes)) as work:
+                await carry_out(outcomes, args.rollback, work.count)
     finally:
         status = _report(args, outcomes)
     return status

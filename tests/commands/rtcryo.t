@@ -4,6 +4,17 @@ world: these ConsoleIn ConsoleIn:ConsoleIn1 ConsoleOut ConsoleOut:ConsoleOut1 Co
 world: services
 world: these Mock SequenceInComponent --context away.host_cxt/%n.rtc
 
+What takes long says on a terminal how far it is, and leaves nothing of that there:
+
+  $ ctl @these hang ConsoleOut0 60
+  $ TERM=xterm terminal 80 rtcryo --timeout 60 --all -o far.rtsys . > far.txt &
+  $ soon 'grep "rtcryo: [0-9]* of [0-9]* components, waiting for [0-9]* s" far.txt'
+  $ ctl @these hang ConsoleOut0 0
+  $ wait $!
+  $ tr '\r' '\n' < far.txt | tail -n 1
+  \x1b[K (esc) (no-eol)
+  $ TERM=dumb terminal 80 rtcryo --all -o far.rtsys .; rm far.*
+
 Components, their configuration sets with the hidden ones, execution contexts, and connections:
 
   $ rtcon -i number -n n ConsoleIn0.rtc:out ConsoleOut0.rtc:in

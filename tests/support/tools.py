@@ -168,6 +168,7 @@ def play_terminal(words):
         os.write(terminal, sys.stdin.buffer.read())
     for data in printed_on(terminal):
         sys.stdout.buffer.write(data.replace(b"\r\n", b"\n"))
+        sys.stdout.buffer.flush()
     return shell_status(os.waitpid(child, 0)[1])
 
 

@@ -15,7 +15,7 @@ ONCE = "it reads the source: one Python is enough"
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """
     __init__ compiled bytecode start errors notes text records path idl_stubs giop net files corba
-    options verbs robot data xmlprofile live datalog system play views mount top doctor shell api cli
+    options verbs robot data xmlprofile live datalog system play views mount top doctor shell api progress cli
     anywhere __main__ commands bin
 """.split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs

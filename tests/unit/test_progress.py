@@ -1,0 +1,170 @@
+"""The line on a terminal that says how far long work is. If one of these fails, people wait without knowing for
+what, or files and pipes get what is for a terminal.
+"""
+import io
+import os
+import unittest
+from unittest import mock
+
+from rtshell_lite import cli, notes, progress
+from rtshell_lite.net import loop
+
+ERASED = "\r\x1b[K"
+
+
+class Terminal(io.StringIO):
+    """What is written to a terminal, or to a pipe."""
+
+    def __init__(self, is_terminal=True):
+        super().__init__()
+        self.is_terminal = is_terminal
+
+    def isatty(self):
+        return self.is_terminal
+
+    def fileno(self):
+        return 2
+
+
+class Far(unittest.TestCase):
+    def setUp(self):
+        self.now = 100.0
+        self.stderr = Terminal()
+        self.stdout = Terminal()
+        self.columns = 80
+        for target, name, value in (
+            (loop, "now", lambda: self.now),
+            (progress, "_columns", lambda: self.columns),
+            (notes, "listener", cli._hear),
+            (cli.sys, "stderr", self.stderr),
+            (cli.sys, "stdout", self.stdout),
+            (cli.sys, "argv", ["/opt/bin/rtcryo"]),
+        ):
+            patched = mock.patch.object(target, name, value)
+            patched.start()
+            self.addCleanup(patched.stop)
+
+    def work(self, seconds, steps=10, **more):
+        """Work of 100 steps, of which `steps` are done in some seconds."""
+        with notes.Work("components", 100, **more) as work:
+            for _ in range(steps):
+                self.now += seconds / steps
+                work.count()
+            return self.said()
+
+    def said(self):
+        return self.stderr.getvalue()
+
+    def lines(self):
+        return [line for line in self.said().split(ERASED) if line]
+
+    def test_short_work_shows_nothing(self):
+        self.work(0.6)
+        self.assertEqual(self.said(), "")
+
+    def test_long_work_says_how_far_it_is_and_how_long_still_and_is_gone_at_its_end(self):
+        self.work(2.0)
+        self.assertEqual(self.lines()[0], "rtcryo: 4 of 100 components, about 19 s left")
+        self.assertEqual(self.lines()[-1], "rtcryo: 10 of 100 components, about 18 s left")
+        self.assertTrue(self.said().endswith(ERASED))
+
+    def test_what_waits_for_something_that_hangs_says_so(self):
+        async def main():
+            with mock.patch.object(progress, "FIRST", 0.001), mock.patch.object(progress, "WAITING", 0.001):
+                with notes.Work("components", 3) as work:
+                    work.count()
+                    for second in "12":
+                        self.now += 1.0
+                        while f"1 of 3 components, waiting for {second} s" not in self.said():
+                            await loop.sleep(0.001)
+        loop.run(main())
+        self.assertTrue(self.said().endswith(ERASED))
+
+    def test_ten_lines_a_second_at_most(self):
+        self.work(2.0, 100)
+        self.assertLessEqual(len(self.lines()), 13)
+
+    def test_it_is_gone_when_the_work_fails(self):
+        with self.assertRaises(ZeroDivisionError), notes.Work("components", 3) as work:
+            self.now += 1
+            work.count()
+            1 / 0
+        self.assertTrue(self.said().endswith("left" + ERASED))
+
+    def test_what_is_said_meanwhile_stands_on_a_line_of_its_own(self):
+        with notes.Work("components", 3) as work:
+            self.now += 1
+            work.count()
+            notes.note("Arm0.rtc: zombie, left out")
+            self.now += 1
+            work.count()
+        first, second = self.lines()[:2]
+        self.assertEqual(first, "rtcryo: 1 of 3 components, about 2 s left")
+        self.assertEqual(second, "rtcryo: Arm0.rtc: zombie, left out\n")
+
+    def test_work_that_is_part_of_another_shows_nothing_of_its_own(self):
+        with notes.Work("steps", 10) as whole:
+            with notes.Work("components", 10) as part:
+                self.now += 1
+                part.count()
+            self.assertEqual(self.said(), "")
+            whole.count()
+        self.assertEqual(self.lines()[0], "rtcryo: 1 of 10 steps, about 9 s left")
+
+    def test_a_pipe_and_quiet_get_nothing(self):
+        self.stderr.is_terminal = False
+        self.assertEqual(self.work(5.0), "")
+        self.stderr.is_terminal = True
+        with mock.patch.object(cli, "_quiet", True):
+            self.assertEqual(self.work(5.0), "")
+
+    def test_a_terminal_that_gets_the_output_gets_nothing_else(self):
+        self.assertEqual(self.work(5.0, prints=True), "")
+        self.stdout.is_terminal = False
+        self.assertIn("10 of 100", self.work(5.0, prints=True))
+
+    def test_it_is_as_wide_as_the_terminal_at_most(self):
+        self.columns = 20
+        self.work(2.0)
+        self.assertEqual(self.lines()[0], "rtcryo: 4 of 100 co")
+
+    def test_octets_are_megabytes_and_long_spans_minutes_and_hours(self):
+        for done, shown in ((1e9, "1000 of 4000 MB, about 2 min left"), (1e7, "10 of 4000 MB, about 4 h left")):
+            with notes.Work("octets", 4 * 10**9) as work:
+                self.now += 40
+                work.reach(done)
+            self.assertEqual(self.lines()[-1], "rtcryo: " + shown)
+
+    def test_of_uneven_steps_nobody_knows_how_long_the_rest_takes(self):
+        self.work(2.0, even=False)
+        self.assertEqual(self.lines()[-1], "rtcryo: 10 of 100 components")
+
+    def test_what_counts_for_a_task_counts_failures_too(self):
+        async def fail(item):
+            raise ValueError(item)
+
+        async def main():
+            with notes.Work("components", 2) as work:
+                for _ in range(2):
+                    with self.assertRaises(ValueError):
+                        await work.counting(fail)("it")
+                return work.done
+        self.assertEqual(loop.run(main()), 2)
+
+
+class Columns(unittest.TestCase):
+    def test_without_a_terminal_that_can_erase_there_are_none(self):
+        for term in ("dumb", None):
+            with mock.patch.dict(os.environ):
+                os.environ.pop("TERM", None)
+                if term:
+                    os.environ["TERM"] = term
+                self.assertEqual(progress._columns(), 0)
+
+    def test_another_program_in_the_foreground_keeps_its_terminal(self):
+        with mock.patch.dict(os.environ, TERM="xterm"), mock.patch.object(os, "tcgetpgrp", lambda fd: 1):
+            self.assertEqual(progress._columns(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
