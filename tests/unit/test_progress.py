@@ -1,5 +1,5 @@
-"""The line on a terminal that says how far long work is. If one of these fails, people wait without knowing for
-what, or files and pipes get what is for a terminal.
+"""The line on a terminal that says how far long work is. If one of these fails, people wait without knowing
+for what, or files and pipes get what is for a terminal.
 """
 import io
 import os
@@ -129,11 +129,12 @@ class Far(unittest.TestCase):
         self.assertEqual(self.lines()[0], "rtcryo: 4 of 100 co")
 
     def test_octets_are_megabytes_and_long_spans_minutes_and_hours(self):
-        for done, shown in ((1e9, "1000 of 4000 MB, about 2 min left"), (1e7, "10 of 4000 MB, about 4 h left")):
+        shown = {10**9: "1000 of 4000 MB, about 2 min left", 10**7: "10 of 4000 MB, about 4 h left"}
+        for done in shown:
             with notes.Work("octets", 4 * 10**9) as work:
                 self.now += 40
                 work.reach(done)
-            self.assertEqual(self.lines()[-1], "rtcryo: " + shown)
+            self.assertEqual(self.lines()[-1], "rtcryo: " + shown[done])
 
     def test_of_uneven_steps_nobody_knows_how_long_the_rest_takes(self):
         self.work(2.0, even=False)

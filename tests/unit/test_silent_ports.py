@@ -1,5 +1,5 @@
-"""Whether ports that send nothing still exist. If one of these fails, a recorder of a large robot at rest asks each
-of its ports every second, or nobody hears that a process has ended.
+"""Whether ports that send nothing still exist. If one of these fails, a recorder of a large robot at rest
+asks each of its ports every second, or nobody hears that a process has ended.
 """
 import types
 import unittest
