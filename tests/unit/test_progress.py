@@ -6,7 +6,7 @@ import os
 import unittest
 from unittest import mock
 
-from rtshell_lite import cli, notes, progress
+from rtshell_lite import api, cli, notes, progress
 from rtshell_lite.net import loop
 
 ERASED = "\r\x1b[K"
@@ -151,6 +151,14 @@ class Far(unittest.TestCase):
                         await work.counting(fail)("it")
                 return work.done
         self.assertEqual(loop.run(main()), 2)
+
+
+class InPrograms(unittest.TestCase):
+    def test_long_work_is_nothing_to_be_logged(self):
+        with mock.patch.object(notes, "listener", api._report), mock.patch("logging.getLogger") as logged:
+            with notes.Work("components", 2) as work:
+                work.count()
+        self.assertFalse(logged.called)
 
 
 class Columns(unittest.TestCase):
