@@ -32,10 +32,11 @@ from rtshell_lite.errors import Error
 from rtshell_lite.net import loop, real
 
 __all__ = [
-    "Component", "Connection", "Context", "Error", "Event", "Finding", "Manager", "Port", "Service", "call",
-    "capture", "check", "component", "components", "connect", "connected", "connections", "disconnect",
-    "dump_profile", "examine", "find", "keep", "load_profile", "log", "manager", "next_value", "recording",
-    "restore", "send", "service", "set_timeout", "start", "stop", "values", "values_of", "watch", "zombies",
+    "Component", "Connection", "Context", "Error", "Event", "Finding", "Manager", "Port", "Service", "Stream",
+    "call", "capture", "check", "component", "components", "connect", "connected", "connections",
+    "disconnect", "dump_profile", "examine", "find", "keep", "load_profile", "log", "manager", "next_value",
+    "recording", "restore", "send", "service", "set_timeout", "start", "stop", "values", "values_of", "watch",
+    "zombies",
 ]
 
 POLL = 0.2  # seconds between two looks
@@ -478,28 +479,20 @@ async def _type(port, idl):
 
 
 def values(port, timeout=None, idl=(), **properties):
-    """Yield the values that an out port sends, from its connection at the first one on; the end of the
-    generator removes that.
+    """A Stream of the values that an out port sends, from its connection at the first one on; the end of the
+    Stream removes that.
 
     A value has its IDL members as attributes: value.tm.sec, value.data. Raises errors.Unreachable when none
     comes for `timeout` seconds. `idl` are files with types that are not standard ones.
     """
-    with contextlib.closing(values_of([port], timeout, idl, **properties)) as coming:
-        for _, value in coming:
-            yield value
+    return Stream(_Values([port], idl, _properties(properties), lambda name, value: value), timeout)
 
 
 def values_of(ports, timeout=None, idl=(), **properties):
-    """Yield (port, value) for what several out ports send, in the order in which it came; `port` is one of
-    `ports`, as it is spelt there. Ends when the first connection is lost; otherwise as `values`.
+    """A Stream of (port, value) for what several out ports send, in the order in which it came; `port` is one
+    of `ports`, as it is spelt there. Ends when the first connection is lost; otherwise as `values`.
     """
-    feed = _Feed()
-    try:
-        feed.begin(list(ports), idl, _properties(properties))
-        while True:
-            yield from feed.next(timeout)
-    finally:
-        feed.end()
+    return Stream(_Values(list(ports), idl, _properties(properties), lambda *pair: pair), timeout)
 
 
 def next_value(port, timeout=5.0, idl=(), **properties):
@@ -508,59 +501,141 @@ def next_value(port, timeout=5.0, idl=(), **properties):
         return next(coming)
 
 
+class Stream:
+    """What comes one after the other: `for value in stream:`, or under asyncio `async for value in stream:`.
+
+    It begins with the first one. It ends with `close()`, or when nobody has it any more; what `async for`
+    leaves ends soon after.
+    """
+
+    def __init__(self, feed, timeout):
+        self._feed = feed
+        self._timeout = None if timeout == math.inf else timeout
+        self._coming = feed.stream(self._timeout)
+
+    def __iter__(self):
+        return self
+
+    def __next__(self):
+        try:
+            return next(self._coming)
+        except Error as e:
+            raise _at_caller(e) from None
+
+    def close(self):
+        """End it, and wait for that."""
+        self._coming.close()
+
+    def __aiter__(self):
+        return self._feed.stream_async(self._timeout)
+
+
 class _Feed:
-    """The values of out ports. They are received on a thread of its own,
-    so that the components need not wait for the program.
+    """What comes for a Stream, on a thread of its own, so that the components need not wait for the program;
+    `_receive(*words)` is what runs there.
     """
 
     session = _session
 
-    def __init__(self):
+    def __init__(self, *words):
+        self._words = words
         self._loop = self._task = self._failure = None
         self._is_ending = self._is_over = False
-        self._news = allocate_lock()  # released when values have come, or the end; acquired by the program
+        self._news = allocate_lock()  # released when something has come, or the end; acquired by the program
         self._news.acquire()
-        self._wanted = loop.Bell()  # rings when the program wants values
-        self._ports = self._types = self._batch = self._where = None
+        self._tell_more = None  # of asyncio
 
-    def begin(self, *words):
+    def stream(self, timeout):
+        """Yield what comes."""
+        try:
+            self.begin()
+            while True:
+                self._want()
+                yield from self._taken(self._wait(timeout), timeout)
+        finally:
+            self.end()
+
+    async def stream_async(self, timeout):
+        """The same, on the loop of asyncio."""
+        import asyncio
+
+        came = asyncio.Event()
+        self._tell_more = functools.partial(asyncio.get_event_loop().call_soon_threadsafe, came.set)
+
+        async def wait(seconds):
+            end = seconds and loop.now() + seconds
+            while not self._news.acquire(False):
+                try:
+                    await asyncio.wait_for(came.wait(), seconds and max(0, end - loop.now()))
+                except asyncio.TimeoutError:
+                    return False
+                came.clear()
+            self.check()
+            return True
+
+        try:
+            self._start()
+            await wait(None)
+            while True:
+                self._want()
+                for item in self._taken(await wait(timeout), timeout):
+                    yield item
+        finally:
+            if self._cancel():
+                while not self._is_over:
+                    await came.wait()
+                    came.clear()
+
+    def begin(self):
         """Connect. Raises what that raises."""
-        loop.world().start_thread(self._run, *words)
+        self._start()
         self._wait(None)
-
-    def next(self, timeout):
-        """Yield the values that have come; waits for the first one. Raises Unreachable."""
-        self._loop.post(self._wanted.ring)
-        if not self._wait(timeout):
-            raise errors.Unreachable(self._where, f"no value within {timeout:g}s")
-        for number, message in self._batch:
-            yield self._ports[number], self._types[number].decode(message.data, message.little)
 
     def end(self):
         """Disconnect."""
-        self._is_ending = True
-        if self._loop is None:  # its thread is only beginning, and ends at once
-            return
-        self._loop.post(self._task.cancel)
-        while not self._is_over:
-            self._news.acquire()
+        if self._cancel():
+            while not self._is_over:
+                self._news.acquire()
 
-    def _wait(self, seconds):
-        if seconds in (None, math.inf):
-            came = self._news.acquire()
-        else:
-            came = self._news.acquire(timeout=max(seconds, 0))
+    def check(self):
+        """Raise what its thread has raised."""
         if isinstance(self._failure, Error):
             raise _at_caller(self._failure) from None
         if self._failure is not None:
             raise self._failure
-        return came
+
+    def _start(self):
+        loop.world().start_thread(self._run)
+
+    def _want(self):
+        """Have the thread say when something has come: here it always does."""
+
+    def _taken(self, has_come, timeout):
+        """Yield what has come, if anything has in time."""
+        raise NotImplementedError
+
+    def _cancel(self):
+        """Have the thread disconnect: whether there is more than one that is about to begin, and ends at once.
+        """
+        self._is_ending = True
+        if self._loop is not None:
+            self._loop.post(self._task.cancel)
+        return self._loop is not None
+
+    def _wait(self, seconds):
+        """Wait until something has come: whether it has."""
+        if seconds is None:
+            has_come = self._news.acquire()
+        else:
+            has_come = self._news.acquire(timeout=max(seconds, 0))
+        self.check()
+        return has_come
 
     # ---- on its thread ----
 
-    def _run(self, *words):
+    def _run(self):
         try:
-            loop.run(self._receive(*words), session=self.session)
+            loop.run(self._begun(), session=self.session)
         except loop.Cancelled:
             pass
         except BaseException as e:
@@ -568,19 +643,44 @@ class _Feed:
         self._is_over = True
         self._tell()
 
-    def _tell(self):
-        if self._news.locked():
-            self._news.release()
-
-    async def _receive(self, names, idl, properties):
-        from rtshell_lite.data import connection, inbox, reading
-
+    async def _begun(self):
         here = loop.current()
         here.make_bell()
         self._task = here.running
         self._loop = here
-        if self._is_ending:
-            return
+        if not self._is_ending:
+            await self._receive(*self._words)
+
+    def _tell(self):
+        if self._news.locked():
+            self._news.release()
+        if self._tell_more is not None:
+            with contextlib.suppress(RuntimeError):  # the loop of asyncio has been closed
+                self._tell_more()
+
+
+class _Values(_Feed):
+    """The values of out ports; form(port, value) makes of each what comes."""
+
+    def __init__(self, names, idl, properties, form):
+        super().__init__(names, idl, properties)
+        self._form = form
+        self._wanted = loop.Bell()  # rings when the program wants values
+        self._ports = self._types = self._batch = self._where = None
+
+    def _want(self):
+        self._loop.post(self._wanted.ring)
+
+    def _taken(self, has_come, timeout):
+        if not has_come:
+            raise errors.Unreachable(self._where, f"no value within {timeout:g}s")
+        for number, message in self._batch:
+            value = self._types[number].decode(message.data, message.little)
+            yield self._form(self._ports[number], value)
+
+    async def _receive(self, names, idl, properties):
+        from rtshell_lite.data import connection, inbox, reading
+
         ports = await _found(*names)
         self._ports = names
         self._types = [await _type(port, idl) for port in ports]
@@ -623,9 +723,9 @@ def recording(name, ports, idl=(), **properties):
     At the end it raises OSError if the file could not be written, errors.Unreachable if a port was lost,
     errors.Failed if values were dropped; what came before is in the file.
     """
-    feed = _Recording()
+    feed = _Recording(name, list(ports), idl, _properties(properties))
     try:
-        feed.begin(name, list(ports), idl, _properties(properties))
+        feed.begin()
         yield
     except BaseException:
         feed.end()
@@ -637,25 +737,15 @@ def recording(name, ports, idl=(), **properties):
 class _Recording(_Feed):
     """A log that is written, on a thread of its own."""
 
-    def __init__(self):
-        super().__init__()
+    def __init__(self, *words):
+        super().__init__(*words)
         self.readers = []
-
-    def check(self):
-        """Raise what went wrong."""
-        self._wait(0)
 
     async def _receive(self, name, names, idl, properties):
         from rtshell_lite.data import connection, datatypes, reading
         from rtshell_lite.datalog import recorder, recording as records
         from rtshell_lite.robot import ports
 
-        here = loop.current()
-        here.make_bell()
-        self._task = here.running
-        self._loop = here
-        if self._is_ending:
-            return
         channels = recorder.Channels(datatypes.Types(idl=idl).load())
         work = recorder.Recorder(channels)
         for port in await _found(*names):
@@ -843,33 +933,26 @@ async def check(profile, state="Active", extra=False):
 
 
 def keep(profile, timeout=None, create=False, manager=None, strict=False):
-    """Keep the running system as a profile says, as rtkeep does, and yield what happens: time, object, seen,
-    done, seconds, error of each. Ends with the generator, and leaves the components as they are.
+    """Keep the running system as a profile says, as rtkeep does: a Stream of what happens, time, object, seen,
+    done, seconds, error of each. Ends with the Stream, and leaves the components as they are.
 
-    With a `timeout`, yields None where nothing has happened within `timeout` seconds. `create`, `manager` as
+    With a `timeout`, it has None where nothing has happened within `timeout` seconds. `create`, `manager` as
     in `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be
     meant.
     """
-    feed = _Happenings()
-    try:
-        feed.begin(_profile(profile), create, manager, strict)
-        while True:
-            yield from feed.next(timeout)
-    finally:
-        feed.end()
+    return Stream(_Happenings(_profile(profile), create, manager, strict), timeout)
 
 
 class _Happenings(_Feed):
     """What happens to a system that is kept, on a thread of its own."""
 
-    def __init__(self):
-        super().__init__()
+    def __init__(self, *words):
+        super().__init__(*words)
         self.session = Session(_session.timeout, _session.memory)
         self._batch = collections.deque()
 
-    def next(self, timeout):
-        """Yield what has happened; waits for something. None where nothing came in time."""
-        if not self._wait(timeout):
+    def _taken(self, has_come, timeout):
+        if not has_come:
             yield None
         while self._batch:
             yield self._batch.popleft()
@@ -877,12 +960,6 @@ class _Happenings(_Feed):
     async def _receive(self, profile, create, manager, strict):
         from rtshell_lite.system import keep as keeping, plan, policy
 
-        here = loop.current()
-        here.make_bell()
-        self._task = here.running
-        self._loop = here
-        if self._is_ending:
-            return
         planned = plan.make(profile, "activation", "the profile")
         how = keeping.Options(create, manager, False, strict, LOOK, True, policy.USUAL)
         async with keeping.Keeper(profile, planned, how, self._take) as keeper:
@@ -926,19 +1003,13 @@ async def _carry_out(profile, kind, transition, wait):
 
 
 def watch(*components, timeout=None):
-    """Yield an Event for what happens to the components at these paths, as rtwatch prints it: states, ports,
-    connections, configuration, death and return. The end of the generator removes the observers.
+    """A Stream of an Event for what happens to the components at these paths, as rtwatch prints it: states,
+    ports, connections, configuration, death and return. The end of the Stream removes the observers.
 
-    With a `timeout`, yields None where nothing has happened within `timeout` seconds. Raises the first
+    With a `timeout`, it has None where nothing has happened within `timeout` seconds. Raises the first
     failure.
     """
-    feed = _Watching()
-    try:
-        feed.begin(components)
-        while True:
-            yield from feed.next(timeout)
-    finally:
-        feed.end()
+    return Stream(_Watching(components), timeout)
 
 
 class _Watching(_Happenings):
@@ -947,12 +1018,6 @@ class _Watching(_Happenings):
     async def _receive(self, words):
         from rtshell_lite.live import watch
 
-        here = loop.current()
-        here.make_bell()
-        self._task = here.running
-        self._loop = here
-        if self._is_ending:
-            return
         async with watch.Watch(watch.Events(watch.KINDS)) as watching:
             failures = errors.split(await watching.add([await _path(word) for word in words]))[1]
             if failures:

@@ -34,7 +34,8 @@ THREADS = (
     "net/real.py",
     "corba/omniorb.py",
     "corba/answers.py",
-)  # which may import threading; the last has data of each thread
+    "api.py",
+)  # which may import threading; the last two have data of each thread, and meet the loop of asyncio
 
 
 # Files that import what is net/'s to import, and what: two that run before anything else is imported, and the

@@ -1,4 +1,5 @@
 """rtshell_lite.api, as programs use it: if one of these fails, somebody's launch script does."""
+import asyncio
 import contextlib
 import math
 import os
@@ -183,6 +184,60 @@ class World(unittest.TestCase):
         with self.assertRaisesRegex(errors.Unreachable, "no value within 0.3s"):
             api.next_value(port, timeout=0.3)
 
+    def test_under_asyncio_values_and_events_are_awaited_while_others_go_on(self):
+        source = self.home + "ConsoleIn0.rtc"
+        port = source + ":out"
+
+        async def write():
+            number = 0
+            while True:
+                number += 1
+                await here.run_in_executor(None, self.world.ctl, "write", "ConsoleIn0:out", str(number))
+
+        async def read():
+            writer = asyncio.ensure_future(write())
+            coming = api.values(port, timeout=worlds.LIMIT).__aiter__()
+            numbers = [(await coming.__anext__()).data for _ in range(3)]
+            await coming.aclose()
+            writer.cancel()
+            await asyncio.wait([writer])
+            self.assertEqual(sorted(numbers), numbers)
+            self.assertEqual(await here.run_in_executor(None, api.connections, port), [])
+            with self.assertRaisesRegex(errors.Unreachable, "no value within 0.3s"):
+                async for _, value in api.values_of([port], timeout=0.3):
+                    numbers.append(value)
+            with self.assertRaises(errors.NotFound):
+                async for value in api.values(self.home + "Nobody0.rtc:out"):
+                    numbers.append(value)
+
+        async def watch():
+            happened = []
+            async for event in api.watch(source, timeout=0.1):
+                happened.append(event and event.event)
+                if happened == [None]:
+                    await here.run_in_executor(None, api.component(source).activate)
+                if "ACTIVE" in happened:
+                    break
+            api.component(source).deactivate(wait=10)
+
+        async def give_up():
+            async for value in api.values(port):
+                raise AssertionError(value)
+
+        async def main():
+            await read()
+            await watch()
+            given_up = asyncio.ensure_future(give_up())
+            await asyncio.wait([given_up], timeout=0.5)
+            given_up.cancel()
+            await asyncio.wait([given_up], timeout=worlds.LIMIT)
+            self.assertTrue(given_up.cancelled())
+            self.assertEqual(api.connections(port), [])
+        here = asyncio.new_event_loop()
+        self.addCleanup(here.close)
+        here.run_until_complete(main())
+        here.run_until_complete(here.shutdown_asyncgens())
+
     def test_values_of_several_ports_in_one_loop(self):
         ports = [self.home + "ConsoleIn0.rtc:out", self.home + "SequenceOutComponent0.rtc:Long"]
         numbers = iter(range(1000))
@@ -235,10 +290,10 @@ class World(unittest.TestCase):
     def test_a_recording_reports_a_component_that_has_died(self):
         port = "/127.0.0.1:%d/lost.host_cxt/Lost0.rtc:out" % worlds.Server.port
         lost = worlds.World("these", "ConsoleIn:Lost0", "--context", "lost.host_cxt/%n.rtc")
-        feed = api._Recording()  # which shows when the death is noticed
         with tempfile.TemporaryDirectory() as directory:
             name = os.path.join(directory, "run.mcap")
-            feed.begin(name, [port], (), {})
+            feed = api._Recording(name, [port], (), {})  # which shows when the death is noticed
+            feed.begin()
             lost.ctl("write", "Lost0:out", "42")
             lost.close()
             worlds.eventually(lambda: feed.readers[0].failure, "its death is noticed")
