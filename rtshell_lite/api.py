@@ -615,8 +615,7 @@ class _Feed:
         raise NotImplementedError
 
     def _cancel(self):
-        """Have the thread disconnect: whether there is more than one that is about to begin, and ends at once.
-        """
+        """Have the thread disconnect: whether that takes time; one that has not begun yet ends at once."""
         self._is_ending = True
         if self._loop is not None:
             self._loop.post(self._task.cancel)
@@ -933,8 +932,8 @@ async def check(profile, state="Active", extra=False):
 
 
 def keep(profile, timeout=None, create=False, manager=None, strict=False):
-    """Keep the running system as a profile says, as rtkeep does: a Stream of what happens, time, object, seen,
-    done, seconds, error of each. Ends with the Stream, and leaves the components as they are.
+    """Keep the running system as a profile says, as rtkeep does: a Stream of what happens, time, object,
+    seen, done, seconds, error of each. Ends with the Stream, and leaves the components as they are.
 
     With a `timeout`, it has None where nothing has happened within `timeout` seconds. `create`, `manager` as
     in `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be

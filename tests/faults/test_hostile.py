@@ -33,9 +33,9 @@ USAGE = {"rtinject": {70}}   # the value does not fit the type of these ports
 AS_IT_IS = ("A getstructure", "A get p", "A get_sdo_id --limit 2")
 READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 EACH = 2                # strings that each command line meets
-# what colours, clears and moves, and lets no line wrap; rtlog -p ends its line with a return, so that the
-# next text covers it
-OWN = re.compile("\x1b\\[K\r|\x1b\\[(?:(?:%s)m|2K|\\d*A|[HJK]|\\?1049[hl]|\\?25[hl]|\\?7[hl])" %
+# what colours, clears and moves, and lets no line wrap; rtlog -p ends its line with a return, long work
+# begins with one, so that the next text covers it
+OWN = re.compile("\x1b\\[K\r|\r\x1b\\[K|\x1b\\[(?:(?:%s)m|2K|\\d*A|[HJK]|\\?1049[hl]|\\?25[hl]|\\?7[hl])" %
                  "|".join(sorted(set(text.COLOURS.values()) | {"00"})))
 HARMFUL = re.compile(
     "[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\u3164\u115f\uffa0\u2800"

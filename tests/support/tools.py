@@ -167,8 +167,10 @@ def play_terminal(words):
     if stat.S_ISFIFO(os.fstat(0).st_mode):
         os.write(terminal, sys.stdin.buffer.read())
     for data in printed_on(terminal):
-        sys.stdout.buffer.write(data.replace(b"\r\n", b"\n"))
-        sys.stdout.buffer.flush()
+        try:
+            os.write(1, data.replace(b"\r\n", b"\n"))
+        except BrokenPipeError:  # head has seen enough
+            pass
     return shell_status(os.waitpid(child, 0)[1])
 
 
