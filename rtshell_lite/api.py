@@ -61,7 +61,7 @@ def _report(kind, what):
     """The listener of notes.py; unless the program says otherwise,
     Python prints what is logged so on stderr.
     """
-    if kind not in (notes.DETAIL, notes.WORK):
+    if kind != notes.DETAIL:
         import logging
 
         logging.getLogger("rtshell_lite").warning("%s", text.safe(str(what)))

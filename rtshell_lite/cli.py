@@ -20,7 +20,7 @@ FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader 
 MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 
 _quiet = _verbose = False
-_line = None  # the progress.Line of the work that was begun first
+_lines = None  # the progress.Lines of a command that does long work
 
 
 # ---- running a command ----
@@ -35,6 +35,7 @@ def main(arguments, run, doc, argv=None):
     """
     _prepare_streams()
     notes.listener = _hear
+    notes.on_work = _show_work
     try:
         if real.handler(real.SIGINT) != real.IGNORED:
             real.handle(real.SIGINT, real.interrupt)
@@ -123,7 +124,8 @@ def unwind_when_ended():
 
 
 def _settle(quiet, verbose):
-    global _quiet, _verbose
+    global _quiet, _verbose, _lines
+    _lines = None
     _quiet = quiet
     _verbose = verbose
     notes.begin()
@@ -264,8 +266,8 @@ def say(line):
         sys.stdout.flush()  # so that `2>&1` keeps the order
     except OSError:
         pass  # the last flush will report it
-    if _line is not None:
-        _line.erase()
+    if _lines is not None:
+        _lines.erase()
     if sys.stderr is not None:
         try:
             sys.stderr.write(text.cut(text.safe(line)) + "\n")
@@ -283,22 +285,16 @@ def _progress(line):
         say(line)
 
 
-def _far(work):
-    """Show how far a notes.Work is, on a terminal; others that begin meanwhile are parts of it."""
-    global _line
-    if _quiet or not (sys.stderr and sys.stderr.isatty()) or work.prints and sys.stdout.isatty():
-        return
-    if _line is None and not work.is_over:
+def _show_work(work):
+    """Show on a terminal how far a notes.Work is."""
+    global _lines
+    if _lines is None:
+        if _quiet or not (sys.stderr and sys.stderr.isatty()):
+            return
         from rtshell_lite import progress
 
-        _line = progress.Line(work, os.path.basename(sys.argv[0]))
-    if _line is None or _line.work is not work:
-        return
-    if work.is_over:
-        _line.end()
-        _line = None
-    else:
-        _line.draw()
+        _lines = progress.Lines(os.path.basename(sys.argv[0]))
+    _lines.take(work)
 
 
 def _failed_action(error):
@@ -309,7 +305,6 @@ _PRINTERS = {
     notes.NOTE: note,
     notes.DETAIL: detail,
     notes.PROGRESS: _progress,
-    notes.WORK: _far,
     notes.FAILED_ACTION: _failed_action,
     notes.FAILURE: complain,
 }

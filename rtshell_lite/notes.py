@@ -14,11 +14,11 @@ from rtshell_lite import errors
 NOTE = "note"
 DETAIL = "detail"
 PROGRESS = "progress"
-WORK = "work"
 FAILED_ACTION = "failed action"
 FAILURE = "failure"
 
 listener = None  # function(kind, what), or None: nobody listens
+on_work = None  # function(Work), called when it begins, goes on, and is over; None: nobody shows it
 _left_out = set()  # type: set  # lines already reported by left_out()
 
 
@@ -55,17 +55,21 @@ class Work:
         self.is_over = False
 
     def __enter__(self):
-        _tell(WORK, self)
+        self._show()
         return self
 
     def __exit__(self, *_):
         self.is_over = True
-        _tell(WORK, self)
+        self._show()
 
     def reach(self, done):
         """Note how many are done."""
         self.done = done
-        _tell(WORK, self)
+        self._show()
+
+    def _show(self):
+        if on_work is not None:
+            on_work(self)
 
     def count(self):
         """One more is done."""

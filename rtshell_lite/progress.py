@@ -1,4 +1,7 @@
-"""How far long work is: a line on the terminal, gone when the work ends or something else is said."""
+"""How far long work is: a line on the terminal, gone when the work ends or something else is said.
+
+Nothing waits for that terminal: where it takes nothing, as after Ctrl-S, the line is left out.
+"""
 
 import os
 import sys
@@ -9,63 +12,95 @@ from rtshell_lite.net import loop
 FIRST = 0.7  # seconds until it is shown
 AGAIN = 0.1  # seconds between two lines, at least
 WAITING = 0.5  # seconds between two lines while nothing gets done
-STILL = 1.0  # seconds in which nothing gets done, after which nobody knows how long it takes
+STILL = 2.0  # seconds in which nothing gets done, after which nobody knows how long it takes
+
+FORETOLD = 0.02  # of the whole has to be done until it is foretold how long the rest takes
 
 _ERASED = "\r\x1b[K"
+_KIND = 0o170000  # of a file, in its mode
+_REGULAR = 0o100000
+_DEVICE = 0o020000
 
 
-class Line:
-    """The line of one notes.Work; `name` stands before it."""
+class Lines:
+    """The works that go on; of the newest that takes long the line is shown. `name` stands before it."""
 
-    def __init__(self, work, name):
-        self.work = work
+    def __init__(self, name):
         self._name = name
-        self._begun = loop.now()
-        self._due = self._begun + FIRST
-        self._done = 0
-        self._reached = self._begun  # when that was done
+        self._lines = []
+        self._due = 0.0  # when the next one may be written
         self._is_on_screen = False
-        here = loop.current()
-        self._timer = here and here.call_later(FIRST, self._draw_again)
+        self._timer = None
 
-    def end(self):
-        """The work is over."""
-        self.erase()
-        if self._timer is not None:
-            self._timer.cancel()
-
-    def _draw_again(self):
-        self.draw()
-        self._timer = loop.current().call_later(WAITING, self._draw_again)
-
-    def draw(self):
-        """Show how far the work is, unless it is too early for that, or there is no terminal for it."""
-        now = loop.now()
-        if self.work.done != self._done:
-            self._done = self.work.done
-            self._reached = now
-        if now < self._due:
-            return
-        self._due = now + AGAIN
-        columns = _columns()
-        if columns > 1:
-            self._is_on_screen = True
-            _write(_ERASED + self._words(now)[: columns - 1])
+    def take(self, work):
+        """Show how far a notes.Work is that begins, goes on or is over."""
+        line = next((line for line in self._lines if line.work is work), None)
+        if work.is_over:
+            self._end(line)
+        elif line is not None:
+            line.reach()
+            self._draw()
+        elif not _is_read_elsewhere(work.prints):
+            self._lines.append(_Line(work))
+            if self._timer is None and loop.current() is not None:
+                self._wait()
 
     def erase(self):
         """Leave the terminal as it was."""
-        if self._is_on_screen:
-            self._is_on_screen = False
-            _write(_ERASED)
+        if self._is_on_screen and _columns():
+            self._is_on_screen = not _write(_ERASED)
 
-    def _words(self, now):
+    def _end(self, line):
+        if line is None:
+            return
+        self._lines.remove(line)
+        self.erase()
+        if not self._lines and self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def _wait(self):
+        self._timer = loop.current().call_later(WAITING, self._draw_again)
+
+    def _draw_again(self):
+        self._draw()
+        self._wait()
+
+    def _draw(self):
+        now = loop.now()
+        shown = [line for line in self._lines if now >= line.begun + FIRST]
+        if not shown or now < self._due:
+            return
+        self._due = now + AGAIN
+        columns = _columns()
+        if columns > 1 and _write(_ERASED + f"{self._name}: {shown[-1].words(now)}"[: columns - 1]):
+            self._is_on_screen = True
+
+
+class _Line:
+    """That of one notes.Work."""
+
+    def __init__(self, work):
+        self.work = work
+        self.begun = self._since = self._reached = loop.now()
+
+    def reach(self):
+        """Something has got done."""
+        now = loop.now()
+        if now - self._reached >= STILL:
+            self._since += now - self._reached  # a pause does not say how long the rest takes
+        self._reached = now
+
+    def words(self, now):
+        """What it says."""
         work = self.work
-        words = f"{self._name}: {_amount(work)}"
+        words = _amount(work)
         if now - self._reached >= STILL:
             return f"{words}, waiting for {_span(now - self._reached)}"
-        if not work.even or not work.done or work.done >= work.total:
+        rest = work.total - work.done
+        if not work.even or rest <= 0 or work.done < FORETOLD * work.total:
             return words
-        return f"{words}, about {_span((now - self._begun) / work.done * (work.total - work.done))} left"
+        return f"{words}, about {_span((now - self._since) / work.done * rest)} left"
 
 
 def _amount(work):
@@ -82,6 +117,17 @@ def _span(seconds):
     return f"{round(seconds / 3600)} h"
 
 
+def _is_read_elsewhere(prints):
+    """Whether stdout leads to another program, which may show it on the same terminal; or to that itself,
+    where the work prints.
+    """
+    try:
+        kind = os.fstat(sys.stdout.fileno()).st_mode & _KIND
+        return kind not in (_REGULAR, _DEVICE) or prints and sys.stdout.isatty()
+    except OSError:  # there is none
+        return False
+
+
 def _columns():
     """How wide the terminal is to which stderr leads; 0 where there is none, it cannot erase, or another
     program has it just now.
@@ -92,13 +138,17 @@ def _columns():
         if os.tcgetpgrp(sys.stderr.fileno()) != os.getpgrp():
             return 0
         return os.get_terminal_size(sys.stderr.fileno()).columns
-    except OSError:
+    except (OSError, AttributeError):  # not all systems have process groups
         return 0
 
 
 def _write(words):
+    """Whether the terminal has taken this."""
     try:
+        if not loop.world().takes(sys.stderr.fileno()):
+            return False
         sys.stderr.write(words)
         sys.stderr.flush()
     except OSError:
         pass  # nobody is left to read it
+    return True

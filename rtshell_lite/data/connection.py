@@ -16,7 +16,7 @@ from rtshell_lite.text import printable, shell_word, to_wire
 
 INTERFACES = ("corba_cdr", "data_service")  # usable interface types; the first is preferred
 LOOK = 1.0  # seconds between two looks whether silent ports still exist
-MOST = 20  # that are looked at at a time; of more by turns
+MOST = 100  # that are looked at at a time; of more by turns
 
 # That a connector was not removed, why, and when to try again.
 BUSY = (
@@ -31,6 +31,7 @@ class PortConnection:
 
     kind = side = dataflow = None  # the port's type; the name of its object in properties; push or pull
     flows = ()  # usable data flows
+    is_still_silent = False  # whether it is due for nothing but a silence that lasts
 
     def __init__(self, port, name, properties):
         self.port = port
@@ -396,8 +397,8 @@ class Connections:
         self._ended.add(endpoint)
 
     def _due(self):
-        """The connections to be looked at: those with a process that may have ended, and silent ones, MOST at
-        a time.
+        """The connections to be looked at: those with a process that may have ended, those that have just
+        fallen silent or are due for another reason, and of the other silent ones MOST at a time.
         """
         ended = set(self._ended)
         self._ended.clear()
@@ -405,10 +406,10 @@ class Connections:
         silent = []
         for connection in self.live():
             is_due = connection.is_due()
-            if connection.endpoint in ended:
-                at_once.append(connection)
-            elif is_due:
+            if is_due and connection.is_still_silent and connection.endpoint not in ended:
                 silent.append(connection)
+            elif is_due or connection.endpoint in ended:
+                at_once.append(connection)
         if len(silent) > MOST:
             first = self._looks % len(silent)
             self._looks += MOST

@@ -76,6 +76,7 @@ class Reader(PortConnection):
         self.answered = 0.0  # when the last fetch ended
         self.count = self.seen = 0  # values so far, and at the last look
         self.first = self.last = 0.0  # when the first and the last of them came
+        self._is_silent = False
         self.served = None
         self._away = None  # when its connector was removed, ns since the epoch
         self.renew()
@@ -290,8 +291,11 @@ class Reader(PortConnection):
         self.seen = self.count
         if seen != self.count:
             self.failure = None  # it was silent, but values have come
-        is_silent = self.looks_until_why and not self.count
-        return bool(is_silent) or self.dataflow != "pull" and seen == self.count or self._is_too_heavy()
+        was_silent = self._is_silent
+        self._is_silent = self.dataflow != "pull" and seen == self.count
+        is_pressing = bool(self.looks_until_why and not self.count) or self._is_too_heavy()
+        self.is_still_silent = was_silent and self._is_silent and not is_pressing and self.failure is None
+        return self._is_silent or is_pressing
 
     async def check(self):
         if self.connector and self._is_too_heavy():

@@ -15,7 +15,7 @@ from rtshell_lite.robot import tree
 
 # times the timeout: what takes longer is reported as not looked at; a step waits for silence only once
 STEPS = 3
-LISTS = 8  # of Findings, that `examine` yields; one more for each of `compare` and `pause`
+LISTS = 7  # of Findings, that `examine` yields; one more for each of `compare` and `pause`
 
 # What was seen in an examination: servers.Visits, Snapshots of the components, {identity: places.End} of all
 # ports that they have or are connected with, what managers have (see managers.asked).

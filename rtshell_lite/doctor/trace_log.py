@@ -136,7 +136,7 @@ def _measure(traced, log, channels, seconds):
     if seconds is not None and log.last is not None:
         first = log.since(log.last - int(seconds * 1e9)) or 0
     spent = ((log.last or 0) - (log.first or 0)) / 1e9
-    with notes.Work("octets", log.size) as log.work:
+    with notes.Work("octets", log.size, even=seconds is None) as log.work:
         for entry in log.entries(first):
             watch = by_channel.get(entry.channel)
             if watch is not None and entry.data is not None:

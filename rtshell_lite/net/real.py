@@ -352,6 +352,13 @@ def write_to(descriptor, data):
     os.write(descriptor, data)
 
 
+def takes(descriptor):
+    """Whether something can be written to a descriptor now, without waiting for who reads it."""
+    found = select.poll()
+    found.register(descriptor, select.POLLOUT)
+    return bool(found.poll(0))
+
+
 def lock(directory):
     """Hold a directory, with others who do, until this process ends. Raises OSError."""
     import fcntl  # which some systems lack

@@ -16,7 +16,7 @@ async def adopt(profile):
     """
     listed = restore.places(profile)
     tops = sorted({placement.path._replace(names=()) for placement in listed}, key=str)
-    now = await capture.capture(tops, all_components=True)
+    now = await capture.capture(tops, all_components=True, shows=True)
     captured = {}
     for answer, described in zip(now.found, now.profile.components):
         captured[answer.node.path] = answer, described

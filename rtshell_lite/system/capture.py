@@ -185,13 +185,13 @@ def is_reference(name, value):
 
 
 async def capture(
-    tops=(), all_components=False, with_states=False, with_managers=False, with_snapshots=False
+    tops=(), all_components=False, with_states=False, with_managers=False, with_snapshots=False, shows=False
 ):
     """The System below the Paths `tops` (none: all name servers), sorted; only what is connected, or a
     composite of it.
 
     `with_managers`: which manager lists a component goes into the profile; `with_snapshots`: ask each
-    component for everything, see `ask`.
+    component for everything, see `ask`; `shows`: how far it is, see notes.Work.
     """
     nodes, managers, failures, notes = await search.components(tops)
     if with_managers:
@@ -202,8 +202,11 @@ async def capture(
     silent = {}
     lost = {}
     question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
-    with Work("components", len(nodes)) as work:
-        asked = await session.each(nodes, work.counting(question))
+    if shows:
+        with Work("components", len(nodes)) as work:
+            asked = await session.each(nodes, work.counting(question))
+    else:
+        asked = await session.each(nodes, question)
     for node, answer in zip(nodes, asked):
         if not isinstance(answer, errors.Error):
             answers.append(answer)

@@ -4,7 +4,7 @@ each with its place and with what one look at the running system found there.
 
 import collections
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.robot import ports, tree
 from rtshell_lite.system import capture, relocate
@@ -74,7 +74,8 @@ async def find(placements, ask=capture.ask):
     of each; `error` where that fails.
     """
     asked = [placement for placement in placements if placement.error is None]
-    answers = await tree.on_components([placement.path for placement in asked], ask)
+    with notes.Work("components", len(asked)) as work:
+        answers = await tree.on_components([placement.path for placement in asked], work.counting(ask))
     for placement, answer in zip(asked, answers):
         if isinstance(answer, errors.Error):
             placement.error = answer

@@ -22,7 +22,9 @@ async def of_robot(tops, everything, with_snapshots=False):
     Where a connection leads to one, that is drawn: it may be gone.
     `with_snapshots`: all that rtcat shows. `results` are capture.ComponentState and errors.Error.
     """
-    system = await capture.capture(tops, everything, with_states=True, with_snapshots=with_snapshots)
+    system = await capture.capture(
+        tops, everything, with_states=True, with_snapshots=with_snapshots, shows=True
+    )
     lost = {failure.where: None for failure in system.failures}
     return of_system(system, dict(lost, **system.lost))
 

@@ -3,11 +3,14 @@ for what, or files and pipes get what is for a terminal.
 """
 import io
 import os
+import pty
+import tempfile
+import termios
 import unittest
 from unittest import mock
 
 from rtshell_lite import api, cli, notes, progress
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, real
 
 ERASED = "\r\x1b[K"
 
@@ -32,10 +35,16 @@ class Far(unittest.TestCase):
         self.stderr = Terminal()
         self.stdout = Terminal()
         self.columns = 80
+        self.is_read_elsewhere = False
+        self.takes = True
         for target, name, value in (
             (loop, "now", lambda: self.now),
             (progress, "_columns", lambda: self.columns),
+            (progress, "_is_read_elsewhere", lambda prints: self.is_read_elsewhere or prints),
+            (real, "takes", lambda descriptor: self.takes),
             (notes, "listener", cli._hear),
+            (notes, "on_work", cli._show_work),
+            (cli, "_lines", None),
             (cli.sys, "stderr", self.stderr),
             (cli.sys, "stdout", self.stdout),
             (cli.sys, "argv", ["/opt/bin/rtcryo"]),
@@ -70,11 +79,11 @@ class Far(unittest.TestCase):
 
     def test_what_waits_for_something_that_hangs_says_so(self):
         async def main():
-            with mock.patch.object(progress, "FIRST", 0.001), mock.patch.object(progress, "WAITING", 0.001):
+            with mock.patch.object(progress, "WAITING", 0.001):
                 with notes.Work("components", 3) as work:
                     work.count()
-                    for second in "12":
-                        self.now += 1.0
+                    for second in "23":
+                        self.now += {"2": 2.0, "3": 1.0}[second]
                         while f"1 of 3 components, waiting for {second} s" not in self.said():
                             await loop.sleep(0.001)
         loop.run(main())
@@ -102,14 +111,18 @@ class Far(unittest.TestCase):
         self.assertEqual(first, "rtcryo: 1 of 3 components, about 2 s left")
         self.assertEqual(second, "rtcryo: Arm0.rtc: zombie, left out\n")
 
-    def test_work_that_is_part_of_another_shows_nothing_of_its_own(self):
-        with notes.Work("steps", 10) as whole:
+    def test_of_work_that_is_part_of_another_that_is_shown_which_takes_long(self):
+        with notes.Work("steps", 10, even=False) as whole:
             with notes.Work("components", 10) as part:
                 self.now += 1
                 part.count()
-            self.assertEqual(self.said(), "")
+            self.assertEqual(self.lines()[0], "rtcryo: 1 of 10 components, about 9 s left")
+            with notes.Work("s", 10) as part:
+                self.now += 0.5
+                part.count()
+            self.now += 0.1
             whole.count()
-        self.assertEqual(self.lines()[0], "rtcryo: 1 of 10 steps, about 9 s left")
+        self.assertEqual(self.lines()[1:], ["rtcryo: 0 of 10 steps", "rtcryo: 1 of 10 steps"])
 
     def test_a_pipe_and_quiet_get_nothing(self):
         self.stderr.is_terminal = False
@@ -118,10 +131,14 @@ class Far(unittest.TestCase):
         with mock.patch.object(cli, "_quiet", True):
             self.assertEqual(self.work(5.0), "")
 
-    def test_a_terminal_that_gets_the_output_gets_nothing_else(self):
+    def test_where_something_is_printed_or_another_program_reads_it_there_is_nothing(self):
         self.assertEqual(self.work(5.0, prints=True), "")
-        self.stdout.is_terminal = False
-        self.assertIn("10 of 100", self.work(5.0, prints=True))
+        self.is_read_elsewhere = True
+        self.assertEqual(self.work(5.0), "")
+
+    def test_a_terminal_that_takes_nothing_is_not_waited_for(self):
+        self.takes = False
+        self.assertEqual(self.work(5.0), "")
 
     def test_it_is_as_wide_as_the_terminal_at_most(self):
         self.columns = 20
@@ -129,16 +146,26 @@ class Far(unittest.TestCase):
         self.assertEqual(self.lines()[0], "rtcryo: 4 of 100 co")
 
     def test_octets_are_megabytes_and_long_spans_minutes_and_hours(self):
-        shown = {10**9: "1000 of 4000 MB, about 2 min left", 10**7: "10 of 4000 MB, about 4 h left"}
-        for done in shown:
+        for done, seconds, words in (
+            (10**9, 40, "1000 of 4000 MB, about 2 min left"), (10**8, 300, "100 of 4000 MB, about 3 h left"),
+        ):
             with notes.Work("octets", 4 * 10**9) as work:
-                self.now += 40
-                work.reach(done)
-            self.assertEqual(self.lines()[-1], "rtcryo: " + shown[done])
+                for _ in range(seconds):
+                    self.now += 1.0
+                    work.reach(done)
+            self.assertEqual(self.lines()[-1], "rtcryo: " + words)
 
     def test_of_uneven_steps_nobody_knows_how_long_the_rest_takes(self):
         self.work(2.0, even=False)
         self.assertEqual(self.lines()[-1], "rtcryo: 10 of 100 components")
+
+    def test_a_pause_does_not_count_for_the_rest(self):
+        with notes.Work("components", 4) as work:
+            self.now += 30.0
+            work.count()
+            self.now += 1.0
+            work.count()
+        self.assertEqual(self.lines()[-1], "rtcryo: 2 of 4 components, about 1 s left")
 
     def test_what_counts_for_a_task_counts_failures_too(self):
         async def fail(item):
@@ -159,6 +186,36 @@ class InPrograms(unittest.TestCase):
             with notes.Work("components", 2) as work:
                 work.count()
         self.assertFalse(logged.called)
+
+
+class Elsewhere(unittest.TestCase):
+    def check(self, descriptor, prints):
+        with os.fdopen(descriptor, "w") as file, mock.patch.object(progress.sys, "stdout", file):
+            return progress._is_read_elsewhere(prints)
+
+    def test_a_pipe_leads_to_another_program_a_file_does_not(self):
+        read, write = os.pipe()
+        self.addCleanup(os.close, read)
+        self.assertTrue(self.check(write, False))
+        with tempfile.TemporaryFile() as file:
+            self.assertFalse(self.check(os.dup(file.fileno()), True))
+        self.assertFalse(self.check(os.open(os.devnull, os.O_WRONLY), True))
+
+    def test_a_terminal_is_read_by_a_person(self):
+        ours, theirs = pty.openpty()
+        self.addCleanup(os.close, ours)
+        self.assertTrue(self.check(os.dup(theirs), True))
+        self.assertFalse(self.check(theirs, False))
+
+
+class Paused(unittest.TestCase):
+    def test_a_paused_terminal_takes_nothing(self):
+        ours, theirs = pty.openpty()
+        self.addCleanup(os.close, ours)
+        self.addCleanup(os.close, theirs)
+        self.assertTrue(real.takes(theirs))
+        termios.tcflow(theirs, termios.TCOOFF)
+        self.assertFalse(real.takes(theirs))
 
 
 class Columns(unittest.TestCase):

@@ -13,7 +13,7 @@ class Looks(unittest.TestCase):
         self.opened = connection.Connections(
             [
                 types.SimpleNamespace(
-                    number=number, failure=None, endpoint=("a", number // 10),
+                    number=number, failure=None, endpoint=("a", number // 10), is_still_silent=True,
                     is_due=lambda number=number: number in self.due,
                 )
                 for number in range(1000)
@@ -31,6 +31,11 @@ class Looks(unittest.TestCase):
     def test_few_are_looked_at_each_time(self):
         self.due = {3, 5, 7}
         self.assertEqual([self.look() for _ in range(3)], 3 * [[3, 5, 7]])
+
+    def test_one_that_has_just_fallen_silent_is_looked_at_at_once(self):
+        self.opened.connections[500].is_still_silent = False
+        self.assertEqual(self.look()[0], 500)
+        self.assertEqual(self.look()[0], 500)
 
     def test_those_with_a_process_that_may_have_ended_are_looked_at_at_once(self):
         self.due = {3, 5}
