@@ -188,8 +188,10 @@ class Gripper(live.Worker):
 
     def rest(self, seconds):
         self.temperature = max(self.COOL, self.temperature - self.COOLER * seconds)
+        if self.temperature > self.COOL or self.COOL >= self.setting("limit"):
+            return  # still hot, or never cool enough
         context = self.contexts[0]
-        if self.temperature == self.COOL and context.state_of(self) == "Error":
+        if context.state_of(self) == "Error":
             context.set_state(self, "Active")
 
 

@@ -6,6 +6,7 @@ import unittest
 
 from loops import wait_for
 from rtshell_lite.corba import orb
+from rtshell_lite.data import datatypes
 from rtshell_lite.net import loop
 from rtshell_lite.play import carriers, demo, live
 
@@ -77,6 +78,31 @@ class Components(unittest.TestCase):
                 await executed.wait(0.1)  # one more, as the rate has changed
 
         self.run_with(work)
+
+
+class Gripper(unittest.TestCase):
+    def setUp(self):
+        self.hand = demo.Gripper("Gripper0", datatypes.Types(), None)
+        self.context = self.hand.contexts[0]
+        self.context.set_state(self.hand, "Error")
+
+    def rest(self, limit):
+        self.hand.configuration.sets["default"]["limit"] = limit
+        self.hand.rest(0.1)
+        return self.context.state_of(self.hand)
+
+    def test_it_goes_on_when_it_is_cool(self):
+        self.hand.temperature = self.hand.COOL + 1
+        self.assertEqual(self.rest("60"), "Error")
+        self.hand.temperature = self.hand.COOL
+        self.assertEqual(self.rest("60"), "Active")
+
+    def test_a_limit_that_it_never_gets_below(self):
+        """It stays in Error: it would be in Error again at once, and so on."""
+        self.assertEqual(self.rest(str(self.hand.COOL)), "Error")
+        with self.assertRaises(live.Fault):
+            self.hand.step(0.1)
+        self.assertEqual(self.rest("60"), "Active")
 
 
 class Properties(unittest.TestCase):
