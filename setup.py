@@ -25,11 +25,11 @@ for path in sorted(glob.glob("man/**/rt*.[17]", recursive=True)):
 
 
 def overview():
-    """The beginning of README.md, for the page of a package index, on which links into the repository, and
-    pictures in it, would lead nowhere.
+    """The beginning of README.md, for the page of a package index: without the table of commands and what
+    follows, as links into the repository, and pictures in it, would lead nowhere there.
     """
     with open("README.md", encoding="utf-8") as file:
-        beginning = file.read().partition("\nRead on: ")[0]
+        beginning = file.read().partition("\n## Commands")[0]
     return "".join(line for line in beginning.splitlines(True) if not line.startswith("!["))
 
 

@@ -14,6 +14,13 @@ printed at the start.
 """
 
 
+PAPERS = """\
+to read
+  man 7 rtshell_lite: paths, options, environment, exit statuses, scripts
+  docs/ of the repository: install paths trouble recording seeing keeping scripts
+    library reference differences figures"""
+
+
 def main(doc):
     """Run the command that the first argument names, or follow the module's own options; `doc` is
     its help.
@@ -50,7 +57,8 @@ def run(args):
         name = args.words[0]
         raise errors.Usage(f"{name}: no such command{text.near(name, installation.commands())}")
     else:
-        print("\n".join(["commands (COMMAND --help says more):"] + installation.summaries()))
+        lines = ["commands (COMMAND --help says more):"] + installation.summaries()
+        print("\n".join(lines + [PAPERS]))
 
 
 def _unpack(directory, wheels):

@@ -1,8 +1,8 @@
 """Writes the documents that are generated: `python3 -m tools.documentation`, in a checkout.
 
-They are the manual pages below man/, docs/command-line.txt, and in README.ja.md a row for each command that
-its table lacks, in English until somebody translates it. tests/unit/test_documentation.py fails when one of
-them is out of date.
+They are the manual pages below man/, docs/command-line.txt, the table of commands in README.md, and in
+README.ja.md a row for each command that its table lacks, in English until somebody translates it.
+tests/unit/test_documentation.py fails when one of them is out of date.
 """
 
 import os
@@ -18,21 +18,35 @@ ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
 
 def documents():
     """All generated documents, {path below the checkout: text}."""
-    english = files.read(os.path.join(ROOT, "README.md"))
-    japanese = files.read(os.path.join(ROOT, "README.ja.md"))
-    japanese = with_rows(japanese, english)
-    found = {
-        "man/" + name: text
-        for name, text in manpages.pages({"README.md": english, "README.ja.md": japanese}, released()).items()
+    english = with_commands(read("README.md"))
+    japanese = with_rows(read("README.ja.md"), english)
+    papers = {
+        "en": "\n".join([english] + [read(f"docs/{name}") for name in manpages.PAPERS]),
+        "ja": "\n".join([japanese] + [read(f"docs/ja/{name}") for name in manpages.PAPERS]),
     }
-    found["README.ja.md"] = japanese
+    found = {"man/" + name: text for name, text in manpages.pages(papers, released()).items()}
+    found.update({"README.md": english, "README.ja.md": japanese})
     found["docs/command-line.txt"] = command_line.text()
     return found
 
 
+def read(name):
+    """The text of a file of the checkout."""
+    return files.read(os.path.join(ROOT, name))
+
+
+def with_commands(english):
+    """README.md with the commands and the first lines of their helps in its table."""
+    source = manpages.sections(english)["Commands"]
+    rows = ["| command | does |", "|---|---|"]
+    for subject, firsts in installation.by_subject().items():
+        rows += [f"| **{subject}** | |"] + [f"| `{name}` | {first} |" for name, first in firsts.items()]
+    return english.replace(source, re.sub(r"(^\|.*\n)+", "\n".join(rows) + "\n", source, 1, re.MULTILINE))
+
+
 def released():
     """The date of this version, in the first heading of CHANGELOG.md: `## 1.0.0 (2026-11-25)`."""
-    changelog = files.read(os.path.join(ROOT, "CHANGELOG.md"))
+    changelog = read("CHANGELOG.md")
     heading = r"^## %s \((\d{4}-\d\d-\d\d)\)$" % re.escape(__version__)
     return re.search(heading, changelog, re.MULTILINE).group(1)
 

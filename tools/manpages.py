@@ -1,5 +1,5 @@
-"""Manual pages: of commands, from their docstrings and parsers; rtshell_lite(7), from README.md;
-in Japanese, from README.ja.md.
+"""Manual pages: of commands, from their docstrings and parsers; rtshell_lite(7), from README.md and pages of
+docs/; in Japanese, from README.ja.md and those of docs/ja/.
 """
 
 import argparse
@@ -9,37 +9,38 @@ from rtshell_lite import __version__, options
 from rtshell_lite.shell import installation
 from tools import command_line
 
-# Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from the README, the heading of
+PAPERS = ["paths.md", "scripts.md"]  # of docs/, besides the README
+# Of rtshell_lite(7): the headings of NAME and DESCRIPTION, the sections taken from those, the heading of
 # SEE ALSO.
 SECTIONS = {
-    "README.md": (
+    "en": (
         "NAME",
         "DESCRIPTION",
-        ["Commands", "Paths", "Environment", "Exit status", "Scripts"],
+        ["Commands", "Paths", "Options", "Environment", "Exit status", "Scripts", "Read on"],
         "SEE ALSO",
     ),
-    "README.ja.md": (
+    "ja": (
         "名前",
         "説明",
-        ["コマンド", "パス", "環境変数", "終了ステータス", "スクリプト"],
+        ["コマンド", "パス", "オプション", "環境変数", "終了ステータス", "スクリプト", "続きを読む"],
         "関連項目",
     ),
 }
 SUMMARIES = {
-    "README.md": "shell commands for robots built from OpenRTM-aist components",
-    "README.ja.md": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド",
+    "en": "shell commands for robots built from OpenRTM-aist components",
+    "ja": "OpenRTM-aist のコンポーネントで作られたロボットのためのシェルコマンド",
 }
 WIDEST = 76
 
 
-def pages(readmes, date):
-    """All pages, {path below man/: text}; `readmes` are the texts of both READMEs by name, `date` that of the
-    version.
+def pages(papers, date):
+    """All pages, {path below man/: text}; `papers` are the texts of the READMEs and of their PAPERS by
+    language, `date` that of the version.
     """
     commands = installation.commands()
     found = {f"man1/{name}.1": _command_page(name, path, date) for name, path in commands.items()}
-    found["man7/rtshell_lite.7"] = _overview("README.md", readmes["README.md"], commands, date)
-    found["ja/man7/rtshell_lite.7"] = _overview("README.ja.md", readmes["README.ja.md"], commands, date)
+    found["man7/rtshell_lite.7"] = _overview("en", papers["en"], commands, date)
+    found["ja/man7/rtshell_lite.7"] = _overview("ja", papers["ja"], commands, date)
     return found
 
 
@@ -175,13 +176,13 @@ def _entries(text):
 # ---- the overview ----
 
 
-def _overview(readme, text, commands, date):
-    name, description, titles, see_also = SECTIONS[readme]
+def _overview(language, text, commands, date):
+    name, description, titles, see_also = SECTIONS[language]
     parts = sections(text)
     lines = [
         _header("rtshell_lite", 7, date),
         ".SH " + name,
-        "rtshell_lite \\- " + _text(SUMMARIES[readme]),
+        "rtshell_lite \\- " + _text(SUMMARIES[language]),
         ".SH " + description,
     ]
     lines += _markdown(parts["rtshell_lite"])
@@ -207,7 +208,10 @@ def _markdown(text):
         elif rows[0].startswith("|"):
             for row in rows[2:]:
                 first, *others = [cell.strip() for cell in row.strip("|").split(" | ")]
-                lines += [".TP", _prose(first.strip()), _prose(" ".join(others))]
+                if first.startswith("**"):
+                    lines += [".PP", f"\\fI{_text(first.strip('*'))}\\fR"]
+                else:
+                    lines += [".TP", _prose(first), _prose(" ".join(others))]
         else:
             lines += [".PP", _prose(_joined(rows))]
     return lines

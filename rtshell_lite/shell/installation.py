@@ -150,24 +150,31 @@ def summary(source):
     return (ast.get_docstring(ast.parse(source)) or "").partition("\n")[0]
 
 
+def by_subject():
+    """The commands by subject: {subject: {name: the first line of its help}}."""
+    paths = commands()
+    subjects = {subject: names.split() for subject, names in SUBJECTS.items()}
+    placed = {name for names in subjects.values() for name in names}
+    subjects["others"] = sorted(set(paths) - placed)
+    firsts = {
+        subject: {name: summary(read(paths[name])) for name in names if name in paths}
+        for subject, names in subjects.items()
+    }
+    return {subject: lines for subject, lines in firsts.items() if lines}
+
+
 def summaries():
     """A line for each command, its name and the first line of its help, below lines with their subjects."""
     import textwrap
 
-    paths = commands()
-    size = max(map(len, paths)) + 4
-    subjects = {subject: names.split() for subject, names in SUBJECTS.items()}
-    placed = {name for names in subjects.values() for name in names}
-    subjects["others"] = sorted(set(paths) - placed)
+    subjects = by_subject()
+    size = max(len(name) for firsts in subjects.values() for name in firsts) + 4
     lines = []
-    for subject, names in subjects.items():
-        there = [name for name in names if name in paths]
-        if there:
-            lines.append(subject)
-        for name in there:
+    for subject, firsts in subjects.items():
+        lines.append(subject)
+        for name, first in firsts.items():
             lines += textwrap.wrap(
-                summary(read(paths[name])), text.width() - 2, initial_indent=f"  {name}".ljust(size),
-                subsequent_indent=" " * size,
+                first, text.width() - 2, initial_indent=f"  {name}".ljust(size), subsequent_indent=" " * size
             )
     return lines
 

@@ -1,4 +1,4 @@
-"""Every example in docstrings (and so in --help and the manual pages) and in README.md does what it says.
+"""Every example in docstrings (and so in --help and the manual pages), in README.md and docs/ does what it says.
 
 Each line is run by sh in a directory with robot.rtsys in it, on a robot of mock components, fresh for each
 command that may change it. What is special about those of a command is stated in its transcript, as in
@@ -58,7 +58,7 @@ STATED = [
 # What is done before the examples of a command, or before one line.
 PREPARED = {command: lines[0] for command, lines in invocations.stated("prepared").items()}
 PREPARED.update({line: what for line, arrow, what in STATED if arrow == "<-"})
-# in README.md
+# in docs/scripts.md
 PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is not Active"'] = (
     "rtact Motor0.rtc"
 )
@@ -101,11 +101,11 @@ ELSEWHERE = {  # run by other tests
     "eval": "test_completion", "rtcwd --shell": "test_completion", "rtkeep status": "rtkeep-steering.t",
 }
 FIRST_WORDS = ("until", "while", "for", "if", "echo", "eval")
-# Other indented lines of README.md: a path, what rtdoctor says, values (test_values), the tour (test_tour),
+# Other indented lines of papers: a path, what rtdoctor says, values (test_values), the tour (test_tour),
 # and what runs this.
 NO_COMMANDS = (
     "/localhost/", "fail  ", "RTC.", '{"data"',
-    "mock_components/tour ", "tests/run ", "tests/simulate ", "python3 ",
+    "mock_components/tour ", "tests/run ", "pip install ",
 )
 PATIENCE = 3.0   # seconds after which Ctrl-C is pressed
 LIMIT = 30.0
@@ -304,24 +304,25 @@ for _command in commands():
 
 
 def indented():
-    """The indented lines of README.md and docs/reference.md, outside of scripts."""
-    text = read("README.md") + read(os.path.join("docs", "reference.md"))
+    """The indented lines of README.md and docs/*.md, outside of scripts."""
+    pages = sorted(name for name in os.listdir(os.path.join(processes.ROOT, "docs")) if name.endswith(".md"))
+    text = "".join([read("README.md")] + [read("docs", name) for name in pages])
     return re.findall(r"^    (\S.*)$", re.sub(r"```(?:.*\n)*?```", "", text), re.MULTILINE)
 
 
-def readme_lines():
-    """What is to be typed in README.md."""
+def paper_lines():
+    """What is to be typed in papers, outside of blocks with `$`, which test_papers plays."""
     return [line for line in indented() if line.split()[0] in commands() + list(FIRST_WORDS)]
 
 
 class Special(unittest.TestCase):
     def test_nothing_is_special_that_is_gone(self):
-        known = set(commands() + readme_lines()).union(*map(examples, commands()))
+        known = set(commands() + paper_lines()).union(*map(examples, commands()))
         self.assertEqual([line for line in list(PREPARED) + list(STATUS) if line not in known], [])
 
     def test_nothing_is_overlooked(self):
         self.assertEqual(
-            [line for line in indented() if line not in readme_lines() and not line.startswith(NO_COMMANDS)],
+            [line for line in indented() if line not in paper_lines() and not line.startswith(NO_COMMANDS)],
             [],
         )
 
@@ -339,29 +340,29 @@ class Special(unittest.TestCase):
                 )
 
 
-class Readme(Case):
-    """README.md; test_documentation compares the Japanese one with it."""
+class Papers(Case):
+    """README.md and docs/; test_documentation compares the Japanese ones with them."""
 
     def test_lines(self):
         self.robot.prepare(SYSTEM + " && mkdir robot")
         mounted = () if mounts.refused() else ("robot/",)
-        self.check([line for line in readme_lines() if not line.startswith(tuple(ELSEWHERE))
+        self.check([line for line in paper_lines() if not line.startswith(tuple(ELSEWHERE))
                     and (mounted or "robot/" not in line and "rtmount" not in line)])
 
     def test_library(self):
-        program, = re.findall(r"```python\n((?:.*\n)*?)```", read("README.md"))
-        self.robot.prepare("rtact Motor0.rtc")
+        program = re.findall(r"```python\n((?:.*\n)*?)```", read("docs", "library.md"))[0]
+        self.robot.prepare("rtact Sensor0.rtc Motor0.rtc")
         status, said = self.robot.run(
             program.replace('"/localhost', '"/localhost:%d' % Server.port), words=(sys.executable, "-c")
         )
         self.assertEqual(status, 0, said)
-        self.assertEqual(said, "Active\n")
+        self.assertRegex(said, r"\AActive\nRTC\.TimedLong\(.*data=\d+\)\n\Z")
 
     def script(self, name):
         """One of the scripts: the file that it is in, and both shells to run it."""
         (found,) = [
             block
-            for block in re.findall(r"```sh\n((?:.*\n)*?)```", read("README.md"))
+            for block in re.findall(r"```sh\n((?:.*\n)*?)```", read("docs", "scripts.md"))
             if "\n# " + name + " " in block + " " or "\n# " + name + "\n" in block
         ]
         path = os.path.join(self.robot.directory, name)

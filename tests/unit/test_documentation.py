@@ -1,4 +1,4 @@
-"""Manual pages, READMEs and docstrings: if one of these fails, they do not describe this version."""
+"""Manual pages, READMEs, docs/ and docstrings: if one of these fails, they do not describe this version."""
 import glob
 import json
 import os
@@ -96,12 +96,12 @@ def generated(function, *arguments):
 
 class Generated(unittest.TestCase):
     def test_up_to_date(self):
-        """The pages in man/, the whole command line in docs/ and the rows of README.ja.md agree with
-        docstrings, parsers and READMEs.
+        """The pages in man/, the whole command line in docs/ and the tables of commands in the READMEs agree
+        with docstrings, parsers and papers.
         """
         made = generated("documents")
         there = {os.path.join("man", name): text for name, text in below("man").items()}
-        for name in "README.ja.md", os.path.join("docs", "command-line.txt"):
+        for name in "README.md", "README.ja.md", os.path.join("docs", "command-line.txt"):
             there[name] = read(name)
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
         self.assertEqual(stale, [], "to bring them up to date, run: python3 -m tools.documentation")
@@ -119,10 +119,18 @@ class Generated(unittest.TestCase):
 class Commands(unittest.TestCase):
     """The docstring of each command."""
 
-    def test_readme(self):
-        rows = re.findall(r"^\| (`rt\w+`.*?) \|", read("README.md"), re.MULTILINE)
-        self.assertEqual(sorted(name.strip("`") for row in rows for name in row.split(", ")), names("bin"),
-                         "each command has one row in README.md, in the table of commands")
+    def test_readmes(self):
+        for readme in "README.md", "README.ja.md":
+            rows = re.findall(r"^\| (`rt\w+`.*?) \|", read(readme), re.MULTILINE)
+            listed = sorted(name.strip("`") for row in rows for name in row.split(", "))
+            self.assertEqual(listed, names("bin"), "each command has one row in the table of %s" % readme)
+
+    def test_summaries(self):
+        """The first line of a command's help, in all lists of commands, fits into theirs on a terminal."""
+        for name in names("bin"):
+            first, _, rest = read("bin", name).partition('"""')[2].partition("\n")
+            self.assertRegex(first, r"^.{,63}\.$", name)
+            self.assertEqual(rest[:1], "\n", name)
 
     def test_changelog(self):
         missing = [name for name in names("bin") if "`%s`" % name not in read("CHANGELOG.md")]
@@ -154,20 +162,70 @@ class Commands(unittest.TestCase):
 
 
 class Promises(unittest.TestCase):
-    """What README.md says of all commands."""
+    """What papers say of all commands."""
 
     def test_what_timeout_means(self):
         """It names each command whose --timeout is another one."""
         other = [name for name in names("bin") if "options.duration(" in read("bin", name)]
-        sentence = re.search(r"In ([^.]*), `--timeout`\sis how long they run", read("README.md"))
+        page = read("docs", "paths.md")
+        sentence = re.search(r"In ([^.]*), `--timeout`\sis how long they run", page)
         self.assertEqual(re.findall(r"`(rt\w+)`", sentence.group(1)), other)
 
     def test_tls(self):
         paths = glob.glob(os.path.join(ROOT, "rtshell_lite", "**", "*.py"), recursive=True)
         sources = "".join(read(path) for path in paths)
-        self.assertNotIn("sslTP", sources, "README.md says that nothing speaks TLS")
-        self.assertIn("Nothing here speaks TLS", read("README.md"))
-        self.assertIsNone(re.search(r"transports[^.]*TLS", read("README.md")))
+        page = read("docs", "install.md")
+        self.assertNotIn("sslTP", sources, "docs/install.md says that nothing speaks TLS")
+        self.assertIn("Nothing here speaks TLS", page)
+        self.assertIsNone(re.search(r"transports[^.]*TLS", page))
+
+
+def anchors(text):
+    """The anchors of a paper, as GitHub makes them of its headings."""
+    headings = re.findall(r"^#+ (.*)$", re.sub(r"```(?:.*\n)*?```", "", text), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+class Links(unittest.TestCase):
+    PAPERS = ["README.md", "README.ja.md", "CONTRIBUTING.md", "SECURITY.md"]
+
+    def papers(self):
+        found = [name for name in below("docs") if name.endswith(".md")]
+        return self.PAPERS + sorted(os.path.join("docs", name) for name in found)
+
+    def links(self, paper):
+        """[(the file, the anchor or "")] that a paper leads to."""
+        found = re.findall(r"\]\(([^)\s]*)\)", re.sub(r"```(?:.*\n)*?```", "", read(paper)))
+        for link in found:
+            path, _, anchor = link.partition("#")
+            yield os.path.normpath(os.path.join(os.path.dirname(paper), path)) if path else paper, anchor
+
+    def test_all_lead_somewhere(self):
+        dead = []
+        for paper in self.papers():
+            for path, anchor in self.links(paper):
+                there = os.path.isfile(os.path.join(ROOT, path))
+                if not there or anchor and anchor not in anchors(read(path)):
+                    dead.append("%s: %s#%s" % (paper, path, anchor))
+        self.assertEqual(dead, [])
+
+    def test_all_pages_are_found(self):
+        """From README.md, Japanese ones from README.ja.md, those about the code from CONTRIBUTING.md."""
+        found = {path for paper in self.PAPERS for path, _ in self.links(paper)}
+        self.assertEqual(sorted(set(self.papers()) - found), [])
+
+    def test_pages_named_by_rtshell_lite(self):
+        environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1")
+        words = [sys.executable, "-m", "rtshell_lite"]
+        said = subprocess.check_output(words, cwd=ROOT, stdin=subprocess.DEVNULL, env=environment).decode()
+        named = said.partition("docs/ of the repository: ")[2].split()
+        pages = [re.match(r"docs/(\w+)\.md$", path) for path, _ in self.links("README.md")]
+        self.assertEqual(sorted(named), sorted({page.group(1) for page in pages if page}))
+
+    def test_readme_is_short_and_markdown_alone(self):
+        for readme in "README.md", "README.ja.md":
+            self.assertLessEqual(read(readme).count("\n"), 250)
+            self.assertIsNone(re.search(r"^ {,3}<\w", read(readme), re.MULTILINE))
 
 
 class Pages(unittest.TestCase):
@@ -198,40 +256,47 @@ class Pages(unittest.TestCase):
 
 
 class Japanese(unittest.TestCase):
-    """README.ja.md says what README.md says, as far as can be compared."""
+    """README.ja.md and the pages of docs/ja/ say what the English ones say, as far as can be compared."""
 
-    def section(self, readme, title):
-        found = re.search(
-            r"^#+ %s\n((?:```(?:.*\n)*?```\n|(?!#+ ).*\n)*)" % title, read(readme), re.MULTILINE
-        )
-        self.assertTrue(found, "%s has no section %s" % (readme, title))
-        return found.group(1)
+    SHORTER = ["docs/ja/keeping.md"]  # refers to the English one
 
-    def firsts(self, readme, title):
-        """The words in the first column of a section's table."""
-        rows = re.findall(r"^\| (.*?) \|", self.section(readme, title), re.MULTILINE)[1:]
+    def pairs(self):
+        """[(the Japanese paper, the English one)]"""
+        pages = sorted(below(os.path.join("docs", "ja")))
+        self.assertGreater(len(pages), 5)
+        return [("README.ja.md", "README.md")] + [("docs/ja/" + name, "docs/" + name) for name in pages]
+
+    def firsts(self, paper):
+        """The words in the first columns of its tables, without their heads."""
+        rows = re.findall(r"^\| (.*?) \|.*(?!\n\|---)\n", read(paper), re.MULTILINE)
         return [word for row in rows for word in row.split(", ")]
 
     def test_tables(self):
-        titles = ("Paths", "パス"), ("Environment", "環境変数"), ("Exit status", "終了ステータス")
-        for english, japanese in titles:
-            self.assertEqual(self.firsts("README.ja.md", japanese), self.firsts("README.md", english))
+        """All paths, variables and statuses."""
+        self.assertEqual(self.firsts("docs/ja/paths.md"), self.firsts("docs/paths.md"))
+        self.assertGreater(len(self.firsts("docs/paths.md")), 25)
 
     def test_code(self):
-        """Scripts and commands are the same, apart from remarks after several blanks."""
-        for english, japanese in (("Scripts", "スクリプト"), ("Install", "インストール"),
-                                  ("When the robot does not work", "ロボットが動かないとき")):
-            self.assertEqual(self.code("README.ja.md", japanese), self.code("README.md", english))
+        """Blocks and commands are the same, apart from remarks after several blanks."""
+        for japanese, english in self.pairs():
+            with self.subTest(japanese):
+                self.assertEqual([line for line in self.code(japanese) if line not in self.code(english)], [])
+                if japanese not in self.SHORTER:
+                    self.assertEqual(len(self.code(japanese)), len(self.code(english)))
 
-    def code(self, readme, title):
-        return re.findall(r"^(?:    .*|```(?:.*\n)*?```)$", self.section(readme, title), re.MULTILINE)
+    def code(self, paper):
+        """Its lines of code."""
+        found = re.findall(r"^(?:    .*|```(?:.*\n)*?```)$", read(paper), re.MULTILINE)
+        lines = [line for block in found for line in block.split("\n")]
+        lines = [re.split(r"(?<=\S) {2,}(?=[^ ])", line)[0] for line in lines if line.strip(" `")]
+        return [line for line in lines if "+--" not in line]  # what explains a path
 
     def test_options_named(self):
-        """The options and files in the sections."""
-        for english, japanese in ("Commands", "コマンド"), ("Install", "インストール"), ("Paths", "パス"):
-            words = [sorted(set(re.findall(r"`(-[^`\s]*|\\[^`]*)", self.section(*where)))) for where in
-                     (("README.md", english), ("README.ja.md", japanese))]
-            self.assertEqual(sorted(set(words[0]) - set(words[1])), [], japanese)
+        """The options and escapes."""
+        for name in "install.md", "paths.md":
+            pages = read("docs", name), read("docs", "ja", name)
+            english, japanese = [set(re.findall(r"`(-[^`\s]*|\\[^`]*)", page)) for page in pages]
+            self.assertEqual(sorted(english - japanese), [], name)
 
 
 if __name__ == "__main__":

@@ -38,7 +38,7 @@ def papers():
         for pattern in ("docs/*.md", "docs/*.txt", "man/man[17]/*", "mock_components/tour")
         for path in below(pattern)
     ]
-    for path in ["README.md", "CHANGELOG.md"] + papers:
+    for path in ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"] + papers:
         if path != os.path.join("docs", "words.md"):
             yield path, re.sub(r"\\fB|\\fR|\\fI|\\&", "", read(path))
     for path in below("bin/rt*") + below("rtshell_lite/**/*.py"):
