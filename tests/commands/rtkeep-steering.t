@@ -207,7 +207,7 @@ Each verb has its own help and options; what is not a verb is a file, as are wor
     reload   Read the RtsProfile again
     adopt    Write the present state of a system into its RtsProfile
     convert  Make an RtsProfile from a launch file of rtmlaunch
-  23
+  22
   $ for verb in status pause resume stop reload adopt convert; do echo $verb \
   >     $(rtkeep $verb --help | grep -o '[ []--[a-z-]*' | tr -d ' [' | sort -u |
   > grep -v 'verbose\|quiet\|timeout\|version\|help'); done

@@ -9,7 +9,7 @@ orb: builtin
   $ rtlog --help
   usage: rtlog VERB ...
 
-  Record what out ports send, play it back, inspect and export logs.
+  Record what out ports send; play, show and export logs.
 
   verbs:
     record  Record what out ports send, or a whole robot

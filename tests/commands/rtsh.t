@@ -101,8 +101,8 @@ help lists the commands, and helps with one:
   $ rtsh -c help | grep -e commands -e rtact -e cd -e exit
   commands, with or without rt; help COMMAND says more:
     rtact        Activate components.
-    rtexit       Make components exit: they are finalised and leave the name
-    rtsh         Run many commands in one process, with open connections: from
+    rtexit       Make components exit.
+    rtsh         Run many commands in one process, which keeps its connections.
     cd  changes the working directory, as rtcwd does
     exit [STATUS]  ends rtsh
   $ rtsh -c 'help pwd' | head -1
