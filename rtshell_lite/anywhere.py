@@ -18,7 +18,7 @@ PAPERS = """\
 to read
   man 7 rtshell_lite: paths, options, environment, exit statuses, scripts
   docs/ of the repository: install paths trouble recording seeing keeping scripts
-    library reference differences figures"""
+    library reference differences figures stability"""
 
 
 def main(doc):

@@ -1,7 +1,7 @@
 """Writes the documents that are generated: `python3 -m tools.documentation`, in a checkout.
 
-They are the manual pages below man/, docs/command-line.txt, the table of commands in README.md, and in
-README.ja.md a row for each command that its table lacks, in English until somebody translates it.
+They are the manual pages below man/, docs/command-line.txt, docs/json-fields.txt, the table of commands in
+README.md, and in README.ja.md a row for each command that its table lacks, in English until somebody translates it.
 tests/unit/test_documentation.py fails when one of them is out of date.
 """
 
@@ -10,7 +10,7 @@ import re
 
 from rtshell_lite import __version__, files
 from rtshell_lite.shell import installation
-from tools import command_line, manpages
+from tools import command_line, json_fields, manpages
 
 ROOT = os.path.dirname(installation.PACKAGE)
 ROW = re.compile(r"^\| (`rt.*?) \| .*\n", re.MULTILINE)
@@ -27,6 +27,7 @@ def documents():
     found = {"man/" + name: text for name, text in manpages.pages(papers, released()).items()}
     found.update({"README.md": english, "README.ja.md": japanese})
     found["docs/command-line.txt"] = command_line.text()
+    found["docs/json-fields.txt"] = json_fields.text()
     return found
 
 

@@ -101,7 +101,8 @@ class Generated(unittest.TestCase):
         """
         made = generated("documents")
         there = {os.path.join("man", name): text for name, text in below("man").items()}
-        for name in "README.md", "README.ja.md", os.path.join("docs", "command-line.txt"):
+        texts = [os.path.join("docs", name) for name in ("command-line.txt", "json-fields.txt")]
+        for name in ["README.md", "README.ja.md"] + texts:
             there[name] = read(name)
         stale = sorted(name for name in set(made) | set(there) if made.get(name) != there.get(name))
         self.assertEqual(stale, [], "to bring them up to date, run: python3 -m tools.documentation")
