@@ -7,6 +7,9 @@ import sys
 from rtshell_lite import __version__, errors, text
 
 FOREVER = float("inf")  # s
+SCREEN = 24  # lines that the short form of a help has at most
+NARROWEST = 10  # columns that its words have at least, on however narrow a terminal
+ENDING = ("--version", "--help", "-h")  # options that end the program
 DIGITS = frozenset("0123456789.")
 # how many words an option or argument takes at least and at most, by its `nargs`
 COUNTS = {None: (1, 1), "?": (0, 1), "*": (0, FOREVER), "+": (1, FOREVER)}
@@ -195,7 +198,7 @@ class Parser(Words, argparse.ArgumentParser):
                 self.exit()
             return parser.parse_args(argv)
         options, words = self.sort(argv)
-        options.sort(key=lambda word: word == "--version")  # it ends the program, and -v adds to it
+        options.sort(key=lambda word: word in ENDING)  # -v adds to them
         return super().parse_args(options + ["--"] + words if words else options)
 
     def format_help(self):
@@ -206,6 +209,52 @@ class Parser(Words, argparse.ArgumentParser):
         for words in self.description, self.verbs.summaries(), self.epilog:
             formatter.add_text(words)
         return formatter.format_help()
+
+    def short_help(self):
+        """The help in SCREEN lines of a terminal where that can be: each option is one line, and there are
+        as many examples as fit.
+        """
+        import textwrap
+
+        dests = [action.dest for action in parser(lambda parser: None, "", "")._actions]
+        common = [action for action in self._actions if action.dest in dests]
+        arguments = [_synopsis(action) for action in self._actions if not action.option_strings]
+        lines = [" ".join([f"usage: {self.prog} [OPTION ...]"] + arguments), ""]
+        lines += textwrap.wrap(self.description, max(text.width() - 2, NARROWEST)) + [""]
+        lines += self._option_lines([action for action in self._actions if action not in common])
+        names = [f"{action.option_strings[0]} {action.metavar or ''}".strip() for action in common]
+        lines += [f"  {', '.join(names)}: as all commands have them", ""]
+        verbose = names[0]  # -v, but for rtcryo
+        last = f"`{self.prog} --help {verbose}` says more, as does `man {self.prog.partition(' ')[0]}`."
+        return "\n".join(lines + self._some_examples(SCREEN - len(lines) - 1) + [last, ""])
+
+    def _option_lines(self, actions):
+        """A line for each argument and option, with as many of the words of its help as fit."""
+        import textwrap
+
+        shown = [action for action in actions if action.help is not argparse.SUPPRESS]
+        shown.sort(key=lambda action: bool(action.option_strings))
+        names = [_synopsis(action) for action in shown]
+        size = max([len(name) for name in names if len(name) < 24], default=0)
+        lines = []
+        for name, action in zip(names, shown):
+            name = f"  {name.ljust(size)}  "
+            meaning = self._get_formatter()._expand_help(action) if action.help else ""
+            room = max(text.width() - 1 - len(name), NARROWEST)
+            lines.append(name + textwrap.shorten(meaning, room, placeholder=" …"))
+        return lines
+
+    def _some_examples(self, room):
+        """The first examples of the help, and an empty line: as many as `room` lines hold, one at least."""
+        formatter = self._get_formatter()
+        columns = max(text.width() - 2, NARROWEST)
+        lines = ["examples:"]
+        for example in self.epilog.partition("examples:\n")[2].partition("\n\n")[0].split("\n"):
+            more = formatter._fill_text(example, columns, "").split("\n")
+            if len(lines) > 1 and len(lines) + len(more) + 1 > room:
+                break
+            lines += more
+        return lines + [""]
 
     # argparse counts words with regular expressions, which take an eighth of the time of a command to import.
     # `pattern` has an A for each word that is no option, - for `--` and O for an option. What does not fit is
@@ -234,6 +283,20 @@ class Parser(Words, argparse.ArgumentParser):
         if taken:
             taken[0] += len(pattern) - there  # the `--` before them
         return taken
+
+
+def _synopsis(action):
+    """An argument or an option as the short help has it: PATH ..., -m, --map OLD=NEW."""
+    value = action.metavar or action.dest.upper()
+    names = ", ".join(action.option_strings)
+    if action.nargs == 0:
+        return names
+    least, most = _counts(action)
+    if most == FOREVER:
+        value += " ..."
+    if not least:
+        value = f"[{value}]"
+    return f"{names} {value}".strip()
 
 
 def _counts(action):
@@ -290,7 +353,9 @@ def common(parser):
         "--version", action=_Version, nargs=0,
         help="show the version, with -v also those of Python and the ORB, and exit",
     )
-    parser.add_argument("-h", "--help", action="help", help="show this help and exit")
+    parser.add_argument(
+        "-h", "--help", action=_ShowHelp, nargs=0, help="show a short help, with -v all of it, and exit"
+    )
 
 
 class _Version(argparse.Action):
@@ -300,6 +365,13 @@ class _Version(argparse.Action):
             from rtshell_lite.corba import orb
 
             print("Python %d.%d.%d, %s" % (*sys.version_info[:3], orb.version()))
+        parser.exit()
+
+
+class _ShowHelp(argparse.Action):
+    def __call__(self, parser, namespace, *_):
+        is_long = namespace.verbose or "examples:\n" not in (parser.epilog or "")
+        print(parser.format_help() if is_long else parser.short_help(), end="")
         parser.exit()
 
 
@@ -457,7 +529,7 @@ def moves(parser, *names):
     """args.map: words for relocate.Map."""
     parser.add_argument(
         *names, action="append", default=[], metavar="OLD=NEW",
-        help="read OLD in the paths of the file as NEW, as rtresurrect --help explains; may be repeated",
+        help="read OLD in the paths of the file as NEW, as rtresurrect --help -v explains; may be repeated",
     )
 
 

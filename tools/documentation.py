@@ -1,8 +1,8 @@
 """Writes the documents that are generated: `python3 -m tools.documentation`, in a checkout.
 
 They are the manual pages below man/, docs/command-line.txt, docs/json-fields.txt, the table of commands in
-README.md, and in README.ja.md a row for each command that its table lacks, in English until somebody translates it.
-tests/unit/test_documentation.py fails when one of them is out of date.
+README.md, and in README.ja.md a row for each command that its table lacks, in English until somebody
+translates it. tests/unit/test_documentation.py fails when one of them is out of date.
 """
 
 import os

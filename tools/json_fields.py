@@ -1,4 +1,4 @@
-"""The fields of the JSON of all commands as one text, docs/json-fields.txt. A change of it is seen in review."""
+"""The fields of the JSON of all commands as one text, docs/json-fields.txt: review sees its changes."""
 
 from rtshell_lite import options
 from rtshell_lite.shell import installation

@@ -304,14 +304,14 @@ The common options:
   +DataOutPort: out
   $ rtcat --version
   1.0.0
-  $ rtcat --help | sed -n '/^examples/,/^$/p'
+  $ rtcat --help -v | sed -n '/^examples/,/^$/p'
   examples:
     rtcat ConsoleIn0.rtc
     rtcat -ll ConsoleIn0.rtc:out
           a port, its connections and their properties
     rtcat --json ConsoleIn0.rtc
    (esc)
-  $ rtcat -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
+  $ rtcat -hv | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
     -l  --json  -v  -q  --timeout  --version  -h
   $ rtcat ConsoleIn0.rtc >/dev/full
   rtcat: No space left on device

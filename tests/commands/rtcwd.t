@@ -160,7 +160,7 @@ The common options:
   /localhost:$PORT
   $ rtcwd --version
   1.0.0
-  $ rtcwd --help | sed -n '/^examples/,/^$/p'
+  $ rtcwd --help -v | sed -n '/^examples/,/^$/p'
   examples:
     rtcwd localhost
     rtcwd ..

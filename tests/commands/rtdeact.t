@@ -79,9 +79,9 @@ Usage:
   $ rtdeact
   rtdeact: the following arguments are required: PATH (see --help)
   [2]
-  $ rtdeact --help | head -1
+  $ rtdeact --help -v | head -1
   usage: rtdeact [-e N] [--wait [SECONDS]] [--all] [--dry-run] [-v] [-q]
-  $ rtdeact --help | grep -A 2 '^examples'
+  $ rtdeact --help -v | grep -A 2 '^examples'
   examples:
     rtdeact ConsoleIn0.rtc ConsoleOut0.rtc     stop both
     rtdeact --wait 5 Motor0.rtc                wait until it is Inactive

@@ -272,7 +272,7 @@ The common options:
   /localhost:$PORT/test.host_cxt/arm.cxt/ErrStart0.rtc
   $ rtfind --version
   1.0.0
-  $ rtfind --help | sed -n '/^examples/,/^$/p'
+  $ rtfind --help -v | sed -n '/^examples/,/^$/p'
   examples:
     rtfind / -n 'Console*'
     rtfind localhost -t z                       zombies

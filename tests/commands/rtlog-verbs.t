@@ -40,7 +40,7 @@ orb: builtin
   Show what is in a log.
   Print the entries of a log, as JSON, as a table, or as text.
   Complete a copy of a log that was cut off.
-  $ rtlog show --help | grep -o -e ' --[a-z]*' | sort -u
+  $ rtlog show --help -v | grep -o -e ' --[a-z]*' | sort -u
    --filename
    --help
    --idl

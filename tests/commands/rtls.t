@@ -300,9 +300,28 @@ Wrong usage contacts nobody.
   $ rtls --version
   1.0.0
 
-Help holds what the command is for, its examples, and the exit statuses.
+Help is short, and fits on a screen; with -v it holds all that the command is for, and the exit statuses.
 
-  $ rtls --help | sed -n '/^examples/,$p'
+  $ COLUMNS=80 rtls --help
+  usage: rtls [OPTION ...] [PATH ...]
+
+  List the RTC Tree: name servers, directories, components.
+
+    [PATH ...]     path in the RTC Tree
+    -l             long listing: states and ports
+    -R, --recurse  also list everything below directories
+    -0, --null     print full paths, each followed by a NUL byte (for xargs -0)
+    --json         print JSON, one object a line
+    -v, -q, --timeout SECONDS, --version, -h: as all commands have them
+
+  examples:
+    rtls                               the working directory
+    rtls -l localhost                  states and ports of what is there
+    rtls -R /                          everything on all name servers
+    rtls -l | awk '$1 == "Error"'      components in Error
+
+  `rtls --help -v` says more, as does `man rtls`.
+  $ rtls --help -v | sed -n '/^examples/,$p'
   examples:
     rtls                               the working directory
     rtls -l localhost                  states and ports of what is there
@@ -315,7 +334,7 @@ Help holds what the command is for, its examples, and the exit statuses.
     garbled, 5 some succeeded and some failed, 6 the peer refused,
     70 a bug in the tool, 130 Ctrl-C, 141 the reader of the output went away,
     129 SIGHUP, 143 SIGTERM (rtkeep and rtmount -f: 0)
-  $ rtls -h | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
+  $ rtls -h -v | grep -o '^  --*[a-zR0-9]*' | tr -d '\n'; echo
     -l  -R  -0  --json  -v  -q  --timeout  --version  -h
 
 A reader that goes away, a full disk, no stdout at all, no stdin, no stderr.

@@ -33,7 +33,7 @@ Without docstrings a command lacks the words of its help, and nothing else; fail
   $ RTCSH_CWD=robot PYTHONOPTIMIZE=2 rtpwd
   rtpwd: robot: a working directory (RTCSH_CWD) starts with /
   [2]
-  $ PYTHONOPTIMIZE=2 rtpwd --help | head -n 1
+  $ PYTHONOPTIMIZE=2 rtpwd --help -v | head -n 1
   usage: rtpwd [--json] [-v] [-q] [--timeout SECONDS] [--version] [-h]
 
 JSON:

@@ -71,7 +71,7 @@ Usage:
   $ rtreset
   rtreset: the following arguments are required: PATH (see --help)
   [2]
-  $ rtreset --help | head -1
+  $ rtreset --help -v | head -1
   usage: rtreset [-e N] [--wait [SECONDS]] [--all] [--dry-run] [-v] [-q]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

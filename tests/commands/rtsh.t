@@ -106,7 +106,7 @@ help lists the commands, and helps with one:
     cd  changes the working directory, as rtcwd does
     exit [STATUS]  ends rtsh
   $ rtsh -c 'help pwd' | head -1
-  usage: rtpwd [--json] [-v] [-q] [--timeout SECONDS] [--version] [-h]
+  usage: rtpwd [OPTION ...]
   $ rtsh -c 'help nothing'
   rtsh: nothing: no such command
   [2]

@@ -65,10 +65,33 @@ def printed():
 
 
 class Help(unittest.TestCase):
+    LONGER = ["rtmgr", "rtstodot"]  # than a screen: they have too many options
+
+    def said(self, words, columns="80"):
+        environment = dict(os.environ, PYTHONPATH=ROOT, COLUMNS=columns, PYTHONIOENCODING="utf-8",
+                           PYTHONDONTWRITEBYTECODE="1")
+        words = [sys.executable] + words
+        return subprocess.check_output(words, stdin=subprocess.DEVNULL, env=environment).decode("utf-8")
+
+    def test_the_short_one_fits_on_a_screen(self):
+        """It has all options, the summary and an example."""
+        options = re.findall(r"^(rt\w+)\n((?:  .*\n)*)", read("docs", "command-line.txt"), re.MULTILINE)
+        self.assertGreater(len(options), 30)
+        for name, declared in options:
+            with self.subTest(name):
+                said = self.said([os.path.join(ROOT, "bin", name), "--help"])
+                self.assertEqual(said.count("\n") > 24, name in self.LONGER, said)
+                for option in re.findall(r"(?:^  |, )(-[^ ,:]+)", declared, re.MULTILINE):
+                    self.assertRegex(said, r"(?m)(?:^  |, )%s[ ,\n]" % re.escape(option))
+                self.assertIn("\n%s\n" % transcripts.helps(read("bin", name))[0].strip().split("\n")[0], said)
+                self.assertIn("\nexamples:\n  ", said)
+
+    def test_a_terminal_of_any_width(self):
+        for columns in "1", "20", "200":
+            said = self.said([os.path.join(ROOT, "bin", "rtdoctor"), "--help"], columns)
+            self.assertIn("\nexamples:\n", said)
+
     def test_it_fits_into_80_columns(self):
-        environment = dict(
-            os.environ, PYTHONPATH=ROOT, COLUMNS="80", PYTHONDONTWRITEBYTECODE="1", PYTHONIOENCODING="utf-8"
-        )
         lines = [[os.path.join(ROOT, "bin", name), "--help"] for name in names("bin")]
         verbs = re.findall(r"^(rt\w+) (\w+)$", read("docs", "command-line.txt"), re.MULTILINE)
         lines += [[os.path.join(ROOT, "bin", name), verb, "--help"] for name, verb in verbs]
@@ -76,10 +99,9 @@ class Help(unittest.TestCase):
             ["-m", "rtshell_lite", "--help"],
             [os.path.join(ROOT, "bin", "rtsh"), "-c", "help"],
         ]:
-            said = subprocess.check_output(
-                [sys.executable] + words, stdin=subprocess.DEVNULL, env=environment
-            ).decode("utf-8")
-            self.assertEqual([line for line in said.splitlines() if len(line) > 80], [], words)
+            for more in [], ["--verbose"] if words[-1] == "--help" else []:
+                said = self.said(words + more)
+                self.assertEqual([line for line in said.splitlines() if len(line) > 80], [], words)
 
 
 def generated(function, *arguments):
