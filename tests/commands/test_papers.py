@@ -34,11 +34,13 @@ VARIES = re.compile(r"(127\.0\.0\.1:\d+|-?\d+\.\d+|\d\d:\d\d:\d\d|pid \d+|…)")
 HERE = re.compile(r"^(?:warn|fail)  here: .*\n", re.MULTILINE)
 HOT = "rtconf arm.host_cxt/Gripper0.rtc set limit 25 && rtfind -q --wait 60 --state error ."
 COOL = HOT.replace("25", "1000").replace("error .", "active . -n Gripper0.rtc")
+SETTLED = "until rtkeep status 2>&1 | grep -q 'all is as the file says'; do sleep 0.1; done"
 # What is done before a command, and statuses other than 0.
 PREPARED = {
     'rtdoctor -q                       # a minute later: the hand is hot': HOT,
     'eval "$(python3 -m rtshell_lite --unpack ~/rtshell_lite)"  # the commands, on PATH': "unset RTCSH_CWD",
     "rtcryo --all -o robot.rtsys": COOL,
+    "rtdis arm.host_cxt/Planner0.rtc:elbow arm.host_cxt/Elbow0.rtc:target": SETTLED,
     "rtstodot --live --text --around arm.host_cxt/Gripper0.rtc": "rtstart robot.rtsys && " + HOT,
 }
 STATUS = {"rtdoctor -q": 1}
