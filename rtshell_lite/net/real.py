@@ -354,9 +354,9 @@ def write_to(descriptor, data):
 
 def takes(descriptor):
     """Whether something can be written to a descriptor now, without waiting for who reads it."""
-    found = select.poll()
-    found.register(descriptor, select.POLLOUT)
-    return bool(found.poll(0))
+    poller = select.poll()
+    poller.register(descriptor, select.POLLOUT)
+    return bool(poller.poll(0))
 
 
 def lock(directory):
