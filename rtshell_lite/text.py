@@ -2,6 +2,7 @@
 as JSON.
 """
 
+import itertools
 import os
 import sys
 
@@ -363,6 +364,17 @@ def pairs(items, indent=""):
     size = max([cells(name) for name, _ in items] or [0])
     lines = [indent + padded(name, size) + "  " + value for name, value in items]
     return lines
+
+
+def natural(name):
+    """A key to sort names by, in which Filter2 comes before Filter10."""
+    parts = []
+    for is_number, letters in itertools.groupby(name, "0123456789".__contains__):
+        part = "".join(letters)
+        if is_number:
+            part = part.lstrip("0")
+        parts.append((not is_number, is_number and len(part), part))
+    return parts
 
 
 # ---- colour ----

@@ -3,7 +3,6 @@
 import collections
 import functools
 import os
-import re
 
 from rtshell_lite import path, text
 from rtshell_lite.net import loop
@@ -65,14 +64,7 @@ def shortened(shown):
     return short, common
 
 
-@functools.lru_cache(maxsize=4096)
-def natural(name):
-    """A key to sort names by, in which Filter2 comes before Filter10."""
-    parts = re.split("([0-9]+)", name)
-    for place in range(1, len(parts), 2):
-        number = parts[place].lstrip("0")
-        parts[place] = (len(number), number)
-    return parts
+natural = functools.lru_cache(maxsize=4096)(text.natural)  # for all rows at each look
 
 
 def group(row, kind):

@@ -188,31 +188,3 @@ def heads(graph, number):
     if box.members:
         lines.append("made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members))
     return lines
-
-
-def in_order(graph):
-    """Numbers of the boxes, so that data flows downwards where it can;
-    circles in the order of the profile.
-    """
-    below = [collections.OrderedDict() for _ in graph.boxes]
-    for source, _, target, _, service in graph.edges:
-        if source != target and not service:
-            below[source][target] = True
-    left = [0] * len(graph.boxes)
-    for targets in below:
-        for target in targets:
-            left[target] += 1
-    ready = collections.deque(number for number in range(len(left)) if not left[number])
-    waiting = collections.OrderedDict.fromkeys(range(len(left)))
-    order = []
-    while waiting:
-        number = ready.popleft() if ready else next(iter(waiting))
-        if number not in waiting:
-            continue
-        del waiting[number]
-        order.append(number)
-        for target in sorted(below[number], reverse=True):
-            left[target] -= 1
-            if not left[target]:
-                ready.appendleft(target)
-    return order

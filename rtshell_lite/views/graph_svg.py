@@ -1,7 +1,8 @@
 """A system as SVG: boxes in columns as the data flows, from left to right, and lines between their ports."""
 
 from rtshell_lite.text import cells, printable
-from rtshell_lite.views import graph, layout
+from rtshell_lite.views import graph
+from rtshell_lite.views.layered import sheet
 
 # pixels: width of a character, height of a line of text
 _CELL = 9
@@ -24,20 +25,31 @@ def lines(picture):
     """The lines of an SVG file that shows a graph.Graph; boxes are coloured by their states."""
     heads = [graph.heads(picture, number) for number in range(len(picture.boxes))]
     sizes = [_size(box, words) for box, words in zip(picture.boxes, heads)]
-
-    def port_of(item, port):
-        return _port(item, picture.boxes[item.number], len(heads[item.number]), port)
-
-    arranged = layout.arrange(picture, sizes, port_of)
+    arranged = arrange(picture, sizes, heads)
     yield _HEAD % (arranged.width, arranged.height)
-    for item, box, words in zip(arranged.boxes, picture.boxes, heads):
-        yield from _drawn(item, box, words, port_of)
+    boxes = zip(picture.boxes, heads, arranged.corners, arranged.widths, sizes)
+    for box, words, corner, width, (_, height) in boxes:
+        yield from _drawn(box, words, corner, (width, height))
     for edge, way in zip(picture.edges, arranged.ways):
-        source, out, target, into, service = edge
-        start = port_of(arranged.boxes[source], out)
-        end = port_of(arranged.boxes[target], into)
-        yield _line(_path(start, end, way), service, _name(picture, edge))
+        yield _line(_path(way), edge[4], _name(picture, edge))
     yield "</svg>"
+
+
+def arrange(picture, sizes, heads):
+    """The sheet.Layout of a graph.Graph with boxes of these sizes and lines of text."""
+    return sheet.arrange(lines_of(picture, heads), sizes, [box.name for box in picture.boxes])
+
+
+def lines_of(picture, heads):
+    """The sheet.Lines of a graph.Graph with boxes of these lines of text."""
+
+    def port(number, name):
+        return _port(picture.boxes[number], len(heads[number]), name)
+
+    return [
+        sheet.Line(source, target, port(source, out), port(target, into), service)
+        for source, out, target, into, service in picture.edges
+    ]
 
 
 def _size(box, heads):
@@ -50,16 +62,16 @@ def _size(box, heads):
     return (max(widths) + 1) * _CELL, height
 
 
-def _port(item, box, heads, name):
-    """(x, y, 1 on the right side and -1 on the left) of a port."""
-    if name in box.right:
-        row = heads + box.right.index(name)
-        return item.x + item.width, item.y + row * _ROW + 15, 1
-    row = heads + box.left.index(name)
-    return item.x, item.y + row * _ROW + 15, -1
+def _port(box, heads, name):
+    """(y on its box, 1 for the right side or 0 for the left) of a port."""
+    side = int(name in box.right)
+    ports = box.right if side else box.left
+    return (heads + ports.index(name)) * _ROW + 15, side
 
 
-def _drawn(item, box, heads, port_of):
+def _drawn(box, heads, corner, size):
+    x, y = corner
+    width, height = size
     more = ""
     if box.missing:
         more = ' stroke-dasharray="4"'
@@ -67,19 +79,22 @@ def _drawn(item, box, heads, port_of):
         more = ' stroke-width="3"'
     yield '<rect class="%s" x="%d" y="%d" width="%d" height="%d" rx="5" fill="%s" stroke="black"%s/>' % (
         _kind(box.state),
-        item.x,
-        item.y,
-        item.width,
-        item.height,
+        x,
+        y,
+        width,
+        height,
         _colour(box.state),
         more,
     )
     for row, head in enumerate(heads):
-        yield _text(item.x + item.width // 2, item.y + row * _ROW + 19, "middle", head)
+        yield _text(x + width // 2, y + row * _ROW + 19, "middle", head)
     for port in box.left + box.right:
-        x, y, side = port_of(item, port)
-        anchor = {1: "end", -1: "start"}[side]
-        yield _text(x - 6 * side, y + 5, anchor, printable(box.port_words(port)))
+        port_y, side = _port(box, len(heads), port)
+        words = printable(box.port_words(port))
+        if side:
+            yield _text(x + width - 6, y + port_y + 5, "end", words)
+        else:
+            yield _text(x + 6, y + port_y + 5, "start", words)
 
 
 def _kind(state):
@@ -112,28 +127,22 @@ def _name(picture, edge):
     return "%s:%s to %s:%s" % tuple(map(printable, ends))
 
 
-def _path(start, end, way):
-    """The path of a line from one port to another, by its way in a layout.Layout."""
-    x, y, _ = start
-    to_x, to_y, _ = end
-    path = "M%d,%d" % (x, y)
-    if isinstance(way, layout.Detour):
-        for index, corner in enumerate(way.corners):
-            path += " %s%d" % ("HV"[index % 2], corner)
-        return path + " V%d H%d" % (to_y, to_x)
-    for item in way:
-        path += _curve(x, y, item.x, item.y) + " H%d" % (item.x + item.width)
-        x = item.x + item.width
-        y = item.y
-    return path + _curve(x, y, to_x, to_y)
+def _path(points):
+    """The path of a line through points: straight, or a curve that begins and ends level."""
+    x, y = points[0]
+    path = f"M{x},{y}"
+    for to_x, to_y in points[1:]:
+        if to_y == y:
+            path += f" H{to_x}"
+        elif to_x == x:
+            path += f" V{to_y}"
+        else:
+            middle = (x + to_x) // 2
+            path += f" C{middle},{y} {middle},{to_y} {to_x},{to_y}"
+        x, y = to_x, to_y
+    return path
 
 
 def _line(path, service, name):
     looks = 'stroke-dasharray="5,3" marker-end="url(#dot)"' if service else 'marker-end="url(#arrow)"'
     return f'<path d="{path}" fill="none" stroke="black" {looks}><title>{_escaped(name)}</title></path>'
-
-
-def _curve(x, y, to_x, to_y):
-    """A curve to the right that leaves and arrives horizontally."""
-    middle = (x + to_x) // 2
-    return " C%d,%d %d,%d %d,%d" % (middle, y, middle, to_y, to_x, to_y)

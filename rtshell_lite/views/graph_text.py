@@ -16,7 +16,8 @@ import collections
 import heapq
 
 from rtshell_lite.text import cells, printable
-from rtshell_lite.views.graph import heads, in_order
+from rtshell_lite.views.graph import heads
+from rtshell_lite.views.layered import sheet
 
 # A row of the stack of boxes: text between its borders, and the borders.
 Row = collections.namedtuple("Row", "left text right")
@@ -72,7 +73,11 @@ def _stack(picture):
     """
     rows = []
     row_of = {}
-    for index, number in enumerate(in_order(picture)):
+    names = [box.name for box in picture.boxes]
+    lines = [
+        sheet.Line(source, target, (0, 1), (0, 0), service) for source, _, target, _, service in picture.edges
+    ]
+    for index, number in enumerate(sheet.put_in_order(lines, names)):
         box = picture.boxes[number]
         if index:
             rows.append(Row("├", "", "┤"))

@@ -153,17 +153,17 @@ Composites are boxes around their members; a port that a composite exports belon
 --svg makes a picture that any browser shows:
 
   $ rtstodot --svg --live a.xml | sed 's/<defs>.*/…/'
-  <svg xmlns="http://www.w3.org/2000/svg" width="540" height="130" font-family="monospace" font-size="14">
+  <svg xmlns="http://www.w3.org/2000/svg" width="470" height="90" font-family="monospace" font-size="14">
   <style>@media (prefers-color-scheme: dark) { .page { fill: #1c1c1c } text { fill: #eee } rect, path { stroke: #ccc } marker path { fill: #ccc } .none { fill: #1c1c1c } .Inactive { fill: #2a4a6a } .Active { fill: #1f4d2b } .Error { fill: #8a2a22 } .Created, .Unknown { fill: #444 } }</style>
   …
   <rect class="page" width="100%" height="100%" fill="white"/>
-  <rect class="Inactive" x="40" y="40" width="190" height="50" rx="5" fill="lightblue" stroke="black"/>
-  <text x="135" y="59" text-anchor="middle">ConsoleIn0  Inactive</text>
-  <text x="224" y="80" text-anchor="end">out</text>
-  <rect class="Inactive" x="300" y="40" width="200" height="50" rx="5" fill="lightblue" stroke="black"/>
-  <text x="400" y="59" text-anchor="middle">ConsoleOut0  Inactive</text>
-  <text x="306" y="80" text-anchor="start">in</text>
-  <path d="M230,75 C265,75 265,75 300,75" fill="none" stroke="black" marker-end="url(#arrow)"><title>ConsoleIn0:out to ConsoleOut0:in</title></path>
+  <rect class="Inactive" x="20" y="20" width="190" height="50" rx="5" fill="lightblue" stroke="black"/>
+  <text x="115" y="39" text-anchor="middle">ConsoleIn0  Inactive</text>
+  <text x="204" y="60" text-anchor="end">out</text>
+  <rect class="Inactive" x="250" y="20" width="200" height="50" rx="5" fill="lightblue" stroke="black"/>
+  <text x="350" y="39" text-anchor="middle">ConsoleOut0  Inactive</text>
+  <text x="256" y="60" text-anchor="start">in</text>
+  <path d="M210,55 H250" fill="none" stroke="black" marker-end="url(#arrow)"><title>ConsoleIn0:out to ConsoleOut0:in</title></path>
   </svg>
   $ rtstodot --svg --text a.xml
   rtstodot: only one of --dot, --svg, --html and --text or --ascii can be drawn (see --help)

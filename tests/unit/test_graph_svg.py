@@ -12,14 +12,17 @@ import large_robots
 import random_profiles
 import test_graph
 import test_xmlprofile
-from rtshell_lite.views import graph, graph_svg, graph_text, layout
+from rtshell_lite.views import graph, graph_svg, graph_text
+from rtshell_lite.views.layered import lines
 from rtshell_lite.xmlprofile import model, rtsprofile
 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
 class Picture:
-    """An SVG as its boxes (left, top, right, bottom), texts (x, y, text), and the two ends of its lines."""
+    """An SVG as its boxes (left, top, right, bottom), texts (x, y, text), and its lines: their two ends, all
+    points that they lead through or that bend them, straight pieces, and curves with their four points.
+    """
 
     def __init__(self, found):
         root = ElementTree.fromstring("\n".join(graph_svg.lines(found)))
@@ -34,32 +37,36 @@ class Picture:
         }
         self.lines = []
         self.points = []
-        # (x, y, x, y) of the parts of lines that turn at corners: between them; beside ports
-        self.tracks = []
-        self.stubs = []
+        self.pieces = []  # of each line: [(x, y, x, y)]
+        self.curves = []
         for path in root.findall(SVG + "path"):
-            corners = corners_of(path.get("d"))
+            corners, straight, curves = parts_of(path.get("d"))
             self.points += corners
             self.lines.append((corners[0], corners[-1]))
-            if "V" in path.get("d"):
-                parts = [one + other for one, other in zip(corners, corners[1:])]
-                self.tracks += parts[1:-1]
-                self.stubs += [parts[0], parts[-1]]
+            self.pieces.append(straight)
+            self.curves += curves
 
 
-def corners_of(path):
-    """[(x, y)] of the ends and the corners of a line, and of what bends it."""
+def parts_of(path):
+    """([(x, y)] of the ends and the corners of a line, and of what bends it, [(x, y, x, y)] of straight
+    pieces, [[(x, y)] of curves]).
+    """
     x = y = None
-    found = []
+    corners, straight, curves = [], [], []
     for letter, words in re.findall(r"([MHVC])([-\d, ]+)", path):
         numbers = [int(word) for word in re.findall(r"-?\d+", words)]
         if letter == "H":
             numbers = [numbers[0], y]
         elif letter == "V":
             numbers = [x, numbers[0]]
-        found += zip(numbers[::2], numbers[1::2])
-        x, y = found[-1]
-    return found
+        if letter in "HV":
+            straight.append((x, y) + tuple(numbers))
+        points = list(zip(numbers[::2], numbers[1::2]))
+        if letter == "C":
+            curves.append(corners[-1:] + points)
+        corners += points
+        x, y = corners[-1]
+    return corners, straight, curves
 
 
 def is_in(line, box):
@@ -95,27 +102,46 @@ class Svg(unittest.TestCase):
                 self.assertIn((x - 6 if right else x + 6, y + 5, graph_svg.printable(port)), picture.texts)
         for x, y in picture.points:
             self.assertTrue(0 <= x <= picture.size[0] and 0 <= y <= picture.size[1], (x, y))
-        self.check_tracks(picture)
-        for x, _, to_x, _ in picture.stubs:
-            self.assertLessEqual(layout.LANE, abs(x - to_x))
+        self.check_tracks(found, picture)
         self.assertEqual(list(graph_svg.lines(found)), list(graph_svg.lines(found)))
         return picture
 
-    def check_tracks(self, picture):
-        """No two lines are on one track, and none is behind a box."""
+    def check_tracks(self, found, picture):
+        """No two lines are on one track, but those from one port, beside it; none is behind a box; all leave
+        ports level, and far enough to be seen.
+        """
         tracks = collections.defaultdict(list)
-        for x, y, to_x, to_y in picture.tracks:
-            if x == to_x:
-                tracks["x", x].append(sorted((y, to_y)))
-            else:
-                tracks["y", y].append(sorted((x, to_x)))
+        for edge, pieces in zip(found.edges, picture.pieces):
+            for index, (x, y, to_x, to_y) in enumerate(pieces):
+                if x == to_x:
+                    tracks["x", x].append(tuple(sorted((y, to_y))) + (None, None))
+                    continue
+                ports = edge[:2] * (index == 0), edge[2:4] * (index == len(pieces) - 1)
+                tracks["y", y].append(tuple(sorted((x, to_x))) + ports)
         for where, spans in tracks.items():
-            spans.sort()
-            for one, other in zip(spans, spans[1:]):
-                self.assertLess(one[1], other[0], (where, one, other))
-        for line in picture.tracks + picture.stubs:
+            spans.sort(key=lambda span: span[:2])
+            end = -1
+            owners = set()  # ports of the lines that overlap
+            for start, stop, *ports in spans:
+                if start > end:
+                    owners = set()
+                elif not owners & set(filter(None, ports)):
+                    self.fail("two lines on one track: %s %s" % (where, spans))
+                owners.update(filter(None, ports))
+                end = max(end, stop)
+        for line in sum(picture.pieces, []):
             crossed = [box for box in picture.boxes if is_in(line, box)]
             self.assertEqual(crossed, [], line)
+        for curve in picture.curves:
+            (x, y), (near, near_y), (far, far_y), (to_x, to_y) = curve
+            self.assertEqual((y, to_y, near), (near_y, far_y, far), "a curve begins and ends level")
+            self.assertLessEqual(lines.BESIDE, abs(x - to_x))
+            crossed = [box for box in picture.boxes if is_in((x, y, to_x, to_y), box)]
+            self.assertEqual(crossed, [], curve)
+        for pieces in picture.pieces:
+            for x, y, to_x, to_y in pieces[:1] + pieces[-1:]:
+                if len(pieces) > 2:
+                    self.assertTrue(y == to_y and abs(x - to_x) >= lines.LANE, pieces)
 
     def test_nothing(self):
         self.assertEqual(self.check(graph.of(model.RtsProfile())).boxes, [])
@@ -172,18 +198,22 @@ class Svg(unittest.TestCase):
         self.assertEqual(len({top for _, top, _, _ in found.boxes}), 1)
 
     def test_lines_to_other_rows(self):
-        """Each has one lane between rows that follow one another, else two, and passes beside all rows."""
+        """Each has one lane between rows that follow one another, else two, and passes beside all rows: below
+        the row where it begins, above that where it ends. So one line back crosses nothing.
+        """
         names = "abcdefghijklmnopqrst"
         profile = chain(names)
         profile.data_port_connectors.append(test_graph.data(("a", "out"), ("t", "in")))
         profile.data_port_connectors.append(test_graph.data(("t", "out"), ("b", "in")))
         found = self.check(graph.of(profile))
         right = max(box[2] for box in found.boxes)
-        outside = [track for track in found.tracks if track[0] == track[2] and track[0] > right + layout.LANE]
+        pieces = sum(found.pieces, [])
+        outside = [piece for piece in pieces if piece[0] == piece[2] and piece[0] > right + lines.LANE]
         self.assertEqual(len(outside), 2)
+        self.assertGreater(max(max(piece[1::2]) for piece in outside), max(box[3] for box in found.boxes))
 
     def test_random_ones(self):
-        for seed in range(100):
+        for seed in range(500):
             chance = random.Random(seed)
             names = [str(number) for number in range(chance.choice((1, 3, 9, 30)))]
             profile = model.RtsProfile(
