@@ -17,7 +17,7 @@ from rtshell_lite import errors
 from rtshell_lite.net import calendar
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.text import printable, safe
-from rtshell_lite.views import page_details, part
+from rtshell_lite.views import page_details, page_layers, part
 from rtshell_lite.views.page_details import Rows, Table, shown
 from rtshell_lite.xmlprofile import model
 
@@ -25,6 +25,8 @@ from rtshell_lite.xmlprofile import model
 #   title what        the heading, and a line below it
 #   kinds kind most   kinds of groups; the one to begin with, null: one that leaves `most` boxes
 #   open names        names of groups that are not folded; names of all groups
+#   places layers     lists of layers, from that of a group inwards; for each kind the number of such a list
+#                     for each box (page_layers.py)
 #   rows pairs        lists of numbers of pairs, by their own numbers below; [name, value]
 #   boxes             name path state missing composite groups (of each kind but none, a number in `names`, or
 #                     null) parts [heading, rows] ports [name, type, rows]
@@ -101,6 +103,12 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
     names = Table()
     rows = Rows()
     boxes = [_box(picture, number, names, rows) for number in range(len(picture.boxes))]
+    inward = Table()
+    groups = [box["groups"] for box in boxes]
+    layers = [
+        [inward.number(path) for path in page_layers.of_kind(picture, groups, kind_number)]
+        for kind_number in range(len(part.KINDS))
+    ]
     return {
         "title": shown(title),
         "what": shown(what),
@@ -114,6 +122,8 @@ def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
         "sections": [],
         "plots": [],
         "names": names.values,
+        "layers": layers,
+        "places": inward.values,
         "rows": rows.lists.values,
         "pairs": rows.pairs.values,
     }

@@ -136,6 +136,27 @@ def _groups(picture, kind, alone):
     return groups
 
 
+def members_of(numbers, groups, level):
+    """Lists of those of these boxes that are in one group of the kind KINDS[level]; what is in none is alone.
+
+    groups  for each box what names its group of each kind but "none", or None
+    """
+    members = collections.OrderedDict()
+    for number in numbers:
+        name = groups[number][level - 1] if level else None
+        members.setdefault((number,) if name is None else name, []).append(number)
+    return list(members.values())
+
+
+def finer_kind(numbers, groups, level):
+    """The kind of groups, a number in KINDS, that a page shows in an opened group of such a kind."""
+    if len(numbers) > MOST:
+        for kind in (3, 2, 1):
+            if kind < level and 1 < len(members_of(numbers, groups, kind)) < len(numbers):
+                return kind
+    return 0
+
+
 def group_name(picture, number, kind):
     """The name of the group that a box is in, spelt for the terminal; None if it is in none."""
     box = picture.boxes[number]

@@ -9,6 +9,7 @@ import re
 import unittest
 
 import large_robots
+import robot_maps
 import random_profiles
 from rtshell_lite.system import page_file
 from rtshell_lite.views import graph, page, part
@@ -74,6 +75,25 @@ class Data(unittest.TestCase):
                 [port for _, port in made["ends"]], [end.port_name.split(".")[1] for end in connector.ends]
             )
             self.assertIn(["dataport.buffer.length", "8"], data["rows"][made["rows"]])
+
+    def test_layers(self):
+        """Of groups, of what is in each, and of what is in none: a loop of control flows to the right."""
+        lines = list(robot_maps.limb("Arm")) + list(robot_maps.limb("Leg")) + ["Arm0.out LegPlanner.goal"]
+        profile = robot_maps.profile(lines + ["ArmEstimator.pose Arm0.pose"])
+        picture = large_robots.picture(profile)
+        for box in picture.boxes:
+            box.process = ("h", 1 if box.name.startswith("Arm") else 2)
+        data = data_of(page_of(profile, picture))
+        names = [box["name"] for box in data["boxes"]]
+        layers = [[data["places"][number] for number in numbers] for numbers in data["layers"]]
+        found = [dict(zip(names, places)) for places in layers]
+        loop = ["LegPlanner", "LegController", "LegMotor0", "LegEncoder0", "LegEstimator"]
+        flat = [found[0][name] for name in loop]
+        self.assertEqual(flat, sorted(flat))
+        self.assertEqual(len({layer for (layer,) in flat}), 5)
+        process = found[part.KINDS.index("process")]
+        self.assertEqual([process[name] for name in loop], [[1, 0], [1, 1], [1, 2], [1, 3], [1, 4]])
+        self.assertEqual({place[0] for name, place in process.items() if name.startswith("Arm")}, {0})
 
     def test_a_part_has_what_connects_it(self):
         profile = large_robots.profile(40)

@@ -13,6 +13,7 @@ from unittest import mock
 
 import browser
 import large_robots
+import robot_maps
 from rtshell_lite import path
 from rtshell_lite.doctor import report
 from rtshell_lite.doctor.finding import Finding
@@ -137,6 +138,30 @@ class Map(Pages):
                 0,
                 (name, kind),
             )
+
+    def test_loops_and_what_is_not_connected(self):
+        """A loop of control comes back by one line; what is not connected is a strip below, by name."""
+        lines = list(robot_maps.limb("Arm")) + list(robot_maps.limb("Leg"))
+        profile = robot_maps.profile(lines, ["Z10", "Z9"])
+        write("loops", profile, graph.of(profile))
+        shown = self.open("loops")
+        self.choose(shown, "kind", "none")
+        back = "picture.edges.filter((each) => each.shape.getAttribute('d').includes('V'))"
+        back += ".map((each) => boxName(picture.boxes[each.source]))"
+        self.assertEqual(sorted(shown.run(back)), ["ArmEstimator", "LegEstimator"])
+        strip = "picture.items.map(({x, y}, place) => [y, x, boxName(picture.boxes[place])])"
+        strip += ".sort((a, b) => a[0] - b[0] || a[1] - b[1])"
+        self.assertEqual([name for _, _, name in shown.run(strip)[-2:]], ["Z9", "Z10"])
+
+    def test_an_error_is_seen_where_it_is_selected(self):
+        shown = self.open("small")
+        frame = "getComputedStyle([...document.querySelectorAll('.box rect')][2]).stroke"
+        before = shown.run(frame)
+        self.point(shown, self.box("Filter2"))
+        self.assertEqual(shown.run("document.querySelector('.box.selected .name').textContent"), "Filter2")
+        self.assertEqual(shown.run(frame), before)
+        halo = "getComputedStyle(document.querySelector('.box%s .halo')).stroke"
+        self.assertNotEqual(shown.run(halo % ".selected"), shown.run(halo % ":not(.selected)"))
 
     def test_first_view(self):
         """All of a small system, or what is broken; in the proportions of the window."""

@@ -1,22 +1,29 @@
 "use strict";
-// Where boxes and lines are, in pixels: the layout of rtshell_lite/views/layout.py, which has the explanations.
+// Where boxes and lines are, in pixels: layers by layers, as rtshell_lite/views/layered/ puts them, in rows.
 //
-// A box has width, height, and the names of its ports, left and right; an edge source, target (numbers of boxes),
-// out, into (ports) and service. Data flows from left to right.
+// A box has width, height, its layers, and the names of its ports, left and right; an edge source, target (numbers of
+// boxes), out, into (ports) and service. Data flows from left to right.
 
 const [BESIDE, BELOW, PASSING, MARGIN, LANE] = [70, 24, 6, 40, 10];
 const [FAR, SWEEPS, RELAX] = [8, 5, 4];
 
 // {items: where each box is, ways: for each edge the items that it passes, or the corners of its detour, width, height}.
-// `page` is [width, height]; a larger picture has the same proportions.
-function arrange(boxes, edges, portOf, page) {
+// `page` is [width, height]; a larger picture has the same proportions. `isPart`: other boxes are not shown.
+function arrange(boxes, edges, portOf, page, isPart) {
   const items = boxes.map((box, number) => newItem(number, box.width, box.height));
   const area = sum(items.map((item) => (item.width + BESIDE) * (item.height + BELOW)));
   const [wide, tall] = page.map((side) => side * Math.max(1, Math.sqrt(area / page[0] / page[1])));
-  const order = inOrder(boxes.length, edges).map((number, rank) => Object.assign(items[number], {rank}));
-  const columns = makeColumns(items, order, edges, tall);
+  const used = new Set([].concat(...edges.map((edge) => [items[edge.source], items[edge.target]])));
+  const columns = makeColumns(items, items.filter((item) => used.has(item)), boxes, edges, tall, isPart);
+  columns.forEach((column, place) => column.forEach((item) => { item.column = place; }));
   const lines = edges.filter((edge) => items[edge.target].column !== items[edge.source].column + 1).length;
   const rows = makeRows(columns, lines * LANE, wide, tall / wide);
+  const strip = makeStrip(items.filter((item) => !used.has(item)), boxes, wide);
+  strip.forEach((column, place) => column.forEach((item) => Object.assign(item, {column: columns.length + place, row: rows.length})));
+  if (strip.length) {
+    rows.push(strip);
+    columns.push(...strip);
+  }
   const ways = edges.map((edge) => wayOf(edge, boxes, items, columns));
   sortColumns(columns);
   rows.forEach(putBelow);
@@ -27,53 +34,44 @@ function arrange(boxes, edges, portOf, page) {
   return {items, ways: ways.map((way) => way || detours.shift().corners), width: right + MARGIN, height};
 }
 function newItem(number, width, height) {
-  return {number, width, height, space: number === null ? PASSING : BELOW, x: 0, y: 0, rank: 0, place: 0, column: 0, row: 0, before: [], after: []};
+  return {number, width, height, space: number === null ? PASSING : BELOW, x: 0, y: 0, place: 0, column: 0, row: 0, before: [], after: []};
 }
 const sum = (values) => values.reduce((total, value) => total + value, 0);
 const mean = (values, otherwise) => (values.length ? sum(values) / values.length : otherwise);
 
-// Numbers of the boxes, so that data flows downwards where it can.
-function inOrder(count, edges) {
-  const below = Array.from({length: count}, () => new Set());
-  edges.filter((edge) => edge.source !== edge.target && !edge.service).forEach((edge) => below[edge.source].add(edge.target));
-  const left = below.map(() => 0);
-  below.forEach((targets) => targets.forEach((target) => { left[target] += 1; }));
-  const waiting = new Set(left.keys());
-  const ready = Array.from(left.keys()).filter((number) => !left[number]).reverse();
-  const order = [];
-  while (waiting.size) {
-    const number = ready.length ? ready.pop() : waiting.values().next().value;
-    if (!waiting.delete(number)) continue;
-    order.push(number);
-    for (const target of Array.from(below[number]).sort((a, b) => b - a)) {
-      left[target] -= 1;
-      if (!left[target]) ready.push(target);
-    }
-  }
-  return order;
-}
-
-function makeColumns(items, order, edges, tallest) {
-  const sources = items.map(() => []);
-  const used = new Set();
-  for (const {source, target} of edges) {
-    used.add(items[source]).add(items[target]);
-    if (items[source].rank < items[target].rank) sources[target].push(items[source]);
-  }
-  const [columns, heights] = [[], []];
-  const put = (item, first) => {
-    let place = first;
-    while (heights[place] + item.height > tallest) place += 1;
-    if (place === columns.length) columns[place] = [];
-    columns[place].push(item);
-    heights[place] = (heights[place] || 0) + item.height + item.space;
-    item.column = place;
+// Lists of items: a column for each layer that Python found (views/page_layers.py), or several where one is too tall. Where
+// only a part is shown, layers are only the order: each item is in the first column after those of its sources.
+function makeColumns(all, items, boxes, edges, tallest, isPart) {
+  const layersOf = (item) => boxes[item.number].layers;
+  const depth = Math.max(0, ...boxes.map((box) => box.layers.length));
+  const compare = (a, b) => {
+    const place = Array.from({length: depth}).findIndex((none, each) => (layersOf(a)[each] || 0) !== (layersOf(b)[each] || 0));
+    return place < 0 ? 0 : (layersOf(a)[place] || 0) - (layersOf(b)[place] || 0);
   };
-  order.filter((item) => used.has(item)).forEach((item) => put(item, Math.max(0, ...sources[item.number].map(({column}) => column + 1))));
-  const alone = order.filter((item) => !used.has(item));
-  while (columns.length < Math.sqrt(alone.length / 4)) heights[columns.push([]) - 1] = 0;
-  alone.forEach((item, place) => put(item, place % columns.length));
-  return columns;
+  const sources = new Map(items.map((item) => [item, []]));
+  edges.forEach(({source, target}) => sources.get(all[target]).push(all[source]));
+  const [columns, heights] = [[], []];
+  let last = null;
+  for (const item of items.slice().sort((a, b) => compare(a, b) || a.number - b.number)) {
+    let place = last && compare(last, item) ? columns.length : Math.max(0, columns.length - 1);
+    if (isPart) place = Math.max(0, ...sources.get(item).filter((source) => compare(source, item) < 0).map((source) => source.column + 1));
+    while (isPart && heights[place] + item.height > tallest) place += 1;
+    if (place === columns.length) [columns[place], heights[place]] = [[], 0];
+    columns[place].push(item);
+    heights[place] += item.height + item.space;
+    last = Object.assign(item, {column: place});
+  }
+  return [].concat(...columns.map((column) => {
+    const height = sum(column.map((item) => item.height + item.space));
+    const size = Math.ceil(column.length / (height > 1.6 * tallest ? Math.ceil(height / tallest) : 1));
+    return Array.from({length: Math.ceil(column.length / size)}, (none, part) => column.slice(part * size, (part + 1) * size));
+  }));
+}
+// Columns of what is not connected, by name from left to right and then below.
+function makeStrip(items, boxes, wide) {
+  const sorted = items.slice().sort((a, b) => byName(boxes[a.number].heads[0], boxes[b.number].heads[0]) || a.number - b.number);
+  const across = Math.max(1, Math.floor(wide / (Math.max(0, ...items.map((item) => item.width)) + BESIDE)));
+  return Array.from({length: Math.min(across, items.length)}, (none, column) => sorted.filter((item, place) => place % across === column));
 }
 
 // Lists of columns that follow one another: as many as give this width, or the proportions of the page.
@@ -106,7 +104,7 @@ function breaks(sizes, width) {
 
 function wayOf(edge, boxes, items, columns) {
   const [source, target] = [items[edge.source], items[edge.target]];
-  if (source.rank >= target.rank || source.row !== target.row || target.column - source.column > FAR) return null;
+  if (source.column >= target.column || source.row !== target.row || target.column - source.column > FAR) return null;
   const [rights, lefts] = [boxes[edge.source].right, boxes[edge.target].left];
   if (!rights.includes(edge.out) || !lefts.includes(edge.into)) return null;
   const way = [];
@@ -160,7 +158,7 @@ function stack(items, wanted) {
   for (const item of items) item.y = Math.round(item.y + shift);
 }
 
-// A line that passes between rows, or below the last one: see the class of that name in layout.py. It turns up or down
+// A line that passes between rows, or below the last one: see the class of that name in layered/lines.py. It turns up or down
 // beside columns: `turns` has for each column, and each side of it, the lines that do so.
 function newDetour(edge, items, portOf, turns) {
   const [from, to] = [items[edge.source].row, items[edge.target].row];

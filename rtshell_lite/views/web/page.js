@@ -68,18 +68,19 @@ function fold(numbers, kind, opened) {
   const found = {boxes: [], at: new Map(), kind, shown: new Map()};
   const add = (members, group) => {
     members.forEach((member) => found.at.set(member, found.boxes.length));
-    found.boxes.push({members, group, left: [], right: [], labels: new Map()});
+    const layers = data.places[data.layers[kind][members[0]]];
+    found.boxes.push({members, group, left: [], right: [], labels: new Map(), layers: group ? layers.slice(0, group.depth) : layers});
   };
-  const put = (inside, level, above) => groupsOf(inside, level).forEach((members, name) => {
+  const put = (inside, level, above, depth) => groupsOf(inside, level).forEach((members, name) => {
     const key = `${above}/${level}:${name}`;
     if (members.length < 2) add(members, null);
-    else if (!opened.has(key)) add(members, {key, name});
+    else if (!opened.has(key)) add(members, {key, name, depth});
     else {
       found.shown.set(key, {name, members});
-      put(members, finerKind(members, level), key);
+      put(members, finerKind(members, level), key, depth + 1);
     }
   });
-  put(numbers, kind, "");
+  put(numbers, kind, "", 1);
   return found;
 }
 function groupsOf(numbers, level) {
@@ -187,7 +188,7 @@ function draw(page = pageOfScreen()) {
     const row = box.heads.length + (side > 0 ? box.right : box.left).indexOf(port);
     return {x: item.x + (side > 0 ? item.width : 0), y: item.y + row * ROW + 15, side};
   };
-  const {items, ways, width, height} = arrange(boxes, edges, portOf, page);
+  const {items, ways, width, height} = arrange(boxes, edges, portOf, page, numbers.length < ALL.length);
   const svg = make("svg", {width: width * view.scale, height: height * view.scale, viewBox: `0 0 ${width} ${height}`,
                            role: "group", "aria-label": "map of the system"});
   Object.assign(picture, {edges, items, svg, width, height});
@@ -217,7 +218,8 @@ function drawBox(box, item, portOf) {
   box.shape = make("g", {role: "button", tabindex: "-1", class: classOf(box), click: () => choose(box),
                          dblclick: () => box.group && open(box.group.key), keydown: (event) => pressed(event, box),
                          "aria-label": [boxName(box), ...box.heads.slice(1), connected].join(", ")},
-                   make("rect", {x: item.x, y: item.y, width: item.width, height: item.height, rx: 5}), ...lines);
+                   make("rect", {x: item.x, y: item.y, width: item.width, height: item.height, rx: 5}),
+                   make("path", {d: `M${item.x - 6},${item.y - 6} h${item.width + 12} v${item.height + 12} h${-item.width - 12} z`, class: "halo"}), ...lines);
   return box.shape;
 }
 
