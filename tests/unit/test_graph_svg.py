@@ -25,7 +25,8 @@ class Picture:
     """
 
     def __init__(self, found):
-        root = ElementTree.fromstring("\n".join(graph_svg.lines(found)))
+        self.source = list(graph_svg.lines(found))
+        root = ElementTree.fromstring("\n".join(self.source))
         self.size = int(root.get("width")), int(root.get("height"))
         self.boxes = []
         for rect in root.findall(SVG + "rect")[1:]:
@@ -86,7 +87,7 @@ def chain(names):
 
 
 class Svg(unittest.TestCase):
-    def check(self, found):
+    def check(self, found, twice=True):
         picture = Picture(found)
         self.assertEqual(len(picture.boxes), len(found.boxes))
         for one, other in itertools.combinations(picture.boxes, 2):
@@ -103,7 +104,8 @@ class Svg(unittest.TestCase):
         for x, y in picture.points:
             self.assertTrue(0 <= x <= picture.size[0] and 0 <= y <= picture.size[1], (x, y))
         self.check_tracks(found, picture)
-        self.assertEqual(list(graph_svg.lines(found)), list(graph_svg.lines(found)))
+        if twice:
+            self.assertEqual(picture.source, list(graph_svg.lines(found)))
         return picture
 
     def check_tracks(self, found, picture):
@@ -226,7 +228,7 @@ class Svg(unittest.TestCase):
                 profile.data_port_connectors.append(
                     test_graph.data((chance.choice(names + ["gone"]), "out%d" % chance.randint(1, 2)), *ends))
             with self.subTest(seed):
-                self.check(graph.of(profile))
+                self.check(graph.of(profile), twice=seed % 10 == 0)
 
     def test_hostile_and_real_ones(self):
         for seed in range(50):

@@ -42,6 +42,7 @@ class Connection:
         self.endpoint = ("here", 1)
         self.where = "/a.rtc:out"
         self.failure = self.connector = None
+        self.is_still_silent = False
         self.is_closing = False
         self.is_looking = loop.Bell()
 
