@@ -180,6 +180,7 @@ class Case:
             output.seek(0)
             self.said = output.read()
             self.files = list(wrong_files(where, self.command))
+            self.disk = seconds_to_sync(where)
         begun = time.monotonic()
         self.left = list(lane.left_behind()) if self.command not in FATAL else []
         # how long a mock takes to say something while all this goes on
@@ -199,12 +200,23 @@ class Case:
         if self.was_too_early():
             return
         if self.status == 128 + self.which:
-            if self.seconds > LIMIT + 4 * self.answer:
-                yield "gone after %.2f s (a mock answers within %.3f s)" % (self.seconds, self.answer)
+            if self.seconds > LIMIT + 4 * (self.answer + self.disk):
+                waited = self.seconds, self.answer, self.disk
+                yield "gone after %.2f s (a mock answers within %.3f s, a disk within %.3f s)" % waited
         elif self.status not in range(7):
             yield "status %d" % self.status
         if b"internal error" in self.said or OUR_TRACEBACK.search(self.said):
             yield "a traceback"
+
+
+def seconds_to_sync(where):
+    """How long the disk of a directory takes just now to keep a file: those who write one wait for that."""
+    begun = time.monotonic()
+    with tempfile.TemporaryFile(dir=where) as file:
+        file.write(bytes(1 << 16))
+        file.flush()
+        os.fsync(file.fileno())
+    return time.monotonic() - begun
 
 
 def wrong_files(where, command):
