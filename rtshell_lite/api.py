@@ -485,14 +485,17 @@ def values(port, timeout=None, idl=(), **properties):
     A value has its IDL members as attributes: value.tm.sec, value.data. Raises errors.Unreachable when none
     comes for `timeout` seconds. `idl` are files with types that are not standard ones.
     """
-    return Stream(_Values([port], idl, _properties(properties), lambda name, value: value), timeout)
+    given = _properties(properties)
+    return Stream(lambda: _Values([port], idl, given, lambda name, value: value), timeout)
 
 
 def values_of(ports, timeout=None, idl=(), **properties):
     """A Stream of (port, value) for what several out ports send, in the order in which it came; `port` is one
     of `ports`, as it is spelt there. Ends when the first connection is lost; otherwise as `values`.
     """
-    return Stream(_Values(list(ports), idl, _properties(properties), lambda *pair: pair), timeout)
+    names = list(ports)
+    given = _properties(properties)
+    return Stream(lambda: _Values(names, idl, given, lambda *pair: pair), timeout)
 
 
 def next_value(port, timeout=5.0, idl=(), **properties):
@@ -504,14 +507,15 @@ def next_value(port, timeout=5.0, idl=(), **properties):
 class Stream:
     """What comes one after the other: `for value in stream:`, or under asyncio `async for value in stream:`.
 
-    It begins with the first one. It ends with `close()`, or when nobody has it any more; what `async for`
-    leaves ends soon after.
+    It begins with the first one, each `async for` anew. It ends with `close()`, or when nobody has it any
+    more; what `async for` leaves ends soon after.
     """
 
-    def __init__(self, feed, timeout):
-        self._feed = feed
+    def __init__(self, make_feed, timeout):
+        """`make_feed` makes the _Feed of all that comes in one `for`."""
+        self._make_feed = make_feed
         self._timeout = None if timeout == math.inf else timeout
-        self._coming = feed.stream(self._timeout)
+        self._coming = make_feed().stream(self._timeout)
 
     def __iter__(self):
         return self
@@ -527,7 +531,7 @@ class Stream:
         self._coming.close()
 
     def __aiter__(self):
-        return self._feed.stream_async(self._timeout)
+        return self._make_feed().stream_async(self._timeout)
 
 
 class _Feed:
@@ -939,7 +943,8 @@ def keep(profile, timeout=None, create=False, manager=None, strict=False):
     in `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be
     meant.
     """
-    return Stream(_Happenings(_profile(profile), create, manager, strict), timeout)
+    wanted = _profile(profile)
+    return Stream(lambda: _Happenings(wanted, create, manager, strict), timeout)
 
 
 class _Happenings(_Feed):
@@ -1008,7 +1013,7 @@ def watch(*components, timeout=None):
     With a `timeout`, it has None where nothing has happened within `timeout` seconds. Raises the first
     failure.
     """
-    return Stream(_Watching(components), timeout)
+    return Stream(lambda: _Watching(components), timeout)
 
 
 class _Watching(_Happenings):

@@ -40,6 +40,7 @@ class Picture:
         self.points = []
         self.pieces = []  # of each line: [(x, y, x, y)]
         self.curves = []
+        self.paths = [path.get("d") for path in root.findall(SVG + "path")]
         for path in root.findall(SVG + "path"):
             corners, straight, curves = parts_of(path.get("d"))
             self.points += corners
@@ -213,6 +214,19 @@ class Svg(unittest.TestCase):
         outside = [piece for piece in pieces if piece[0] == piece[2] and piece[0] > right + lines.LANE]
         self.assertEqual(len(outside), 2)
         self.assertGreater(max(max(piece[1::2]) for piece in outside), max(box[3] for box in found.boxes))
+
+    def test_a_port_that_is_connected_with_itself_has_a_line(self):
+        profile = chain(["a", "b"])
+        profile.data_port_connectors.append(test_graph.data(("b", "in"), ("b", "in")))
+        found = self.check(graph.of(profile))
+        self.assertGreater(len(set(parts_of(found.paths[-1])[0])), 2)
+
+    def test_one_wide_box_alone_is_one_row(self):
+        profile = model.RtsProfile(
+            components=[test_graph.component("a" * 230)],
+            data_port_connectors=[test_graph.data(("a" * 230, "out"), ("a" * 230, "in"))],
+        )
+        self.check(graph.of(profile))
 
     def test_random_ones(self):
         for seed in range(500):

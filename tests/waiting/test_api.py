@@ -196,9 +196,12 @@ class World(unittest.TestCase):
 
         async def read():
             writer = asyncio.ensure_future(write())
-            coming = api.values(port, timeout=worlds.LIMIT).__aiter__()
-            numbers = [(await coming.__anext__()).data for _ in range(3)]
-            await coming.aclose()
+            stream = api.values(port, timeout=worlds.LIMIT)
+            numbers = []
+            for _ in range(2):  # it can be awaited again
+                coming = stream.__aiter__()
+                numbers += [(await coming.__anext__()).data for _ in range(3)]
+                await coming.aclose()
             writer.cancel()
             await asyncio.wait([writer])
             self.assertEqual(sorted(numbers), numbers)

@@ -12,6 +12,7 @@ from rtshell_lite.views.layered import item
 # pixels
 BESIDE = 40  # between layers, for curves
 LANE = 10  # between tracks
+LOOP = 6  # how far a line goes down from a port to itself
 BETWEEN = 20  # above and below the lanes between rows
 _TRIED = 30  # tracks that are looked at for room; more would cost the square of the lines
 
@@ -75,8 +76,8 @@ class Chain:
         """The Turns of the line, where it leads back to the layer that it comes from."""
         for start, end in self.hops():
             if start[1] == end[1]:
-                ys = sorted(stop[0].y + stop[2] for stop in (start, end))
-                self.turns.append(Turn(start, *ys))
+                low, high = sorted(stop[0].y + stop[2] for stop in (start, end))
+                self.turns.append(Turn(start, low, max(high, low + LOOP)))
         return self.turns
 
     def way(self, rows):
@@ -84,12 +85,16 @@ class Chain:
         turns = iter(self.turns)
         for start, end in self.hops():
             y, end_y = start[0].y + start[2], end[0].y + end[2]
-            if start[1] == end[1]:
-                x = end_x = next(turns).x
-            else:
+            if start[1] != end[1]:
                 gap = rows[start[0].row].gap(start)
-                x, end_x = gap[1 - start[1]], gap[1 - end[1]]
-            points += [(_x(start), y), (x, y), (end_x, end_y), (_x(end), end_y)]
+                corners = [(gap[1 - start[1]], y), (gap[1 - end[1]], end_y)]
+            else:
+                x = next(turns).x
+                corners = [(x, y), (x, end_y)]
+                if y == end_y:  # from a port to itself
+                    beside = x + LANE // 2 * (1 if start[1] else -1)
+                    corners = [(x, y), (x, y + LOOP), (beside, y + LOOP), (beside, y)]
+            points += [(_x(start), y), *corners, (_x(end), end_y)]
         return _without_stops(points)
 
 

@@ -123,7 +123,7 @@ def _rows(columns, sizes, between):
         for column, counts in zip(columns, zip(between, between[1:] + [0]))
     ]
     total = sum(widths)
-    if total <= max(2.3 * PAGE[0], _WIDEST * max(tall)):
+    if len(columns) == 1 or total <= max(2.3 * PAGE[0], _WIDEST * max(tall)):
         return [columns]
     best = None
     count = 1
