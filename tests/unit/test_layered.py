@@ -108,7 +108,7 @@ class Layers(unittest.TestCase):
             self.assertEqual(same, set(), "a line within a layer goes back, and need not")
 
     def test_a_tall_layer_is_divided(self):
-        self.assertEqual(layers.columns([0] * 6 + [1], [10] * 7, 25), [[0, 1], [2, 3], [4, 5], [6]])
+        self.assertEqual(layers.columns([0] * 6 + [1], [10] * 7, 25), [[0, 3], [1, 4], [2, 5], [6]])
         self.assertEqual(layers.columns([0] * 6 + [1] * 5, [10] * 11, 25),
                          [list(range(6)), list(range(6, 11))])
         self.assertEqual(layers.columns([0] * 3 + [1], [10] * 4, 25), [[0, 1, 2], [3]])

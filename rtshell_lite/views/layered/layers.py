@@ -116,7 +116,8 @@ def _move_groups(layer, lines, way):
 
 def columns(layer, heights, height):
     """Lists of the numbers of boxes in each layer. Where most boxes are in one that is much taller than this
-    height, it becomes several; where they are not, that would tear what belongs together.
+    height, it becomes several; where they are not, that would tear what belongs together. They take its boxes
+    by turns: so each is beside the lines that pass.
     """
     lists = [[] for _ in range(max(layer) + 1)]
     for number, index in enumerate(layer):
@@ -127,6 +128,5 @@ def columns(layer, heights, height):
         count = 1
         if tall > 1.6 * height and len(numbers) > _MOST * len(layer):
             count = min(len(numbers), int(tall / height) + 1)
-        size = -(-len(numbers) // count)
-        divided += [numbers[start : start + size] for start in range(0, len(numbers), size)]
+        divided += [numbers[start::count] for start in range(count)]
     return divided
