@@ -943,8 +943,8 @@ def keep(profile, timeout=None, create=False, manager=None, strict=False):
     in `restore`; `strict` undoes what a person does, too. Raises errors.Failed for a profile that cannot be
     meant.
     """
-    wanted = _profile(profile)
-    return Stream(lambda: _Happenings(wanted, create, manager, strict), timeout)
+    described = _profile(profile)
+    return Stream(lambda: _Happenings(described, create, manager, strict), timeout)
 
 
 class _Happenings(_Feed):
