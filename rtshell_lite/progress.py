@@ -12,9 +12,8 @@ from rtshell_lite.net import loop
 FIRST = 0.7  # seconds until it is shown
 AGAIN = 0.1  # seconds between two lines, at least
 WAITING = 0.5  # seconds between two lines while nothing gets done
-STILL = 2.0  # seconds in which nothing gets done, after which nobody knows how long it takes
-
-FORETOLD = 0.02  # of the whole has to be done until it is foretold how long the rest takes
+STILL = 2.0  # seconds without anything done, after which the line says how long it has waited
+FORETOLD = 0.02  # the part that has to be done before the line says how long the rest takes
 
 _ERASED = "\r\x1b[K"
 _KIND = 0o170000  # of a file, in its mode
@@ -124,13 +123,13 @@ def _is_read_elsewhere(prints):
     try:
         kind = os.fstat(sys.stdout.fileno()).st_mode & _KIND
         return kind not in (_REGULAR, _DEVICE) or prints and sys.stdout.isatty()
-    except OSError:  # there is none
+    except OSError:  # stdout is closed
         return False
 
 
 def _columns():
-    """How wide the terminal is to which stderr leads; 0 where there is none, it cannot erase, or another
-    program has it just now.
+    """How wide the terminal of stderr is; 0 where stderr is no terminal, the terminal cannot erase, or another
+    program has it now.
     """
     if os.environ.get("TERM", "dumb") == "dumb" or sys.stderr is None:
         return 0

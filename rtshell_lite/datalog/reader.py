@@ -33,7 +33,7 @@ class Log:
     """
 
     form = "mcap"
-    work = None  # the notes.Work that is told how far reading is, in octets
+    work = None  # the notes.Work that counts the octets that have been read
 
     def __init__(self, file, where, size):
         """Find the channels and the messages. Raises errors.Failed."""

@@ -10,7 +10,7 @@ from rtshell_lite.datalog import pickles
 from rtshell_lite.datalog.records import Channel, Entry, is_moment
 
 CLOSING = 256  # octets kept free for the CurPos
-PART = 1000  # entries after which is told how far reading is
+PART = 1000  # entries between two counts for `work`
 DEEP = 100  # levels of a value
 _RTSHELL = {("rtshell.port_types", "PortSpec"), ("rtshell.simpkl_log", "CurPos"), ("rtshell.ilog", "EntryTS")}
 _STANDARD = {"RTC", "Img"}  # modules of the standard data types
@@ -34,7 +34,7 @@ class PickledLog:
         """
         self.where = where
         self.size = size
-        self.work = None  # the notes.Work that is told how far reading is, in octets
+        self.work = None  # the notes.Work that counts the octets that have been read
         self._file = file
         self._modules = frozenset(modules)
         self.torn = 0

@@ -148,7 +148,7 @@ def _improve(ordered, below, above):
 
 
 def _best_rank(rank, below, above, now):
-    """The rank where less of a box's lines goes back than now; None if there is none."""
+    """The rank where less of a box's lines goes back than now; None if no rank is better."""
     changes = dict(below)  # by what more goes back if the box comes after one of these
     for source, weight in above.items():
         changes[source] = changes.get(source, 0) - weight
