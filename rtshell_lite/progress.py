@@ -128,8 +128,8 @@ def _is_read_elsewhere(prints):
 
 
 def _columns():
-    """How wide the terminal of stderr is; 0 where stderr is no terminal, the terminal cannot erase, or another
-    program has it now.
+    """How wide the terminal of stderr is; 0 where stderr is no terminal, the terminal cannot erase, or a
+    program other than this one has it now.
     """
     if os.environ.get("TERM", "dumb") == "dumb" or sys.stderr is None:
         return 0
