@@ -907,7 +907,10 @@ class Socket:
             return
         if self.program.closes_often and self._closes(data):
             self.is_closing = True
-            self.send(CLOSE)
+            try:
+                self.send(CLOSE)
+            except ConnectionResetError:
+                pass  # the other side has gone meanwhile
             return self.come_to_end()
         self.incoming += data
         self.program.wake()
