@@ -223,13 +223,15 @@ async def _transport(visit, endpoint, times, used):
 
 
 async def _other_port(visit, port, used):
-    """Another port of name servers at which the host accepts connections: one of those given, or, on this
+    """Another port of name servers at which the host accepts connections: one of those given before, on this
     host, one of the usual; None if no other port accepts them.
     """
-    ports = set(used)
+    ports = sorted(used)
     if any(addresses.is_own(address) for address in visit.addresses):
-        ports.update(usual.PORTS)
-    for other in sorted(ports - {port}):
+        ports += usual.PORTS
+    for other in ports:
+        if other == port:
+            continue
         try:
             await addresses.connect(visit.addresses, other)
         except errors.Error:
