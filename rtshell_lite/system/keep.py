@@ -271,6 +271,9 @@ class Keeper(follow.Presence):
         try:
             outcomes += await self._connections.outcomes(connectors)
             outcomes = [outcome for outcome in outcomes if not self._is_by_hand(outcome)]
+            for outcome in outcomes:
+                if outcome.pending:
+                    self._unsettle(outcome.step.joining)
             await apply.carry_out(outcomes)
         finally:
             self._connections.release(connectors)
@@ -279,6 +282,11 @@ class Keeper(follow.Presence):
         for kept in batch:
             if kept.is_there and placements.is_gone(kept.placement.error):
                 self.suspect(kept.endpoint)
+
+    def _unsettle(self, joining):
+        """Components are to join a context: where they are Inactive then, no person has done that."""
+        for placement in joining:
+            self._kept_of[id(placement)].life.lose()
 
     def _judge(self, outcome, begun):
         """Report what has become of a step."""

@@ -191,6 +191,8 @@ class Service:
     def answer(self, request):
         """The lines of the answer to a request of `rtkeep COMMAND NAME …`. Raises NoSuch."""
         command = request["command"]
+        if self._is_ending and command in ("reload", "resume"):
+            raise errors.Failed(self.name, "its rtkeep is ending")
         if command == "status":
             all_kept = [*self.keeper.followed, *self.processes.all]
             return [self.as_dict()] + [kept.as_dict() for kept in all_kept]

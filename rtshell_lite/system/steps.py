@@ -29,10 +29,12 @@ class Step:
     endpoint  the process that `act` asks
     part      the part of a component that shows whether it is done: configuration, contexts, ports
     setting   the value that it gives to what a person may have reasons to set otherwise; None for other steps
+    joining   the Placements that it lets take part in a context, in which they are Inactive at first
     """
 
     kind = command = part = ""
     setting = None  # type: object
+    joining = ()  # type: object
     tolerant = False  # True if it makes sense though a component is dead
     free = False  # True if others of the kind may come before or after it
 
@@ -202,13 +204,13 @@ class Members(Step):
         super().__init__([placement] + members, placement.where, f"members {names} of {placement.where}")
         self.placement = placement
         self.members = members
-        added = [
+        self.joining = [
             member
             for member in members
             if member.node is None or placement.found is None or _is_missing(member, placement.found)
         ]
         words = ["rtcomp"]
-        for member in added:
+        for member in self.joining:
             words += ["-a", member.where]
         words.append(placement.where)
         self.command = " ".join(map(shell_word, words))
@@ -420,7 +422,7 @@ class Participants(Step):
         self.index = index
         self.handle = handle
         self.participants = participants
-        attached = [
+        self.joining = [
             participant
             for participant in participants
             if placement.found is None or self._is_missing(participant, placement.found.owned)
@@ -429,7 +431,7 @@ class Participants(Step):
         if index:
             words += ["-e", str(index)]
         words += [placement.where, "attach"]
-        self.command = " ".join(map(shell_word, words + [participant.where for participant in attached]))
+        self.command = " ".join(map(shell_word, words + [participant.where for participant in self.joining]))
 
     def questions(self):
         return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.placement))]

@@ -453,10 +453,10 @@ def is_kept(play, command):
     if "--strict" not in command.line:
         is_early = any(each.begun < command.begun + QUICK for each in changing)
         if play.scenario.faults or len(changing) > 1 or is_early:
-            words = {word for each in changing for word in each.line.replace(":", " ").split()}
-            well -= words
+            well -= _named(play, changing)
         else:
             touched = _by_hand(play, command)
+            well -= _named(play, [each for each in changing if each.status != 0])  # done in part, perhaps
     for name in sorted(well):
         states = play.robot.states(name, command.ended, command.ended)
         if states != {touched.get(name, {}).get("state", "Active")}:
@@ -481,7 +481,7 @@ def blames_people_alone(play, command):
     changing = [each for each in play.commands if each.name not in LOOKING]
     if not FILE_ALONE.isdisjoint(each.name for each in changing):
         return None
-    touched = {word for each in changing for word in re.findall(r"C\d+", each.line)}
+    touched = _named(play, changing)
     looking_so = ("waver", "slow_down")  # faults that look like that
     touched |= {name for _, fault, name in play.scenario.faults if fault in looking_so}
     for name, what in re.findall(r"(C\d+)\.rtc: (.* by hand)", command.out):
@@ -497,6 +497,21 @@ def _has_stayed(command):
     return command.interrupted is not None and command.interrupted - command.begun >= KEPT
 
 
+def _named(play, commands):
+    """The names of the components that commands name, and of those that these execute."""
+    return _with_members(play, {name for each in commands for name in re.findall(r"C\d+", each.line)})
+
+
+def _with_members(play, names):
+    """Names, and those of the members of composites among them, who go to the states of these."""
+    members = [play.scenario.special[name][1] for name in names if _is_composite(play, name)]
+    return set(names).union(*members)
+
+
+def _is_composite(play, name):
+    return play.scenario.special.get(name, [None])[0] == "composite"
+
+
 def _by_hand(play, keeper):
     """{name: {"state" or "gain": what it is to be}} of what people have done while an rtkeep kept all."""
     done = {}
@@ -504,7 +519,8 @@ def _by_hand(play, keeper):
         words = command.line.split()
         if command.status == 0:
             if command.name == "rtdeact":
-                done.setdefault(words[-1], {})["state"] = "Inactive"
+                for name in _with_members(play, words[-1:]):
+                    done.setdefault(name, {})["state"] = "Inactive"
             elif command.name == "rtconf" and "set" in words:
                 done.setdefault(words[1], {})["gain"] = words[-1]
     return done

@@ -232,7 +232,7 @@ A second signal ends it at once, with all processes, however long these may take
   [08:05:53] a: started, pid 47
   [130] after 61.0 s
 
-A terminal that closes while it ends does not begin it again; SIGKILL follows in time, also where the file is read again.
+While it ends nothing is begun again, neither by a terminal that closes nor on request; SIGKILL follows in time, also where the file is read again.
 
   $ write Procfile
   > a: stubborn a
@@ -241,6 +241,12 @@ A terminal that closes while it ends does not begin it again; SIGKILL follows in
   $ sleep 1
   $ strike TERM rtkeep
   $ strike HUP rtkeep
+  $ rtkeep resume a
+  ! rtkeep: Procfile: its rtkeep is ending
+  [1]
+  $ rtkeep reload
+  ! rtkeep: Procfile: its rtkeep is ending
+  [1]
   $ wait rtkeep
   [08:06:54] a: started, pid 49
   [08:06:57] a: ended by SIGKILL: as it was told
@@ -253,7 +259,7 @@ A terminal that closes while it ends does not begin it again; SIGKILL follows in
   $ rtkeep reload
   $ sleep 5
   $ show rtkeep
-  [08:06:57] a: started, pid 51
+  [08:06:57] a: started, pid 53
   [08:07:00] a: ended by SIGKILL: as it was told
   [08:07:00] a: does not end within 2s: killed
   $ strike TERM rtkeep
@@ -270,13 +276,13 @@ What waits for its next attempt is resumed at once:
   $ rtkeep resume a
   $ sleep 60
   $ show rtkeep
-  [08:07:04] a: started, pid 55
+  [08:07:04] a: started, pid 57
   [08:07:04] a: ended with status 1
-  [08:07:04] a: started, pid 56
+  [08:07:04] a: started, pid 58
   [08:07:04] a: ended with status 1
-  [08:08:04] a: started, pid 58
+  [08:08:04] a: started, pid 60
   [08:08:04] a: ended with status 1
-  [08:08:04] a: started, pid 59
+  [08:08:04] a: started, pid 61
   [08:08:04] a: ended with status 1
   $ strike TERM rtkeep
   $ wait rtkeep
@@ -294,21 +300,21 @@ It ends what it has started: the components of these processes are deactivated b
   ! rtcryo: /robot/test.host_cxt/Motor0.rtc: zombie, left out
   $ strike TERM rtkeep
   $ wait rtkeep
-  [08:09:04] own: started, pid 61
+  [08:09:04] own: started, pid 63
   [08:09:04] own: /robot/test.host_cxt/Controller0.rtc answers: ready
   [08:09:07] own: ended by SIGTERM: as it was told
   [0] after 3.0 s
   $ rtkeep --processes Procfile b.xml &
   $ sleep 5
   $ rtkeep status
-  b.xml: pid 63, since 2027-01-15 08:09:07; all is as the file says
+  b.xml: pid 65, since 2027-01-15 08:09:07; all is as the file says
     /robot/test.host_cxt/ConsoleIn0.rtc   Active   Active  2027-01-15 08:09:07    Active
     /robot/test.host_cxt/Controller0.rtc  Active   Active  2027-01-15 08:09:07    Active
     /robot/test.host_cxt/Sensor0.rtc      Active   Active  2027-01-15 08:09:07    Active
-    own                                   running  ready   2027-01-15 08:09:07    pid 64
+    own                                   running  ready   2027-01-15 08:09:07    pid 66
   $ strike TERM rtkeep
   $ wait rtkeep
-  [08:09:07] own: started, pid 64
+  [08:09:07] own: started, pid 66
   [08:09:07] own: /robot/test.host_cxt/Controller0.rtc answers: ready
   [08:09:07] /robot/test.host_cxt/ConsoleIn0.rtc: Active
   [08:09:07] /robot/test.host_cxt/Controller0.rtc: Active
@@ -327,7 +333,7 @@ It ends what it has started: the components of these processes are deactivated b
   $ sleep 5
   $ strike TERM rtkeep
   $ wait rtkeep
-  [08:09:12] own: started, pid 68
+  [08:09:12] own: started, pid 70
   [08:09:12] own: /robot/test.host_cxt/Controller0.rtc answers: ready
   [08:09:12] /robot/test.host_cxt/Controller0.rtc: Active
   [08:09:12] /robot/test.host_cxt/Sensor0.rtc: Active
