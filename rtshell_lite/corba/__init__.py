@@ -10,6 +10,6 @@ omniorb    the annex: omniORB behind it, by threads; answers looks at what peers
            objects of it, stubs makes its classes
 hosts      where hosts are, by their names
 failures   what the exceptions of peers mean, for both
-liveness   what a refused connection proves
+refusals   what a refused connection proves
 servants   objects of ours that components call
 """

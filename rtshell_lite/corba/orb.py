@@ -274,17 +274,17 @@ async def refusal(where, process):
     """The errors.ConnectionRefused for an object whose `process`, (host, port), refuses; a Path `where` gives
     the name server that has given its reference.
     """
-    from rtshell_lite.corba import liveness  # few need it
+    from rtshell_lite.corba import refusals  # few need it
 
-    return await liveness.refusal(where, process, _home(where))
+    return await refusals.refusal(where, process, _home(where))
 
 
 async def is_near(where, ref):
     """Whether the address of a reference means the same host here as to the name server of a Path."""
-    from rtshell_lite.corba import liveness
+    from rtshell_lite.corba import refusals
 
     home = _home(where)
-    return home is None or await liveness.means_the_same_to(endpoint(ref)[0], home)
+    return home is None or await refusals.means_the_same_to(endpoint(ref)[0], home)
 
 
 def _home(where):

@@ -9,7 +9,7 @@ import collections
 import sys
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb, servants, session
+from rtshell_lite.corba import orb, refusals, servants, session
 from rtshell_lite.data import clocks, seam, writing
 from rtshell_lite.data.connection import BUSY, SILENT, PortConnection, Ended
 from rtshell_lite.net import loop
@@ -99,7 +99,7 @@ class Reader(PortConnection):
             return dict(common, **{SUBSCRIPTION: "new", "dataport.buffer.read.empty_policy": "do_nothing"})
         sys.setswitchinterval(SWITCH)
         self.served = servants.Served(servants.RECEIVERS[self.interface](self._take, self._is_full))
-        is_near = await liveness.is_this_host(self.endpoint[0])
+        is_near = await refusals.is_this_host(self.endpoint[0])
         if is_near and not ports.offer_without(self.port, SUBSCRIPTION, "flush"):
             subscription = "flush"
         else:

@@ -7,7 +7,7 @@ import struct
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.corba.liveness import is_own, is_this_host  # noqa: F401: checks of addresses
+from rtshell_lite.corba.refusals import is_own, is_this_host  # noqa: F401: checks of addresses
 from rtshell_lite.net import loop, tcp
 from rtshell_lite.robot.aliases import resolve
 

@@ -1,7 +1,7 @@
 """Composites with dead members: such a composite ends, or stops, as soon as somebody uses it."""
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb, session
+from rtshell_lite.corba import orb, refusals, session
 from rtshell_lite.doctor import limits, remedies
 from rtshell_lite.doctor.finding import fail, published, reason, warn
 from rtshell_lite.robot import composites
@@ -55,7 +55,7 @@ async def _lost(snapshot, error, ref):
         message = f"its member at {shown} was {reason(error)}"
         cure = remedies.not_asked(error, snapshot.where)
         return warn("composite", snapshot.where, message, cure, orb.endpoint(ref))
-    if await liveness.shows_death(error, orb.endpoint(ref), snapshot.node.endpoint[0]):
+    if await refusals.shows_death(error, orb.endpoint(ref), snapshot.node.endpoint[0]):
         return fail(
             "composite", snapshot.where, "one of its members is dead: nothing answers at " + shown,
             remedies.words("restart composite", port=snapshot.node.endpoint[1]),

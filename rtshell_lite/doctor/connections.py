@@ -3,7 +3,7 @@
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb, session
+from rtshell_lite.corba import orb, refusals, session
 from rtshell_lite.doctor import limits, networks, remedies, services, waiting
 from rtshell_lite.doctor.finding import fail, listed, reason, warn
 from rtshell_lite.robot import component, connectors, places, ports
@@ -54,7 +54,7 @@ async def _forgotten(snapshots):
     for (snapshot, port, connector, ref), answer in zip(
         held, await session.each([ref for *_, ref in held], lambda ref: orb.is_alive("", ref), orb.at_object)
     ):
-        is_dead = isinstance(answer, errors.Error) and await liveness.shows_death(answer, orb.endpoint(ref))
+        is_dead = isinstance(answer, errors.Error) and await refusals.shows_death(answer, orb.endpoint(ref))
         if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):
             findings.append(
                 warn(
@@ -255,7 +255,7 @@ async def _lost(link, where, end, undo, culprits):
     misled = await networks.misled("connection", where, end.ref, homes)
     if misled and misled.level == "fail":
         return misled._replace(message="the far end of a connection " + misled.message)
-    if await liveness.shows_death(end.error, endpoint) and await networks.is_certain(end.ref, homes):
+    if await refusals.shows_death(end.error, endpoint) and await networks.is_certain(end.ref, homes):
         return fail("connection", where, f"the far end of a connection is dead (at {name})", undo)
     if isinstance(end.error, errors.ConnectionRefused):
         message = f"the far end of a connection, at {name}, refuses: dead, or a firewall closes this port"

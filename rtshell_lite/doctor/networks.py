@@ -5,7 +5,7 @@ to this host, and to the one where the references are bound.
 import collections
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import orb, refusals
 from rtshell_lite.net import hosts
 from rtshell_lite.doctor import addresses, remedies
 from rtshell_lite.doctor.finding import fail, published, warn
@@ -69,7 +69,7 @@ async def misled(check, where, ref, homes, elsewhere=""):
 async def is_certain(ref, homes):
     """True if the addresses of `ref` mean the same host here as to what published them."""
     for host, _ in orb.addresses(ref):
-        if host and not await liveness.means_the_same(host, homes):
+        if host and not await refusals.means_the_same(host, homes):
             return False
     return True
 
@@ -83,7 +83,7 @@ async def names_here(ref, homes):
         if not host or host == "localhost" or addresses.is_numeric(host):
             continue
         try:
-            if await liveness.means_the_same(host, homes):
+            if await refusals.means_the_same(host, homes):
                 continue
         except errors.Unanswered:  # nobody says what the name means
             continue

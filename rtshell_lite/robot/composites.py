@@ -5,7 +5,7 @@ Organization::get_owner is never called: a C++ component answers it once, and ha
 """
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import liveness, orb, session
+from rtshell_lite.corba import orb, refusals, session
 from rtshell_lite.records import record
 from rtshell_lite.robot import component, configuration, manager, ports, tree
 from rtshell_lite.robot.places import Places
@@ -104,7 +104,7 @@ async def member_paths(node, organisation):
 
 
 async def _path_text(places, name, ref, node):
-    if isinstance(name, errors.Error) and await liveness.shows_death(
+    if isinstance(name, errors.Error) and await refusals.shows_death(
         name, orb.endpoint(ref), node.endpoint[0]
     ):
         return "Unknown (it is gone)"

@@ -140,9 +140,9 @@ async def _proves_death(failure, ref, node):
     """
     if not isinstance(failure, errors.ConnectionRefused):
         return False
-    from rtshell_lite.corba import liveness  # few need it
+    from rtshell_lite.corba import refusals  # few need it
 
-    return await liveness.is_gone(orb.endpoint(ref), node.endpoint[0])
+    return await refusals.is_gone(orb.endpoint(ref), node.endpoint[0])
 
 
 async def _members_first(node, ref, wait):

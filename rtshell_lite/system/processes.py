@@ -5,7 +5,7 @@ ends, by its policy; ended in reverse.
 import os
 
 from rtshell_lite import errors
-from rtshell_lite.corba import liveness, orb
+from rtshell_lite.corba import orb, refusals
 from rtshell_lite.net import children, loop, real
 from rtshell_lite.robot import tree
 from rtshell_lite.system import output, policy
@@ -276,7 +276,7 @@ async def _seen(process):
         if node is None:
             return UNKNOWN
         # where it once was another host, or this one with another address, nothing hangs
-        if await liveness.is_this_host(node.endpoint[0]):
+        if await refusals.is_this_host(node.endpoint[0]):
             return HANGS
     except errors.Error:
         pass

@@ -3,7 +3,7 @@
 import os
 
 from rtshell_lite import errors, notes
-from rtshell_lite.corba import liveness
+from rtshell_lite.corba import refusals
 from rtshell_lite.net import children, loop, real
 from rtshell_lite.system import happening, keep, plan, restore, steering
 from rtshell_lite.system.kept import KeptComponent
@@ -124,7 +124,7 @@ class Service:
         ports = self.processes.listening_ports()
         own = set()
         for endpoint in {kept.endpoint for kept in self.keeper.followed if kept.is_there}:
-            if endpoint[1] in ports and await liveness.is_this_host(endpoint[0]):
+            if endpoint[1] in ports and await refusals.is_this_host(endpoint[0]):
                 own.add(endpoint)
         return own
 

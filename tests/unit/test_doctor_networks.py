@@ -9,7 +9,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from loops import asynchronous, wait_for
-from rtshell_lite.corba import liveness, session
+from rtshell_lite.corba import refusals, session
 from rtshell_lite.doctor import addresses, limits, managers, networks, references, remedies, waiting
 from rtshell_lite.net import hosts, loop, real
 from rtshell_lite.robot import tree
@@ -26,8 +26,8 @@ class Published(unittest.TestCase):
         for patch in (
             mock.patch.object(hosts, "interfaces", lambda: LAN),
             mock.patch.object(addresses, "is_own", own.__contains__),
-            mock.patch.object(liveness, "is_own", own.__contains__),
-            mock.patch.object(liveness, "_addresses", asynchronous(lambda host: [host])),
+            mock.patch.object(refusals, "is_own", own.__contains__),
+            mock.patch.object(refusals, "_addresses", asynchronous(lambda host: [host])),
             mock.patch.object(addresses, "resolve", asynchronous(lambda host: [host])),
         ):
             patch.start()
@@ -84,7 +84,7 @@ class Published(unittest.TestCase):
     def test_a_name_that_means_this_host(self):
         """Of names in /etc/hosts that mean this host here, only its own is known to mean it elsewhere."""
         with mock.patch.object(
-            liveness, "_addresses", asynchronous(lambda host: [host] if host[0].isdigit() else ["10.77.0.1"])
+            refusals, "_addresses", asynchronous(lambda host: [host] if host[0].isdigit() else ["10.77.0.1"])
         ), mock.patch.object(real, "host_name", lambda: "Desk.example.org"):
             self.assertFalse(self.certain("desk", ["10.77.0.2"]))
             for host, is_certain in (("desk", True), ("localhost", True), ("arm", False)):
@@ -111,7 +111,7 @@ class Published(unittest.TestCase):
             ("127.0.0.1", "10.77.0.2", False),
             ("172.17.0.1", "10.77.0.2", False),
         ):
-            self.assertIs(wait_for(liveness.is_gone((host, 4000), home)), is_gone, (host, home))
+            self.assertIs(wait_for(refusals.is_gone((host, 4000), home)), is_gone, (host, home))
 
     def test_addresses_apart_from_their_host(self):
         for published, apart in (("172.17.0.1", True), ("10.77.0.3", False), ("8.8.8.8", True), ("", False)):
