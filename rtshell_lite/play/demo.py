@@ -6,14 +6,11 @@ connected, and what is done to them changes the values that they send.
 
 import math
 
-from rtshell_lite import path
 from rtshell_lite.corba import orb
 from rtshell_lite.data import datatypes
 from rtshell_lite.net import loop
-from rtshell_lite.play import bindings, component, live, nameserver
-from rtshell_lite.robot import tree
+from rtshell_lite.play import live, robot
 
-HERE = "127.0.0.1"
 NUMBER, NUMBERS, PLACE = "RTC.TimedDouble", "RTC.TimedDoubleSeq", "RTC.TimedPose2D"
 
 # ---- what its components do ----
@@ -48,7 +45,7 @@ class Odometry(live.Worker):
         self.angle = live.finite(self.angle + self.value("speed") / self.RADIUS * seconds)
         x, y = self.RADIUS * math.cos(self.angle), self.RADIUS * math.sin(self.angle)
         heading = math.atan2(x, -y)
-        self.port("pose").send(orb.struct("RTC.Pose2D")(orb.struct("RTC.Point2D")(x, y), heading))
+        self.port("pose").send({"data": {"position": {"x": x, "y": y}, "heading": heading}})
 
 
 class Laser(live.Worker):
@@ -119,7 +116,10 @@ class Camera(live.Worker):
         self.count += 1
         pixels = bytearray(self.WIDTH * self.HEIGHT)
         pixels[self.count % len(pixels)] = 255
-        self.port("picture").send(self.WIDTH, self.HEIGHT, 8, "gray", 1.0, bytes(pixels))
+        self.port("picture").send(
+            {"width": self.WIDTH, "height": self.HEIGHT, "bpp": 8, "format": "gray", "fDiv": 1.0,
+             "pixels": bytes(pixels)}
+        )
 
 
 class Guard(live.Worker):
@@ -257,79 +257,23 @@ A mobile arm of {count} components works here until Ctrl-C. In another terminal:
 # ---- playing it ----
 
 
-class Robot:
-    """The components, and what they are bound as."""
-
-    def __init__(self, tasks):
-        types = datatypes.Types()
-        self.tasks = tasks
-        self.by_name = {}
-        for bound in COMPONENTS:
-            instance = bound.partition("/")[2].partition(".")[0]
-            self.by_name[instance] = COMPONENTS[bound](instance, types, tasks)
-        for name, members in MEMBERS.items():
-            self._compose(self.by_name[name], [self.by_name[member] for member in members])
-
-    @staticmethod
-    def _compose(composite, members):
-        composite.organisation = component.Organisation(composite)
-        composite.organisation.members = members
-        (context,) = composite.contexts
-        for member in members:
-            member.organisations = [composite.organisation]
-            member.participating = [context]
-            member.contexts[0].running = False
-            context.members.append([member, "Inactive"])
-
-    async def begin(self, server):
-        """Bind, connect and activate all, and have them work."""
-        names = bindings.Bindings(server)
-        for bound, part in zip(COMPONENTS, self.by_name.values()):
-            part.publish(HERE)
-            await names.bind(path.parse(f"/{HERE}/{bound}").names, part.reference)
-        for line in CONNECTIONS.split("\n"):
-            if line:
-                await self._connect(*line.split())
-        for part in self.by_name.values():
-            for context in part.contexts:
-                if context.running:
-                    context.activate_component(part.reference)
-            self.tasks.start(part.work())
-
-    async def _connect(self, *ends):
-        ports = [self.by_name[owner].port(name) for owner, _, name in (end.partition(":") for end in ends)]
-        properties = {
-            "dataport.dataflow_type": "push", "dataport.interface_type": "corba_cdr",
-            "dataport.subscription_type": "new", "dataport.serializer.cdr.endian": "little,big",
-            "dataport.data_type": ports[0].properties["dataport.data_type"],
-        }
-        profile = orb.struct("RTC.ConnectorProfile")(
-            "_".join(port.name for port in ports), "", [port.reference for port in ports],
-            component.nvlist(properties.items()),
-        )
-        await ports[0].connect(profile)
-
-    async def end(self):
-        """Disconnect all that others have connected, as components do when they end."""
-        ports = [port for part in self.by_name.values() for port in part.ports]
-        joined = [(port, connector_id) for port in ports for connector_id in list(port.carriers)]
-        await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
-        for part in self.by_name.values():
-            part.close()
-
-
 async def play(port, say):
     """Play it at a TCP port, 0 for a free one, until that is cancelled; say(text) is awaited when others can
     ask. Raises Failed where the port is taken.
     """
-    address = f"{HERE}:{orb.listen(HERE, port)}"
-    nameserver.Names(HERE)
     async with loop.Group() as tasks:
-        robot = Robot(tasks)
+        parts = make(tasks)
         try:
-            await robot.begin(tree.name_server(address))
-            await say(TRY.format(count=len(robot.by_name), address=address))
+            address = await parts.listen(port)
+            await parts.begin()
+            await say(TRY.format(count=len(parts.by_name), address=address))
             await loop.Bell().wait()
         finally:
-            await loop.finish(robot.end())
+            await loop.finish(parts.end())
             tasks.cancel()
+
+
+def make(tasks):
+    """The demo's robot.Robot, which works in these tasks."""
+    connections = [line.split() for line in CONNECTIONS.split("\n") if line]
+    return robot.Robot(tasks, datatypes.Types(), COMPONENTS, connections, MEMBERS)

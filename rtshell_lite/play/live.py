@@ -6,7 +6,7 @@ import math
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
-from rtshell_lite.giop import descriptors
+from rtshell_lite.data import build_value
 from rtshell_lite.net import loop
 from rtshell_lite.play import component, ports
 from rtshell_lite.play.component import code, nvlist
@@ -106,33 +106,40 @@ class Configuration(component.Configuration):
 
 
 class InPort(ports.InPort):
-    """A DataInPort that keeps the last value that has come: its `value`, None before the first."""
+    """A DataInPort that keeps the last value that has come: its `value`, None before the first, of the timed
+    types what they have as `data`. on_value(value), where it is set, is called for each.
+    """
 
     def __init__(self, owner, name, data_type):
         super().__init__(owner, name, _properties("DataInPort", "Any", data_type.id))
         self._type = data_type
         self.value = None
+        self.on_value = None
 
     def take(self, data, little):
         try:
-            self.value = self._type.decode(data, little).data
+            value = self._type.decode(data, little)
         except errors.BadData:
-            pass  # a peer may send anything
+            return  # a peer may send anything
+        self.value = getattr(value, "data", value)
+        if self.on_value is not None:
+            self.on_value(self.value)
 
 
 class OutPort(ports.OutPort):
-    """A DataOutPort that sends values of a type with a timestamp."""
+    """A DataOutPort that sends values of a type."""
 
     def __init__(self, owner, name, data_type):
         super().__init__(owner, name, _properties("DataOutPort", "flush,new,periodic", data_type.id))
         self._type = data_type
 
-    def send(self, *members):
-        """Send a value with these members after its timestamp."""
-        now = loop.wall()
-        moment = orb.struct("RTC.Time")(int(now), int(now % 1 * 1e9))
-        value = descriptors.factory(self._type.descriptor)(moment, *members)
-        self.write(lambda little: self._type.encode(value, little))
+    def send(self, value):
+        """Send a value of its type, a dict of its members, or what its member `data` is to be; a timestamp
+        that is left out is the present. Raises BadValue.
+        """
+        now = divmod(int(loop.wall() * 1e9), 10**9)
+        built = build_value.build(self._type.descriptor, value, self._type.name, now=now)
+        self.write(lambda little: self._type.encode(built, little))
 
 
 class ServicePort(ports.ServicePort):

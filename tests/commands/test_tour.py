@@ -101,11 +101,45 @@ class Tour(unittest.TestCase):
         contents = re.findall(r"^  (\d  [A-Z]\w+( \w+)?)  ", said, re.MULTILINE)
         self.assertEqual([line for line, _ in contents], re.findall(r"^\d  [A-Z].*$", said, re.MULTILINE))
 
+    def check_demo(self, said):
+        """The tour was played on the robot of the demo."""
+        self.assertEqual(
+            re.findall(r"\$ (.*)\n(?:[^$\n].*\n)*\(exit status (\d+)\)", said),
+            [
+                ("rtcon Planner0.rtc:grip ../base.host_cxt/Laser0.rtc:pose", "2"),
+                ("rtact Gripper0.rtc", "6"),
+                ("rtdoctor -q", "1"),
+                ("rtcall Camera0.rtc:capture.camera tak_one_frame", "3"),
+                ("rttrace -t 1 Planner0.rtc:grip", "1"),
+            ]
+            + [("echo nonsense | tee Planner0.rtc/state", "1")] * (not mounts.refused()),
+            said,
+        )
+        self.assertRegex(said, r"(?m)^fail  \S+/Gripper0.rtc: in Error; try: rtreset ")
+        self.assertRegex(said, r"(?m)^\S+/Gripper0.rtc: it is Inactive \(certain\)$")
+        self.assertRegex(said, r"restored connection")
+        self.assertRegex(said, r"\$ rtprint -n 3 Shoulder0.rtc:angle\n(\[[\d.]+\] -?[\de.-]+\n){3}\n")
+        for shown in "rtstodot --live --html", "rttop -n 1", "rtplot -f":
+            self.assertIn("$ " + shown, said)
+        contents = re.findall(r"^  (\d  [A-Z]\w+( \w+)?)  ", said, re.MULTILINE)
+        self.assertEqual([line for line, _ in contents], re.findall(r"^\d  [A-Z].*$", said, re.MULTILINE))
+        self.assertEqual(sorted(os.listdir(self.top)), self.lasting())
+
+    def lasting(self):
+        """What is there before the tour, and after it."""
+        return [".venv-tour", "bin", "mock_components", "rtshell_lite"]
+
+    def test_on_the_demo(self):
+        """It needs no omniORBpy, runs on Python 3.6, and leaves no process."""
+        status, said = self.run_it("--demo")
+        self.assertEqual(status, 0, said)
+        self.check_demo(said)
+
     def test_it_looks_into_files_that_may_not_be_there_yet(self):
         """Those of commands in the background: grep -s says nothing of it."""
         with open(self.words[1], encoding="utf-8") as file:
             looks = re.findall(r'soon "(grep .*)"', file.read())
-        self.assertEqual(len(looks), 2)
+        self.assertEqual(len(looks), 3)
         for look in " && ".join(looks).split(" && "):
             self.assertTrue(look.startswith("grep -qs "), look)
 
@@ -169,27 +203,30 @@ class Tour(unittest.TestCase):
             os.waitpid(child, 0)
             self.assertEqual(talk, [], (shell, said))
 
-    @unittest.skipUnless((3, 7) <= sys.version_info[:2] <= (3, 13), "the tour refuses this Python")
+    @unittest.skipUnless((3, 7) <= sys.version_info[:2] <= (3, 13), "no omniORBpy for this Python")
     def test_another_python_means_another_environment(self):
+        """One that cannot be made has the tour played on the demo."""
         self.made_from(sys.base_prefix, 3, 1, 4)
         status, said = self.run_it(PYTHON=self.program("broken", BROKEN))
         self.assertEqual(
-            (status, said.splitlines()),
+            (status, said.splitlines()[:3]),
             (
-                1,
+                0,
                 [
                     "Installing omniORBpy into a private environment, once ...",
                     "no venv",
-                    "tour: the installation failed",
+                    "Mock components need omniORBpy, which cannot be had here; the tour is played on the "
+                    "robot of rtshell_lite demo.",
                 ],
             ),
         )
         self.assertFalse(os.path.exists(os.path.join(self.top, ".venv-tour", "made-from")))
+        self.assertIn("$ rtls -l\nActive  0/0  0/0  0/0  0/0  Arm0.rtc\n", said)
 
     def test_pythons_that_will_not_do(self):
         self.assertEqual(self.run_it(PYTHON="/no/python"),
-                         (1, "tour: /no/python not found; name a Python 3.7 to 3.13 with PYTHON=...\n"))
-        self.assertEqual(self.run_it(PYTHON="false"), (1, "tour: false is not Python 3.7 to 3.13; name "
+                         (1, "tour: /no/python not found; name a Python 3.6 or later with PYTHON=...\n"))
+        self.assertEqual(self.run_it(PYTHON="false"), (1, "tour: false is not Python 3.6 or later; name "
                                                           "one with PYTHON=...\n"))
         self.words = [os.path.join(processes.ROOT, "tests", "run")]
         self.assertEqual(self.run_it(PYTHON="/no/python"), (1, "tests/run: /no/python not found; it "
@@ -214,7 +251,7 @@ class Tour(unittest.TestCase):
         self.assertEqual(self.run_it("rtpwd", before=alone), (1, "tests/run: " + needed))
 
     def test_unknown_words(self):
-        self.assertEqual(self.run_it("--pause"), (2, "usage: mock_components/tour [--no-pause | --shell]\n"))
+        self.assertEqual(self.run_it("--pause"), (2, "usage: mock_components/tour [--demo] [--no-pause | --shell]\n"))
 
 
 class Mocks(unittest.TestCase):

@@ -10,7 +10,7 @@ import zipfile
 
 from robots import ROOT, WHEEL, Robot, names, read, run
 
-LARGEST = 1000 * 1000  # octets
+LARGEST = 1 << 20  # octets
 
 
 def manual_pages(top):
@@ -128,6 +128,11 @@ class WheelFile(Robot):
             status, out, err = run(line, environment={"PYTHONPATH": WHEEL})
             self.assertEqual((status, err), (0, ""))
             self.assertEqual(sorted(re.findall(r"^  (rt\w+)  +[A-Z]", out, re.MULTILINE)), names("bin"))
+
+    def test_authors_of_components_can_test_with_it(self):
+        example = os.path.join(ROOT, "docs", "example_test.py")
+        status, _, err = run([self.python, example], environment={"PYTHONPATH": WHEEL})
+        self.assertEqual(status, 0, err)
 
     def test_own_usage_errors(self):
         for words, part in [

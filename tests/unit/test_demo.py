@@ -18,7 +18,7 @@ class Components(unittest.TestCase):
     def run_with(self, work):
         async def main():
             async with loop.Group() as tasks:
-                await work(demo.Robot(tasks).by_name, tasks)
+                await work(demo.make(tasks).by_name, tasks)
                 tasks.cancel()
 
         wait_for(main(), timeout=30)

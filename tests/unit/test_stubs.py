@@ -11,7 +11,10 @@ from rtshell_lite import api
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 DOCS = os.path.join(ROOT, "docs")
 EXAMPLES = ["example_test.py", "example_launch.py", "example_log.py"]
-PUBLIC = ["rtshell_lite.api", "rtshell_lite.xmlprofile.model", "rtshell_lite.xmlprofile.fields"]
+PUBLIC = [
+    "rtshell_lite.api", "rtshell_lite.mocks", "rtshell_lite.xmlprofile.model",
+    "rtshell_lite.xmlprofile.fields",
+]
 
 
 class Documents(unittest.TestCase):

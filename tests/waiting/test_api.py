@@ -22,7 +22,10 @@ from rtshell_lite.robot import contexts, tree
 ROOT = processes.ROOT
 DOCS = os.path.join(ROOT, "docs")
 EXAMPLES = ["example_test.py", "example_launch.py", "example_log.py"]
-PUBLIC = ["rtshell_lite.api", "rtshell_lite.xmlprofile.model", "rtshell_lite.xmlprofile.fields"]
+PUBLIC = [
+    "rtshell_lite.api", "rtshell_lite.mocks", "rtshell_lite.xmlprofile.model",
+    "rtshell_lite.xmlprofile.fields",
+]
 
 # What a host finds after it has used the library: its signals, and its ORB with calls that may take as long
 # as they like
