@@ -7,12 +7,13 @@ import re
 
 from rtshell_lite import errors
 from rtshell_lite.net import calendar
-from rtshell_lite.text import printable
+from rtshell_lite.text import cells, printable
 
 COLUMNS = 2000  # places on the time axis that a long series is thinned to
 MOST = 64  # series of one plot
 GAP = 10  # times the usual distance of its values, after which a series has a gap
 USUAL = 0.1  # share of each distance in the usual one
+LONGEST = 8  # characters of a number at an axis
 _STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d{1,9})(?::(\d{1,9}))?\]", re.ASCII)
 _TICKS = (1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 10800, 21600, 43200, 86400)  # s
 
@@ -250,6 +251,13 @@ class Panel:
             self.series[name] = Series(name, between)
         return self.series[name]
 
+    def is_of_states(self):
+        """Whether all its values are booleans or have names: they are shown as bands."""
+        return bool(self.series) and all(
+            series.is_step and set(series.names or (0.0, 1.0)).issuperset(point[1] for point in series.points)
+            for series in self.series.values()
+        )
+
     def bounds(self):
         """(least, greatest) of the axis, or of the points of all series, apart; None without any."""
         if self.axis is not None:
@@ -299,6 +307,8 @@ def number(value):
     """A number in few characters."""
     if abs(value) < 1e15 and value == int(value):
         return "%d" % value
+    if 1000 <= abs(value) < 1e12:
+        return "%.1f" % value
     return "%.4g" % value
 
 
@@ -316,6 +326,43 @@ def ticks(low, high, most):
         words = "%.10g" % value if abs(value) >= 1e15 or digits > 5 else "%.*f" % (digits, value + 0.0)
         ticks.append((value, words))
     return ticks
+
+
+def scale(low, high, most):
+    """(ticks, words at the head of the axis, which count for all ticks): where the ticks of two bounds would
+    have many digits, the head has what they share, `742 105 000 +`, and their power of ten, `x 1e9`.
+    """
+    marks = ticks(low, high, most)
+    if max((cells(words) for _, words in marks), default=0) <= LONGEST or not math.isfinite(high - low):
+        return marks, ""
+    head = ""
+    shared = _shared(low, high)
+    if shared:
+        head = _grouped(shared, high - low) + " +"
+    power = 0
+    marks = ticks(low - shared, high - shared, most)
+    if max(cells(words) for _, words in marks) > LONGEST - 2:
+        power = 3 * math.floor(math.log10(max(abs(low - shared), abs(high - shared))) / 3)
+        factor = 10.0**power
+        marks = [
+            (value * factor, words)
+            for value, words in ticks((low - shared) / factor, (high - shared) / factor, most)
+        ]
+        head = f"{head} x 1e{power}".strip()
+    return [(value + shared, words) for value, words in marks], head
+
+
+def _shared(low, high):
+    """What is at the beginning of all numbers between two bounds; 0 where that is little."""
+    step = 10.0 ** math.ceil(math.log10(high - low))
+    shared = math.floor(low / step) * step
+    return shared if abs(shared) >= 100 * step else 0
+
+
+def _grouped(value, span):
+    """A number with all digits that count beside a span, in groups of three."""
+    digits = max(0, -math.ceil(math.log10(span)))
+    return f"{value:,.{digits}f}".replace(",", " ")
 
 
 def time_ticks(first, last, most):

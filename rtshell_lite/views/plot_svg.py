@@ -10,8 +10,10 @@ from rtshell_lite.views import plot
 WIDTH = 960
 HEIGHT = 240  # of a panel's axes
 LEFT = 76
+BAND = 24  # height of the states of a series
 RIGHT = 24
 TOP = 34
+ROOM = 10  # above a panel
 LINE = 20  # between lines of text
 FOOT = 62
 WORD = 7  # width of a character of a mark
@@ -24,6 +26,13 @@ STYLES = (
     ("#b3155e", "#ff7bac", "5 5"),
     ("#5c6670", "#b1bac4", "1 4"),
 )
+# states of components: colour on white, on black, as on pages (web/page.css)
+STATES = {
+    "Active": ("#c9f0cf", "#1d4a2a"),
+    "Inactive": ("#d3e6fb", "#1f3e5f"),
+    "Error": ("#ffc9c2", "#7a231b"),
+    "Created": ("#f2f4f6", "#2b3138"),
+}
 _STYLE = """<style>
 svg { background: #fff; color: #1f2328; font: 13px system-ui, "DejaVu Sans", sans-serif; }
 text { fill: currentColor; }
@@ -34,6 +43,7 @@ text { fill: currentColor; }
 .words { fill: #c8102e; font-size: 12px; }
 .series { fill: none; stroke-width: 1.6; stroke-linejoin: round; stroke-linecap: round; }
 .wide { stroke-width: 3.2; }
+.band { stroke: currentColor; stroke-opacity: .35; }
 %s@media (prefers-color-scheme: dark) {
 svg { background: #0d1117; color: #e6edf3; }
 .mark { stroke: #ff7b72; }
@@ -44,24 +54,27 @@ svg { background: #0d1117; color: #e6edf3; }
 
 def lines(picture):
     """The lines of an SVG file."""
-    heights = [TOP + LINE * _legend_rows(panel) + HEIGHT for panel in picture.panels]
+    names = _shared_names(picture)
+    begin = 0
+    if names:
+        begin = LINE * _rows(names) + ROOM
+    heights = [ROOM + _head_height(panel, names) + _axes_height(panel) for panel in picture.panels]
     marks = _kept_apart(picture)
-    height = sum(heights) + FOOT + LINE * (marks != [])
+    height = begin + sum(heights) + FOOT + LINE * (marks != [])
     yield (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" '
         f'width="{WIDTH}" height="{height}">'
     )
     yield _STYLE % (_colours(0), _colours(1))
-    y = 0
+    yield from _legend(names, -LINE)
+    y = begin
     for panel, size in zip(picture.panels, heights):
-        top = y + size - HEIGHT
-        yield from _heading(panel, y)
+        top = y + size - _axes_height(panel)
+        yield from _heading(panel, names, y + ROOM)
         if picture.first is None:
             yield _text(LEFT, top + LINE, "no values")
         else:
-            yield from _axes(picture, panel, top)
-            yield from _lines_of_marks(picture, top)
-            yield from _curves(picture, panel, top)
+            yield from _panel(picture, panel, top)
         y += size
     if picture.first is not None:
         yield from _words_of_marks(marks, y)
@@ -70,7 +83,11 @@ def lines(picture):
 
 
 def _colours(index):
-    words = [f".s{number} {{ stroke: {style[index]}; }}" for number, style in enumerate(STYLES)]
+    words = []
+    for number, style in enumerate(STYLES):
+        words.append(f".s{number} {{ stroke: {style[index]}; }}")
+        words.append(f".b{number} {{ fill: {style[index]}; fill-opacity: .25; }}")
+    words += [f".{name} {{ fill: {colours[index]}; }}" for name, colours in STATES.items()]
     return "\n".join(words) + "\n"
 
 
@@ -99,18 +116,64 @@ def _said(series):
 # ---- one panel ----
 
 
-def _legend_rows(panel):
-    return (len(panel.series) + 1) // 2
+def _rows(names):
+    """Lines of a legend: two names are in each."""
+    return (len(names) + 1) // 2
 
 
-def _heading(panel, y):
-    """The title, and a line of each series with its name and figures."""
-    yield _text(LEFT, y + 20, panel.title or "")
-    for number, series in enumerate(panel.series.values()):
+def _shared_names(picture):
+    """The names of the series, where all panels have the same ones, and several: one legend is enough."""
+    names = [tuple(panel.series) for panel in picture.panels if not panel.is_of_states()]
+    if len(names) > 1 and len(names[0]) > 1 and len(set(names)) == 1:
+        return names[0]
+    return ()
+
+
+def _head_height(panel, names):
+    """How much room is above the axes of a panel."""
+    height = TOP
+    if not names and not panel.is_of_states():
+        height += LINE * _rows(panel.series)
+    if _scale(panel)[1]:
+        height += LINE
+    return height
+
+
+def _axes_height(panel):
+    if panel.is_of_states():
+        return BAND * len(panel.series)
+    return HEIGHT
+
+
+def _legend(words, y):
+    """A line of each series, with what is said of it."""
+    for number, said in enumerate(words):
         x = LEFT + number % 2 * (WIDTH - LEFT) // 2
         line = y + TOP + LINE * (number // 2) + 4
         yield _path(f"M{x} {line}h34", number)
-        yield _text(x + 42, line + 4, _said(series), sort="small")
+        yield _text(x + 42, line + 4, said, sort="small")
+
+
+def _heading(panel, names, y):
+    """The title, and a line of each series with its name and figures."""
+    yield _text(LEFT, y + 20, panel.title or "")
+    if not names and not panel.is_of_states():
+        yield from _legend([_said(series) for series in panel.series.values()], y)
+
+
+def _panel(picture, panel, top):
+    """The axes of a panel, and what is in them."""
+    bottom = top + _axes_height(panel)
+    for moment, _ in plot.time_ticks(picture.first, picture.last, 10)[0]:
+        x = _x(picture, moment)
+        yield f'<path class="grid" d="M{x:.1f} {top}V{bottom}"/>'
+    if panel.is_of_states():
+        yield from _bands(picture, panel, top)
+    else:
+        yield from _axes(panel, top)
+        yield from _curves(picture, panel, top)
+    yield f'<path class="axis" d="M{LEFT} {top}V{bottom}H{WIDTH - RIGHT}"/>'
+    yield from _lines_of_marks(picture, top, bottom)
 
 
 def _path(data, number, stretch=1.0):
@@ -124,17 +187,16 @@ def _path(data, number, stretch=1.0):
     return f'<path class="{names}" d="{data}"{more}/>'
 
 
-def _axes(picture, panel, top):
+def _axes(panel, top):
     low, high = _bounds(panel)
     bottom = top + HEIGHT
-    for value, words in _value_ticks(panel, low, high):
+    ticks, head = _scale(panel)
+    if head:
+        yield _text(LEFT - 8 - WORD, top - 6, head, sort="small")
+    for value, words in ticks:
         y = bottom - (value - low) / (high - low) * HEIGHT
         yield f'<path class="grid" d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}"/>'
         yield _text(LEFT - 8, y + 4, words, "end", "small")
-    for moment, _ in plot.time_ticks(picture.first, picture.last, 10)[0]:
-        x = _x(picture, moment)
-        yield f'<path class="grid" d="M{x:.1f} {top}V{bottom}"/>'
-    yield f'<path class="axis" d="M{LEFT} {top}V{bottom}H{WIDTH - RIGHT}"/>'
 
 
 def _bounds(panel):
@@ -144,12 +206,11 @@ def _bounds(panel):
     return low - room, high + room
 
 
-def _value_ticks(panel, low, high):
-    series = list(panel.series.values())
-    if series and all(curve.names for curve in series):
-        names = sorted((value, name) for curve in series for value, name in curve.names.items())
-        return [(value, _short(name)) for value, name in names if low <= value <= high]
-    return plot.ticks(low, high, 6)
+def _scale(panel):
+    """(ticks, words at the head) of the axis of values."""
+    if panel.is_of_states():
+        return [], ""
+    return plot.scale(*_bounds(panel), 6)
 
 
 def _short(name):
@@ -160,6 +221,45 @@ def _short(name):
 
 def _x(picture, moment):
     return LEFT + (moment - picture.first) / (picture.last - picture.first) * (WIDTH - LEFT - RIGHT)
+
+
+def _bands(picture, panel, top):
+    """For each series a band, with the names of its states."""
+    for row, series in enumerate(panel.series.values()):
+        y = top + BAND * row
+        yield _text(LEFT - 8, y + 16, _short(series.name or "value"), "end", "small")
+        values = sorted(series.names)
+        for begin, end, value in _spells(picture, series):
+            words = series.names.get(value) or ("true" if value else "false")
+            sort = words if words in STATES else f"b{values.index(value) % len(STYLES)}" if values else "b0"
+            if words == "false":
+                sort = "grid"  # not filled
+            x = _x(picture, begin)
+            width = max(_x(picture, end) - x, 1.0)
+            yield (
+                f'<rect class="band {sort}" x="{x:.1f}" y="{y + 2}" width="{width:.1f}" height="{BAND - 4}">'
+                f"<title>{_escaped(words)}</title></rect>"
+            )
+            if WORD * (cells(words) + 1) < width:
+                yield _text(x + 5, y + 16, words, sort="small")
+
+
+def _spells(picture, series):
+    """(begin, end, value) of each time for which a series kept a value."""
+    spells = []
+    before = None  # moment of the last point
+    for moment, value, is_after_gap in series.points:
+        if is_after_gap or not spells:
+            if spells:
+                spells[-1][1] = before
+            spells.append([moment, picture.last, value])
+        elif value != spells[-1][2]:
+            spells[-1][1] = moment
+            spells.append([moment, picture.last, value])
+        before = moment
+    if spells:
+        spells[-1][1] = before
+    return spells
 
 
 def _curves(picture, panel, top):
@@ -219,10 +319,10 @@ def _kept_apart(picture):
     return kept
 
 
-def _lines_of_marks(picture, top):
+def _lines_of_marks(picture, top, bottom):
     for moment, _ in picture.marks:
         if picture.first <= moment <= picture.last:
-            yield f'<path class="mark" d="M{_x(picture, moment):.1f} {top}v{HEIGHT}"/>'
+            yield f'<path class="mark" d="M{_x(picture, moment):.1f} {top}V{bottom}"/>'
 
 
 def _words_of_marks(marks, y):
@@ -232,8 +332,12 @@ def _words_of_marks(marks, y):
 
 def _foot(picture, y):
     marks, unit = plot.time_ticks(picture.first, picture.last, 10)
+    after = f" {unit}"
+    if ":" in unit:
+        after = ""
     for moment, words in marks:
-        yield _text(_x(picture, moment), y + 18, words, "middle", "small")
-    yield _text(
-        WIDTH - RIGHT, y + FOOT - 8, f"time in {unit} from {plot.date(picture.first)}", "end", "small"
-    )
+        yield _text(_x(picture, moment), y + 18, words + after, "middle", "small")
+    said = f"0 is {plot.date(picture.first)}"
+    if not after:
+        said += f"; time in {unit}"
+    yield _text(WIDTH - RIGHT, y + FOOT - 8, said, "end", "small")

@@ -102,14 +102,14 @@ def lines(picture, width, height, is_braille=True, is_coloured=False):
     rows = max(FEWEST, min(rows, ROWS))
     axes = [_axis(panel, rows) for panel in panels]
     margin = 1
-    for _, labels in axes:
+    for _, labels, _ in axes:
         for words in labels.values():
             margin = max(margin, cells(words))
     margin += 1
     paint = painter(is_coloured)
-    for panel, (bounds, labels) in zip(panels, axes):
+    for panel, axis in zip(panels, axes):
         canvas = Canvas(max(width - margin - 1, 10), rows, is_braille)
-        picture_lines += _panel(picture, panel, bounds, labels, margin, canvas, paint)
+        picture_lines += _panel(picture, panel, axis, margin, canvas, paint)
     picture_lines += _time_axis(picture, width, margin)
     for moment, words in picture.marks:
         picture_lines.append(f"{plot.elapsed(picture, moment)}  {printable(words)}")
@@ -130,18 +130,19 @@ def _apart(panels, is_apart):
 
 
 def _axis(panel, rows):
-    """((least, greatest), {row, counted from above: words}) of a panel's axis."""
+    """((least, greatest), {row, counted from above: words}, words at the head) of a panel's axis."""
     bounds = panel.bounds() or (0.0, 1.0)
     low, high = bounds
     bottom = rows - 1
+    head = ""
     marks = _names(panel, low, high)
     if marks is None:
-        marks = plot.ticks(low, high, max(2, rows // 3))
+        marks, head = plot.scale(low, high, max(2, rows // 3))
     labels = {}
     for value, words in marks:
         up = round((value - low) / (high - low) * bottom)
         labels[bottom - up] = words
-    return bounds, labels
+    return bounds, labels, head
 
 
 def _names(panel, low, high):
@@ -156,10 +157,12 @@ def _names(panel, low, high):
     return [(value, printable(name)) for value, name in sorted(names) if low <= value <= high]
 
 
-def _panel(picture, panel, bounds, labels, margin, canvas, paint):
+def _panel(picture, panel, axis, margin, canvas, paint):
+    bounds, labels, head = axis
     width = margin + canvas.width + 1
     if panel.title:
-        yield _cut(printable(panel.title), width)
+        head = f"  ({head})" * bool(head)
+        yield _cut(printable(panel.title), width - cells(head)) + head
     for number, series in enumerate(panel.series.values()):
         yield _caption(series, number, paint, canvas.is_braille, width)
         _draw(canvas, picture, series, bounds, number)

@@ -91,7 +91,7 @@ A log that somebody else wrote, of six numbers and a state:
        0                         500 ms
   0 is 2001-09-09 01:46:41.000
   $ rtplot -f other.mcap --ascii --delay numbers | head -n 2
-  /numbers, seconds from timestamp to arrival
+  /numbers, seconds from timestamp to arrival  (x 1e9)
   * delay  min 999999000  max 999999000  last 999999000
 
 A channel is called by its port, too, where that is one:

@@ -251,7 +251,8 @@ class Tour(unittest.TestCase):
         self.assertEqual(self.run_it("rtpwd", before=alone), (1, "tests/run: " + needed))
 
     def test_unknown_words(self):
-        self.assertEqual(self.run_it("--pause"), (2, "usage: mock_components/tour [--demo] [--no-pause | --shell]\n"))
+        usage = "usage: mock_components/tour [--demo] [--no-pause | --shell]\n"
+        self.assertEqual(self.run_it("--pause"), (2, usage))
 
 
 class Mocks(unittest.TestCase):

@@ -15,8 +15,8 @@ ONCE = "it reads the source: one Python is enough"
 # Files and packages of rtshell_lite import from those before them, never from those after them.
 ORDER = """
     __init__ compiled bytecode start errors notes text records path idl_stubs giop net files corba
-    options verbs robot data xmlprofile live datalog system play mocks views mount top doctor shell api progress
-    cli anywhere __main__ commands bin
+    options verbs robot data xmlprofile live datalog system play mocks views mount top doctor shell api
+    progress cli anywhere __main__ commands bin
 """.split()
 OMNIORB = {"omniORB", "CORBA", "PortableServer", "CosNaming"}  # named in corba/ only, like stubs
 PRINTING = ("bin", "anywhere.py", "cli.py", "options.py", "system/reports.py")
@@ -37,8 +37,8 @@ THREADS = (
     "corba/answers.py",
     "api.py",
     "mocks.py",
-)  # which may import threading; answers.py has data of each thread, api.py meets the loop of asyncio, mocks.py
-# has its components on a thread of their own
+)  # which may import threading; answers.py has data of each thread, api.py meets the loop of asyncio,
+# mocks.py has its components on a thread of their own
 
 
 # Files that import what is net/'s to import, and what: two that run before anything else is imported, and the

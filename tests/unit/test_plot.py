@@ -2,6 +2,8 @@
 drawn.
 """
 import math
+import os
+import random
 import re
 import types
 import unittest
@@ -159,6 +161,27 @@ class Axes(unittest.TestCase):
             self.assertTrue(1 <= len(found) < 12, found)
             self.assertEqual(len({words for _, words in found}), len(found))
 
+    def test_many_digits_are_at_the_head(self):
+        """What all numbers at an axis share is written once, as on oscilloscopes."""
+        for low, high, words, head in (
+            (742105012, 742105087, ["20", "40", "60", "80"], "742 105 000 +"),
+            (-742105087, -742105012, ["20", "40", "60", "80"], "-742 105 100 +"),
+            (1e9, 1e9 + 1, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"], "1 000 000 000 +"),
+            (12345678.25, 12345678.46, ["0.25", "0.30", "0.35", "0.40", "0.45"], "12 345 678 +"),
+            (0.1234561, 0.1234564, ["1e-07", "2e-07", "3e-07", "4e-07"], "0.123456 +"),
+            (0, 1e12, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"], "x 1e12"),
+            (200000, 400000, ["200000", "250000", "300000", "350000", "400000"], ""),
+        ):
+            marks, said = plot.scale(low, high, 5)
+            self.assertEqual(([words for _, words in marks], said), (words, head))
+            for value, _ in marks:
+                self.assertTrue(low * (1 - 1e-9) - 1e-9 <= value <= high * (1 + 1e-9) + 1e-9 or low < 0)
+        drawn = random.Random(3)
+        for _ in range(2000):
+            low = drawn.uniform(-1, 1) * 10 ** drawn.uniform(-9, 15)
+            marks, _ = plot.scale(low, low + abs(low) * 10 ** drawn.uniform(-6, 3), 6)
+            self.assertLessEqual(max(len(words) for _, words in marks), 9)
+
     def test_times_are_round(self):
         for span, unit, words in (
             (10**6, "µs", "200"),
@@ -200,6 +223,55 @@ class Drawn(unittest.TestCase):
         self.assertTrue(all(line.isprintable() for line in made.splitlines()))
         document = xml.dom.minidom.parseString(made.encode())
         self.assertEqual([len(document.getElementsByTagName(name)) for name in ("script", "svg")], [0, 1])
+
+    def test_states_are_bands(self):
+        """With their names, in the colours that pages have for them; a pause is a gap."""
+        panel = plot.Panel("Motor0.rtc:status")
+        names = {0: "Inactive", 1: "Active", 2: "Error"}
+        for number, state in enumerate([1] * 10 + [2] * 5 + [0] * 10 + [1] * 10):
+            pause = 20 * (number >= 30)
+            panel.named("state").add(START + (number + pause) * SECOND, state, names[state])
+            panel.named("brake").add(START + (number + pause) * SECOND, state == 0)
+        made = plot.Picture([panel])
+        made.fit()
+        drawn = "\n".join(plot_svg.lines(made))
+        band = r'class="band (\w+)" x="([\d.]+)" y="\d+" width="([\d.]+)".*?<title>(\w+)'
+        bands = re.findall(band, drawn)
+        self.assertEqual(
+            [(sort, words) for sort, _, _, words in bands],
+            [(words, words) for words in ("Active", "Error", "Inactive", "Active", "Active")]
+            + [("grid", "false"), ("b0", "true"), ("grid", "false"), ("grid", "false")],
+        )
+        widths = [float(width) for _, _, width, _ in bands]
+        self.assertAlmostEqual(widths[0] / widths[1], 2, 1)
+        self.assertNotIn('class="series', drawn)
+        with open(os.path.join(os.path.dirname(plot_svg.__file__), "web", "page.css")) as file:
+            style = file.read()
+        for name, colours in plot_svg.STATES.items():
+            self.assertEqual(tuple(re.findall(f"--{name}: (#[0-9a-f]+)", style)[:2]), colours)
+
+    def test_one_legend_for_panels_with_the_same_series(self):
+        arms = []
+        for side in ("Left", "Right"):
+            panel = plot.Panel(side)
+            for joint in range(3):
+                for number in range(10):
+                    panel.named(f"data[{joint}]").add(START + number * SECOND, joint + number)
+            arms.append(panel)
+        made = plot.Picture(arms)
+        made.fit()
+        drawn = "\n".join(plot_svg.lines(made))
+        self.assertEqual(drawn.count(">data[1]<"), 1)
+        self.assertEqual(drawn.count("h34"), 3)
+        self.assertIn("data[0]: min", "\n".join(plot_svg.lines(plot.Picture(arms[:1]))))
+
+    def test_the_axis_of_time_has_units(self):
+        for span, words in (
+            (SECOND // 1000, "200 µs"), (SECOND, "200 ms"), (20 * SECOND, "2 s"), (900 * SECOND, "2:00"),
+        ):
+            drawn = "\n".join(plot_svg.lines(picture(2, span)))
+            self.assertIn(f">{words}<", drawn)
+            self.assertRegex(drawn, r">0 is 20\d\d-[\d:. -]+(; time in min:s)?<")
 
     def test_nothing_is_drawn_of_nothing(self):
         empty = plot.Picture([plot.Panel("a")])
