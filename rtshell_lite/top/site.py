@@ -135,7 +135,8 @@ class Site:
         self._run = binascii.hexlify(os.urandom(4)).decode()  # so that no version is one of another run
         self._version = 0
         self._details = {}  # by path: Detail
-        self._fields = page.fields(*self._picture([], {}))
+        self._fields = None
+        self._fields = self._page([], {})
         self._numbers = {}  # by path: number of the box
         self._now = {}  # by path: (number of the change, [state, words])
         self._changes = 0
@@ -207,7 +208,7 @@ class Site:
         for path, entry in entries.items():
             if not self._is_known(path):
                 lost[path] = entry.node.endpoint
-        fields = page.fields(*self._picture(snapshots, lost, ends))
+        fields = self._page(snapshots, lost, ends)
         if fields != self._fields:
             self._fields = fields
             boxes = enumerate(fields["boxes"])
@@ -232,8 +233,8 @@ class Site:
                 old.append(path)
         return due + old[:MOST_AGAIN]
 
-    def _picture(self, snapshots, lost, ends=()):
-        """The arguments of page.fields for components that are known, and others."""
+    def _page(self, snapshots, lost, ends=()):
+        """The data of the page for components that are known, and others."""
         system = capture.of_snapshots(snapshots, dict(ends))
         drawing = live_graph.of_system(system, lost)
         for box in drawing.picture.boxes:
@@ -241,7 +242,9 @@ class Site:
                 box.state = None
         failures = self._looking.failures().items()
         remarks = [page.Remark("fail", "", path, failure.why, "") for path, failure in failures]
-        return drawing.picture, drawing.profile, self._title, self._what, remarks
+        return page.fields(
+            drawing.picture, drawing.profile, self._title, self._what, remarks, last=self._fields
+        )
 
     # ---- browsers ----
 

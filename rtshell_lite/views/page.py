@@ -17,19 +17,19 @@ from rtshell_lite import errors
 from rtshell_lite.net import calendar
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.text import printable, safe
-from rtshell_lite.views import page_details, page_layers, part
-from rtshell_lite.views.page_details import Rows, Table, shown
+from rtshell_lite.views import group_names, page_details, page_groups, part
+from rtshell_lite.views.page_details import Rows, shown
 from rtshell_lite.xmlprofile import model
 
 # The data of a page, in JSON:
 #   title what        the heading, and a line below it
 #   kinds kind most   kinds of groups; the one to begin with, null: one that leaves `most` boxes
-#   open names        names of groups that are not folded; names of all groups
-#   places layers     lists of layers, from that of a group inwards; for each kind the number of such a list
-#                     for each box (page_layers.py)
+#   open              names of groups that are not folded
+#   order common      numbers of kinds as they are tried for `most` boxes; the directory of all components
+#   groups trees      groups of all kinds, and for each kind the number of that of all boxes (page_groups.py)
 #   rows pairs        lists of numbers of pairs, by their own numbers below; [name, value]
-#   boxes             name path state missing composite groups (of each kind but none, a number in `names`, or
-#                     null) parts [heading, rows] ports [name, type, rows]
+#   boxes             name label (where names are equal) path state missing composite process
+#                     parts [heading, rows] ports [name, type, rows]
 #   connections       name id service rows ends [box, port]: the source first
 #   findings          level check path message remedy box
 #   sections plots    [heading, text], [heading, SVG in Base64]
@@ -40,12 +40,13 @@ from rtshell_lite.xmlprofile import model
 # of a component or port, or what else it is about; message; remedy, perhaps a command.
 Remark = collections.namedtuple("Remark", "level check path message remedy")
 
-_LIVE = ("layout.js", "page.js", "live.js")  # the scripts of a live page
+_SCRIPTS = ("layout.js", "list.js", "paper.js", "page.js")
+_LIVE = _SCRIPTS + ("live.js",)  # the scripts of a live page
 
 
 def html(fields):
     """The text of a page that shows these fields of its data."""
-    return _html(fields["title"], page_file.as_json(fields), ("layout.js", "page.js"), "'none'")
+    return _html(fields["title"], page_file.as_json(fields), _SCRIPTS, "'none'")
 
 
 def live_html(title, system):
@@ -93,52 +94,49 @@ def _hash(text):
 # ---- the data ----
 
 
-def fields(picture, profile, title, what, findings=(), kind=None, opened=()):
+def fields(picture, profile, title, what, findings=(), kind=None, opened=(), last=None):
     """The data of a page that shows a graph.Graph of an RtsProfile, or of a part of it.
 
     findings  doctor.finding.Findings, or what has such attributes
+    last      the data of an earlier page, whose groups are kept if components and connections are the same
     kind      of the groups that are folded (None: one that leaves few boxes); `opened` are names of those not
               folded
     """
-    names = Table()
     rows = Rows()
-    boxes = [_box(picture, number, names, rows) for number in range(len(picture.boxes))]
-    inward = Table()
-    groups = [box["groups"] for box in boxes]
-    layers = [
-        [inward.number(path) for path in page_layers.of_kind(picture, groups, kind_number)]
-        for kind_number in range(len(part.KINDS))
-    ]
-    return {
+    labels = group_names.of_boxes(picture)
+    data = {
         "title": shown(title),
         "what": shown(what),
         "kinds": part.KINDS,
         "kind": kind,
         "most": part.MOST,
+        "order": [part.KINDS.index(name) for name in part.preference(picture)],
+        "common": shown(group_names.common_directory(picture)),
         "open": [shown(name) for name in opened],
-        "boxes": boxes,
+        "boxes": [_box(box, labels.get(number), rows) for number, box in enumerate(picture.boxes)],
         "connections": _connections(picture, profile, rows),
-        "findings": _findings(findings, boxes),
         "sections": [],
         "plots": [],
-        "names": names.values,
-        "layers": layers,
-        "places": inward.values,
         "rows": rows.lists.values,
         "pairs": rows.pairs.values,
     }
+    data["findings"] = _findings(findings, data["boxes"])
+    if last and all(last[name] == data[name] for name in ("boxes", "connections")):
+        data["groups"], data["trees"] = last["groups"], last["trees"]
+    else:
+        data["groups"], data["trees"] = page_groups.of(picture)
+    return data
 
 
-def _box(picture, number, names, rows):
-    box = picture.boxes[number]
-    groups = [part.group_name(picture, number, kind) for kind in part.KINDS[1:]]
+def _box(box, label, rows):
     fields = {
         "name": shown(box.name),
+        "label": label and shown(label),
         "path": box.path and str(box.path),
         "state": box.state,
         "missing": box.missing,
         "composite": box.composite,
-        "groups": [None if name is None else names.number(shown(name)) for name in groups],
+        "process": box.process and "%s:%d" % (shown(box.process[0]), box.process[1]),
         "parts": [],
         "ports": [],
     }

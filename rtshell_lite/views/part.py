@@ -115,11 +115,22 @@ def fold(picture, kind, opened=(), alone=()):
 
 
 def choose_kind(picture, most=MOST):
-    """The finest kind of groups that leaves at most `most` boxes; the coarsest if every kind leaves more."""
-    for kind in KINDS:
+    """The first kind in `preference` that leaves at most `most` boxes; the last if every kind leaves more."""
+    kinds = preference(picture)
+    for kind in kinds:
         if len(fold(picture, kind).boxes) <= most:
             return kind
-    return KINDS[-1]
+    return kinds[-1]
+
+
+def preference(picture):
+    """KINDS in the order in which they are tried: directories, which have names, before processes if they
+    divide a system about as well.
+    """
+    directory_count = len(_groups(picture, "directory", ()))
+    if directory_count < 2 or 2 * directory_count < len(_groups(picture, "process", ())):
+        return KINDS
+    return ("none", "directory", "composite", "process", "host")
 
 
 def groups(picture, kind, alone=()):
@@ -136,27 +147,6 @@ def _groups(picture, kind, alone):
     return groups
 
 
-def members_of(numbers, groups, level):
-    """Lists of those of these boxes that are in one group of the kind KINDS[level]; what is in none is alone.
-
-    groups  for each box what names its group of each kind but "none", or None
-    """
-    members = collections.OrderedDict()
-    for number in numbers:
-        name = groups[number][level - 1] if level else None
-        members.setdefault((number,) if name is None else name, []).append(number)
-    return list(members.values())
-
-
-def finer_kind(numbers, groups, level):
-    """The kind of groups, a number in KINDS, that a page shows in an opened group of such a kind."""
-    if len(numbers) > MOST:
-        for kind in (3, 2, 1):
-            if kind < level and 1 < len(members_of(numbers, groups, kind)) < len(numbers):
-                return kind
-    return 0
-
-
 def group_name(picture, number, kind):
     """The name of the group that a box is in, spelt for the terminal; None if it is in none."""
     box = picture.boxes[number]
@@ -169,6 +159,18 @@ def group_name(picture, number, kind):
     if kind == "host":
         return _host(box)
     return None
+
+
+def directories(box):
+    """The directories that a box is in, the outermost first, spelt for the terminal."""
+    if box.path is None:
+        return []
+    where = box.path.parent()
+    above = [str(where)]
+    while where.names:
+        where = where.parent()
+        above.append(str(where))
+    return above[::-1]
 
 
 def _composite(picture, number):

@@ -5,18 +5,21 @@ import base64
 import hashlib
 import json
 import os
+import random
 import re
 import unittest
+from unittest import mock
 
 import large_robots
 import robot_maps
 import random_profiles
+from rtshell_lite import path
 from rtshell_lite.system import page_file
-from rtshell_lite.views import graph, page, part
+from rtshell_lite.views import graph, page, page_groups, part
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WEB = os.path.join(ROOT, "rtshell_lite", "views", "web")
-LONGEST = 700  # lines of the scripts
+LONGEST = 1000  # lines of the scripts
 # What would read text as markup or as a script, or ask for something from elsewhere.
 DANGEROUS = (
     r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\b|Function\(|fetch|XMLHttp|import|WebSocket|href|"  # noqa: E501
@@ -40,6 +43,21 @@ def data_of(html):
     return data
 
 
+def keys_around(data, kind, number):
+    """The keys of the groups of a kind that a box is in, the outermost first."""
+    def inside(group):
+        children = [child for row in data["groups"][group][3] for column in row for child in column[::2]]
+        if number in children:
+            return []
+        for child in [child for child in children if child < 0]:
+            keys = inside(-1 - child)
+            if keys is not None:
+                return [data["groups"][-1 - child][1]] + keys
+        return None
+
+    return inside(data["trees"][part.KINDS.index(kind)])
+
+
 def page_of(profile, picture=None):
     return page.html(page.fields(picture or graph.of(profile), profile, "A robot", "made by a test"))
 
@@ -61,8 +79,10 @@ class Data(unittest.TestCase):
         self.assertEqual([box["state"] for box in data["boxes"]].count("Error"), 1)
         box = data["boxes"][2]
         self.assertEqual(box["path"], "/localhost/robot2.host_cxt/group0/Filter2.rtc")
-        self.assertEqual([data["names"][name] for name in box["groups"] if name is not None],
-                         ["192.0.2.2:40000", "/localhost/robot2.host_cxt/group0", "robot2"])
+        self.assertEqual(box["process"], "192.0.2.2:40000")
+        self.assertEqual(keys_around(data, "process", 2), ["192.0.2.2:40000"])
+        self.assertEqual(keys_around(data, "directory", 2), ["/localhost/robot2.host_cxt/group0"])
+        self.assertEqual(keys_around(data, "host", 2), ["robot2"])
         parts = {heading: dict(data["rows"][rows]) for heading, rows in box["parts"]}
         self.assertEqual(parts["Component"]["Type name"], "Filter")
         self.assertEqual(parts["Configuration set default (active)"]["gain"], "1.0")
@@ -76,24 +96,68 @@ class Data(unittest.TestCase):
             )
             self.assertIn(["dataport.buffer.length", "8"], data["rows"][made["rows"]])
 
-    def test_layers(self):
+    def test_order(self):
         """Of groups, of what is in each, and of what is in none: a loop of control flows to the right."""
         lines = list(robot_maps.limb("Arm")) + list(robot_maps.limb("Leg")) + ["Arm0.out LegPlanner.goal"]
-        profile = robot_maps.profile(lines + ["ArmEstimator.pose Arm0.pose"])
+        profile = robot_maps.profile(lines + ["ArmEstimator.pose Arm0.pose"], ["Z10", "Z9"])
         picture = large_robots.picture(profile)
         for box in picture.boxes:
-            box.process = ("h", 1 if box.name.startswith("Arm") else 2)
+            box.process = ("h", 1 if box.name.startswith("Arm") else 2 if box.name[0] == "L" else 3)
         data = data_of(page_of(profile, picture))
         names = [box["name"] for box in data["boxes"]]
-        layers = [[data["places"][number] for number in numbers] for numbers in data["layers"]]
-        found = [dict(zip(names, places)) for places in layers]
+
+        def columns(group):
+            """The column of each box of a group, in one of its rows."""
+            rows = data["groups"][group][3]
+            return {names[child]: (row, number) for row, columns in enumerate(rows)
+                    for number, column in enumerate(columns) for child in column[::2] if child >= 0}
+
         loop = ["LegPlanner", "LegController", "LegMotor0", "LegEncoder0", "LegEstimator"]
-        flat = [found[0][name] for name in loop]
-        self.assertEqual(flat, sorted(flat))
-        self.assertEqual(len({layer for (layer,) in flat}), 5)
-        process = found[part.KINDS.index("process")]
-        self.assertEqual([process[name] for name in loop], [[1, 0], [1, 1], [1, 2], [1, 3], [1, 4]])
-        self.assertEqual({place[0] for name, place in process.items() if name.startswith("Arm")}, {0})
+        flat = columns(data["trees"][0])
+        self.assertEqual([flat[name] for name in loop], sorted({flat[name] for name in loop}))
+        self.assertGreater(flat["Z10"], flat["Z9"], "what is not connected comes last, by name")
+        self.assertEqual(max(flat.values()), flat["Z10"])
+        processes = data["groups"][data["trees"][part.KINDS.index("process")]][3]
+        labels = [[data["groups"][-1 - child][2] for child in column[::2]] for column in processes[0]]
+        self.assertEqual(labels, [["Arm"], ["Leg"]])
+        self.assertEqual([columns(-1 - processes[0][1][0])[name] for name in loop],
+                         [(0, number) for number in range(5)])
+
+    def test_groups_are_in_groups(self):
+        """Of random directories, processes and composites: each component is once in each tree, no group has
+        one member, lower boxes are below upper ones.
+        """
+        for seed in range(60):
+            chance = random.Random(seed)
+            picture = robot_maps.random_system(chance, chance.randint(1, 90))
+            for box in picture.boxes:
+                words = ["robot", *["d%d.cxt" % chance.randrange(3) for _ in range(chance.randrange(4))]]
+                box.path = path.parse("/%s/%s.rtc" % ("/".join(words), box.name))
+                box.process = chance.choice([None, ("h", chance.randrange(6))])
+            groups, trees = page_groups.of(picture)
+
+            def members(child):
+                if child >= 0:
+                    return [child]
+                inner = []
+                for column in [column for row in groups[-1 - child][3] for column in row]:
+                    self.assertEqual(list(column[1::2]), sorted(column[1::2]))
+                    for place in column[::2]:
+                        inner += members(place)
+                self.assertTrue(-1 - child in trees or len(inner) > 1, groups[-1 - child])
+                return inner
+
+            self.assertEqual(len(trees), len(part.KINDS))
+            for root in trees:
+                self.assertEqual(sorted(members(-1 - root)), list(range(len(picture.boxes))))
+
+    def test_the_same_system_keeps_its_groups(self):
+        """They are not computed again for a live page."""
+        profile = large_robots.profile(9)
+        first = page.fields(large_robots.picture(profile), profile, "A robot", "")
+        with mock.patch.object(page_groups, "of", side_effect=AssertionError):
+            again = page.fields(large_robots.picture(profile), profile, "A robot", "", last=first)
+        self.assertEqual(again, first)
 
     def test_a_part_has_what_connects_it(self):
         profile = large_robots.profile(40)
@@ -145,7 +209,7 @@ class Files(unittest.TestCase):
         self.assertTrue(policy.startswith("default-src 'none';"))
 
     def test_script(self):
-        script = read("layout.js") + read("page.js")
+        script = "".join(map(read, page._SCRIPTS))
         self.assertLessEqual(script.count("\n"), LONGEST)
         code = re.sub(r"//.*", "", script)
         self.assertEqual(re.findall(DANGEROUS, code), [])

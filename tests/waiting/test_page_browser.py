@@ -2,8 +2,10 @@
 something wrong there.
 """
 import base64
+import collections
 import functools
 import os
+import random
 import re
 import shlex
 import shutil
@@ -22,9 +24,62 @@ from rtshell_lite.views import graph, page, part
 
 ONCE = "a browser is the same for every Python"
 
-LIST = "[...document.querySelectorAll('#list button')].map(each => each.textContent)"
+LIST = "[...document.querySelectorAll('#list .link')].map(each => each.textContent)"
+FOUND = "[...new Set([...document.querySelectorAll('#list .link')].map(each => each.number))]"
 NAMES = "[...document.querySelectorAll('.box .name')].map(each => each.textContent)"
 DETAILS = "document.getElementById('details').textContent"
+# What is wrong with where boxes, frames and lines are.
+OVERLAPS = """(() => {
+    const wrong = [];
+    const named = (node) => (node.group ? node.group.name : boxName(node));
+    const {width, height} = picture;
+    const nodes = picture.boxes.concat(picture.frames);
+    const isIn = (one, other) => one.x >= other.x && one.y >= other.y &&
+        one.x + one.width <= other.x + other.width && one.y + one.height <= other.y + other.height;
+    const touch = (one, other) => one.x < other.x + other.width && other.x < one.x + one.width &&
+        one.y < other.y + other.height && other.y < one.y + one.height;
+    const isAbove = (frame, node) =>
+        node.parent && (node.parent === frame || isAbove(frame, node.parent));
+    for (const one of nodes) {
+        if (!isIn(one, {x: 0, y: 0, width, height})) wrong.push(["outside", named(one)]);
+        for (const other of nodes) {
+            if (one === other || isAbove(one, other) || isAbove(other, one)) continue;
+            if (touch(one, other)) wrong.push(["over", named(one), named(other)]);
+        }
+        const isRoot = one.parent === picture.root;
+        if (!isRoot && !isIn(one, one.parent)) wrong.push(["not in its frame", named(one)]);
+    }
+    // straight pieces of each line, and where its ports are
+    const pieces = [];
+    for (const edge of picture.edges) {
+        let [x, y] = [0, 0];
+        for (const word of edge.shape.getAttribute("d").match(/[MHVC][^MHVC]*/g)) {
+            const numbers = word.slice(1).split(/[ ,]+/).filter(Boolean).map(Number);
+            const ends = {M: numbers, H: [numbers[0], y], V: [x, numbers[0]], C: numbers.slice(-2)};
+            const [toX, toY] = ends[word[0]];
+            const [left, top] = [Math.min(x, toX), Math.min(y, toY)];
+            if (word[0] !== "M") pieces.push({edge, x: left, y: top, width: Math.max(x, toX) - left,
+                                              height: Math.max(y, toY) - top, kind: word[0]});
+            [x, y] = [toX, toY];
+        }
+    }
+    for (const piece of pieces) {
+        const name = named(piece.edge.source);
+        if (!isIn(piece, {x: 0, y: 0, width, height})) wrong.push(["line outside", name]);
+        for (const box of picture.boxes) {
+            if (touch(piece, box)) wrong.push(["through", named(box), name, piece.kind]);
+        }
+    }
+    const upright = pieces.filter(({kind, height}) => kind === "V" && height > 0);
+    upright.sort((a, b) => a.x - b.x || a.y - b.y).slice(1).forEach((piece, place) => {
+        const before = upright[place];
+        const isBeside = Math.abs(before.x - piece.x) >= 1 || before.y + before.height <= piece.y + 1;
+        if (before.edge !== piece.edge && !isBeside) {
+            wrong.push(["one track", named(piece.edge.source), named(before.edge.source)]);
+        }
+    });
+    return wrong.slice(0, 9).map((words) => words.join(": "));
+    })()"""
 # tries what a picture may not do
 SVG = (
     b'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20" onload="parent.owned=1"><script>parent.owned=1</script>'  # noqa: E501
@@ -48,6 +103,23 @@ def setUpModule():
 def tearDownModule():
     Pages.browser.close()
     shutil.rmtree(Pages.directory)
+
+
+def random_groups(chance):
+    """(a graph.Graph, its profile) of a random system whose components are anywhere."""
+    count = chance.randint(1, 70)
+    lines = collections.OrderedDict()
+    for _ in range(count):
+        ends = chance.randrange(count), chance.randrange(count)
+        lines["C%d.out%d C%d.in%d" % (ends[0], chance.randrange(2), ends[1], chance.randrange(2))] = True
+    profile = robot_maps.profile(lines, ["Z%d" % number for number in range(chance.randrange(9))])
+    for component in profile.components:
+        words = ["d%d.cxt" % chance.randrange(3) for _ in range(chance.randrange(4))]
+        component.path_uri = "/".join(["localhost", *words, component.instance_name + ".rtc"])
+    picture = graph.of(profile)
+    for box in picture.boxes:
+        box.process = chance.choice([None, ("h", chance.randrange(6))])
+    return picture, profile
 
 
 def write(name, profile, picture, remarks=None):
@@ -102,7 +174,7 @@ class Map(Pages):
         shown = self.open("small")
         self.assertEqual(sorted(shown.run(NAMES)), self.names(range(5), self.small))
         lines = graph.of(self.small).edges
-        self.assertEqual(shown.run("document.querySelectorAll('.line').length"), len(lines))
+        self.assertEqual(shown.run("document.querySelectorAll('#map .line').length"), len(lines))
 
     def test_large_ones_are_folded(self):
         for name, components in (("middle", 120), ("large", 1000)):
@@ -113,31 +185,32 @@ class Map(Pages):
             sizes = [re.search(r", (\d+) components", each) for each in words]
             self.assertEqual(sum(int(size.group(1)) if size else 1 for size in sizes), components)
 
-    def test_boxes_do_not_overlap(self):
-        """Nor is anything outside of the page."""
+    def test_nothing_overlaps(self):
+        """Nor is anything outside; frames are in frames, no line leads over a box or along another line."""
         for name, kind in (("small", "auto"), ("middle", "auto"), ("middle", "none"), ("large", "process")):
             shown = self.open(name)
             self.choose(shown, "kind", kind)
-            self.assertEqual(
-                shown.run("""(() => {
-                const boxes = [...document.querySelectorAll('.box rect')].map((each) => each.getBBox());
-                const {width, height} = document.querySelector('svg').viewBox.baseVal;
-                const shapes = [...document.querySelectorAll('.box, .line')].map((each) => each.getBBox());
-                const isOutside = (each) => each.x < 0 || each.y < 0 ||
-                    each.x + each.width > width || each.y + each.height > height;
-                const touch = (one, other) => one.x < other.x + other.width && other.x < one.x + one.width &&
-                    one.y < other.y + other.height && other.y < one.y + one.height;
-                const over = boxes.filter((one, place) =>
-                    boxes.slice(place + 1).some((other) => touch(one, other)));
-                const paths = [...document.querySelectorAll('.line')].map((each) => each.getAttribute('d'));
-                const detours = paths.filter((each) => each.includes('V'));
-                const corners = detours.map((each) => each.split(' ').slice(1, -2));
-                const lanes = [].concat(...corners).filter((part) => part[0] === 'V');
-                return shapes.filter(isOutside).length + over.length + lanes.length - new Set(lanes).size;
-                })()"""),
-                0,
-                (name, kind),
-            )
+            self.assertEqual(shown.run(OVERLAPS), [], (name, kind))
+
+    def test_nothing_overlaps_in_random_systems(self):
+        """With groups of random directories, processes and composites, open and closed at random."""
+        for seed in range(6):
+            chance = random.Random(seed)
+            picture, profile = random_groups(chance)
+            write("random", profile, picture, [])
+            shown = self.open("random")
+            for kind in part.KINDS:
+                self.choose(shown, "kind", kind)
+                for _ in range(3):
+                    self.assertEqual(shown.run(OVERLAPS), [], (seed, kind))
+                    shown.run("""(() => {
+                        const groups = picture.boxes.concat(picture.frames).filter((each) => each.group);
+                        groups.forEach(({group}, number) => {
+                            const chance = Math.abs(Math.sin(%d + 7 * number + groups.length));
+                            if (chance < 0.5) view.opened.set(group.key, chance < 0.35);
+                        });
+                        draw();
+                        })()""" % seed)
 
     def test_loops_and_what_is_not_connected(self):
         """A loop of control comes back by one line; what is not connected is a strip below, by name."""
@@ -147,9 +220,9 @@ class Map(Pages):
         shown = self.open("loops")
         self.choose(shown, "kind", "none")
         back = "picture.edges.filter((each) => each.shape.getAttribute('d').includes('V'))"
-        back += ".map((each) => boxName(picture.boxes[each.source]))"
+        back += ".map((each) => boxName(each.source))"
         self.assertEqual(sorted(shown.run(back)), ["ArmEstimator", "LegEstimator"])
-        strip = "picture.items.map(({x, y}, place) => [y, x, boxName(picture.boxes[place])])"
+        strip = "picture.boxes.map((box) => [box.y, box.x, boxName(box)])"
         strip += ".sort((a, b) => a[0] - b[0] || a[1] - b[1])"
         self.assertEqual([name for _, _, name in shown.run(strip)[-2:]], ["Z9", "Z10"])
 
@@ -181,18 +254,7 @@ class Map(Pages):
             self.assertTrue(broken, (name, width))
             self.assertTrue(seen or name == "middle" and 0.4 < wide / high < 2.5, (name, width, wide, high))
 
-    def test_a_sheet_has_its_own_layout(self):
-        """It is as wide as the sheet, and the screen's is there again afterwards."""
-        shown = self.open("middle")
-        before = shown.run("[picture.width, picture.height]")
-        shown.run("window.sheets = []; addEventListener('beforeprint', "
-                  "() => sheets.push(picture.width / picture.height))")
-        shown.printed()
-        (proportion,) = shown.run("sheets")
-        self.assertTrue(1.2 < proportion < 2.4, proportion)
-        self.assertEqual(shown.run("[picture.width, picture.height]"), before)
-
-    def test_open_and_fold(self):
+    def test_open_and_close(self):
         shown = self.open("middle")
         group = shown.run(NAMES)[0]
         members = {each.instance_name for each in self.middle.components[:7]}
@@ -202,9 +264,46 @@ class Map(Pages):
         self.assertLessEqual(members, set(shown.run(NAMES)))
         self.assertNotIn(group, shown.run(NAMES))
         self.point(shown, self.box("Camera0"))
-        self.click(shown, "Fold " + group)
+        self.click(shown, "Close " + group)
         self.assertIn(group, shown.run(NAMES))
         self.assertFalse(members & set(shown.run(NAMES)))
+
+    def test_what_is_opened_stays_where_it_is(self):
+        """The corner of a group is where it was on the screen when it is opened and closed. What is above it,
+        and in columns before it, does not move as long as lines have room; so it is in a robot.
+        """
+        lines = [line for limb in ("Arm", "Leg", "Neck") for line in robot_maps.limb(limb)]
+        lines += ["Head.%s %sPlanner.goal" % (limb, limb) for limb in ("Arm", "Leg", "Neck")]
+        profile = robot_maps.profile(lines + ["ArmEstimator.pose Head.pose", "Head.state Eye.state"])
+        picture = graph.of(profile)
+        for box in picture.boxes:
+            box.process = ("h", "ALNHE".index(box.name[0]))
+        write("limbs", profile, picture, [])
+        self.stays("middle", "directory", False)
+        self.stays("limbs", "process", True)
+
+    def stays(self, name, kind, are_all):
+        shown = self.open(name)
+        self.choose(shown, "kind", kind)
+        shown.run("""window.where = () => picture.boxes.concat(picture.frames).map((node) => {
+            const {left, top} = node.shape.querySelector("rect").getBoundingClientRect();
+            const key = node.group ? node.group.key : node.members[0];
+            return [key, [left, top].map(Math.round), node.parent.group.key, node.row.number, node.column];
+            })""")
+        for key in shown.run("picture.boxes.filter((box) => box.group).map((box) => box.group.key)")[:9]:
+            for is_open in "true", "false":
+                shown.run("(({x, y}) => lookAt(x, y))(nodeOf(%s))" % page_file.as_json(key))
+                before = {str(each[0]): each for each in shown.run("where()")}
+                shown.run("setOpen(%s, %s)" % (page_file.as_json(key), is_open))
+                after = {str(each[0]): each for each in shown.run("where()")}
+                _, corner, parent, row, column = before[key]
+                for side in 0, 1:
+                    self.assertAlmostEqual(after[key][1][side], corner[side], delta=1)
+                for other, (_, place, around, other_row, other_column) in before.items():
+                    is_before = around == parent and (other_row, other_column) < (row, column)
+                    if are_all and other in after and is_before:
+                        for side in 0, 1:
+                            self.assertAlmostEqual(after[other][1][side], place[side], delta=1)
 
     def test_only_broken(self):
         """Those in Error, that with a finding, and their neighbours."""
@@ -274,8 +373,14 @@ class Search(Pages):
             sorted(each.split()[1] for each in shown.run(LIST)),
             sorted(each.instance_name for each in self.large.components if "Motor99" in each.instance_name),
         )
+        self.choose(shown, "kind", "process")
         dim = shown.run("document.querySelectorAll('.box.dim').length")
         self.assertTrue(0 < dim < shown.run("document.querySelectorAll('.box').length"))
+        # what is found, and what is around it, is as always
+        self.assertTrue(shown.run("""picture.edges.every(({source, target}) => {
+            const have = (word) => [source, target].some(({shape}) => shape.classList.contains(word));
+            return !have("hit") || !have("dim");
+            })"""))
         shown.press("Enter", "\r")
         self.assertIn("Motor990", shown.run("document.querySelector('.box.selected .name').textContent"))
         self.assertIn("Motor990", shown.run(DETAILS))
@@ -292,13 +397,38 @@ class Search(Pages):
             shown.run("document.getElementById('search').value = ''; "
                       "document.getElementById('search').focus()")
             shown.type(words)
-            self.assertEqual(len(shown.run(LIST)), count, words)
+            self.assertEqual(len(shown.run(FOUND)), count, words)
 
     def test_broken_components_come_first(self):
-        """Those in Error before others; then by name, in natural order."""
-        listed = [each.split()[1] for each in self.open("middle").run(LIST)]
+        """Those in Error before others; then all, by directory, with counts. Arrows open folders."""
+        shown = self.open("middle")
+        listed = [each.split()[1] for each in shown.run(LIST)]
         self.assertEqual(sorted(listed[:3]), self.names({5, 60, 117}, self.middle))
-        self.assertEqual(listed[3:7], ["Tracker3", "Camera0", "Camera8", "Camera16"])
+        self.assertEqual(listed[3:], ["Tracker3"])
+        folders = "[...document.querySelectorAll('#list .folder')].map(each => each.textContent)"
+        self.assertEqual(shown.run(folders), ["▾ ⚠ Broken 4 ✖3 ●1", "▸ robot1 30 ✖1 ●29", "▸ robot2 30 ●30",
+                                              "▸ robot3 30 ✖1 ●29", "▸ robot4 30 ✖1 ●29"])
+        focused = "document.activeElement.textContent"
+        shown.run("document.querySelector('#list button').focus()")
+        shown.press("End")
+        self.assertEqual(shown.run(focused), "▸ robot4 30 ✖1 ●29")
+        shown.press("ArrowRight")
+        shown.press("ArrowDown")
+        self.assertEqual(shown.run(focused), "▸ group13 7 ●7")
+        shown.press("ArrowLeft")
+        self.assertEqual(shown.run(focused), "▾ robot4 30 ✖1 ●29")
+        shown.press("ArrowLeft")
+        self.assertEqual(shown.run(focused), "▸ robot4 30 ✖1 ●29")
+        shown.press("ArrowUp")
+        self.assertEqual(shown.run(focused), "▸ robot3 30 ✖1 ●29")
+
+    def test_all_are_listed(self):
+        shown = self.open("large")
+        shown.run("""(() => {
+            const closed = () => document.querySelector('#list [aria-expanded="false"]');
+            while (closed()) closed().click();
+            })()""")
+        self.assertEqual(sorted(shown.run(FOUND)), list(range(1000)))
 
 
 class Faults(Pages):
@@ -335,8 +465,8 @@ class Faults(Pages):
         """By one click each: the list begins with them; what is wrong, and what is connected."""
         words = {101: "Error", 150: "does not answer within 3 s", 235: "is unknown to its peer"}
         listed = self.shown.run(LIST)[:4]
-        self.assertEqual([each.split()[1] for each in listed[:3]], self.names(words, self.profile))
-        self.assertEqual([each.split()[2:] for each in listed], [[], ["⚠"], ["⚠"], []])
+        self.assertEqual([each.split()[1] for each in listed], self.names(words, self.profile))
+        self.assertEqual([each.split()[2:] for each in listed], [[], ["⚠"], ["⚠"]])
         for entry, number in zip(listed, words):
             self.click(self.shown, entry, "#list")
             self.assertIn(words[number], self.shown.run(DETAILS))
@@ -426,11 +556,31 @@ class Everybody(Pages):
         self.assertEqual([node for node in controls if not node["name"].get("value", "").strip()], [])
 
     def test_print(self):
-        """One sheet."""
-        for name in "small", "middle":
+        """One sheet if it can be read; else an overview, then each group on a sheet, by 6 points."""
+        profile = robot_maps.profile(line for limb in ("Arm", "Leg") for line in robot_maps.limb(limb))
+        write("two", profile, graph.of(profile), [])
+        for name, paper in (("small", "A4"), ("two", "A4"), ("middle", "A3"), ("middle", "A4")):
             shown = self.open(name)
             shown.run("select(5 % data.boxes.length)")
-            self.assertEqual(len(re.findall(rb"/Type\s*/Page\b", shown.printed())), 1)
+            self.choose(shown, "paper", paper)
+            shown.run("""addEventListener('beforeprint', () => {
+                const maps = [...document.querySelectorAll(".sheet > svg")];
+                const size = (svg) => svg.getAttribute("width") / svg.viewBox.baseVal.width;
+                window.letters = maps.map((svg) => 14 * 0.75 * size(svg));
+                const names = [...document.querySelectorAll(".sheet .box .name")];
+                window.names = names.map((each) => each.textContent);
+                })""")
+            before = shown.run("[picture.width, picture.height]")
+            printed = shown.printed()
+            pages = len(re.findall(rb"/Type\s*/Page\b", printed))
+            self.assertEqual(pages, len(shown.run("letters")))
+            self.assertGreaterEqual(min(shown.run("letters")), 5.9, (name, paper))
+            media = re.search(rb"/MediaBox[^/]*", printed).group(0)
+            self.assertIn({"A4": b"0 0 841", "A3": b"0 0 119"}[paper], media)
+            self.assertEqual(pages == 1, name != "middle")
+            components = shown.run("data.boxes.map((box) => box.name)")
+            self.assertLessEqual(set(components), set(shown.run("names")))
+            self.assertEqual(shown.run("[picture.width, picture.height]"), before)
 
     def test_phone(self):
         shown = self.open("middle", width=390, height=760)

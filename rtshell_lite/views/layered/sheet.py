@@ -33,7 +33,8 @@ class Part:
     rows.
     """
 
-    def __init__(self, numbers, line_numbers, lines, sizes):
+    def __init__(self, numbers, line_numbers, lines, sizes, far):
+        self._far = far
         index = {number: index for index, number in enumerate(numbers)}
         weights = collections.OrderedDict()
         for number in line_numbers:
@@ -75,7 +76,7 @@ class Part:
         """The way of a line; `uses` is the number of lines at each (number of a box, port)."""
         source, target = self.items[line.source], self.items[line.target]
         ends = (source, line.out[1], line.out[0]), (target, line.into[1], line.into[0])
-        if source.row != target.row or abs(source.layer - target.layer) > _FAR:
+        if source.row != target.row or abs(source.layer - target.layer) > self._far:
             return Detour(*ends)
         is_alone = uses[line.source, line.out] == uses[line.target, line.into] == 1
         return Chain(*ends, self.rows[source.row].layers, 1 + is_alone)
@@ -206,8 +207,10 @@ def _put_lanes(lanes, y, way):
 # ---- connected parts ----
 
 
-def parts(lines, sizes):
-    """([Part] in the order of their first boxes, numbers of boxes with no line)."""
+def parts(lines, sizes, far=_FAR):
+    """([Part] in the order of their first boxes, numbers of boxes with no line). Lines that pass more than
+    `far` layers do not count for the order within these.
+    """
     neighbours = [[] for _ in sizes]
     for line in lines:
         neighbours[line.source].append(line.target)
@@ -227,11 +230,13 @@ def parts(lines, sizes):
     line_numbers = [[] for _ in members]
     for number, line in enumerate(lines):
         line_numbers[part_of[line.source]].append(number)
-    connected = [Part(sorted(numbers), inner, lines, sizes) for numbers, inner in zip(members, line_numbers)]
+    connected = [
+        Part(sorted(numbers), inner, lines, sizes, far) for numbers, inner in zip(members, line_numbers)
+    ]
     return connected, [number for number in range(len(sizes)) if number not in part_of]
 
 
-def _by_name(numbers, names):
+def by_name(numbers, names):
     return sorted(numbers, key=lambda number: (natural(names[number]), number))
 
 
@@ -243,7 +248,7 @@ def put_in_order(lines, names):
         for row in part.rows:
             for items in row.layers:
                 numbers += [box.number for box in items if box.number is not None]
-    return numbers + _by_name(alone, names)
+    return numbers + by_name(alone, names)
 
 
 def arrange(lines, sizes, names):
@@ -267,7 +272,7 @@ def arrange(lines, sizes, names):
     if alone:
         top = bottom + APART if blocks else MARGIN
         across = max(widest, right - MARGIN)
-        right, bottom = _put_alone(_by_name(alone, names), sizes, top, across, right, layout)
+        right, bottom = _put_alone(by_name(alone, names), sizes, top, across, right, layout)
     return layout._replace(width=right + MARGIN, height=bottom + MARGIN)
 
 

@@ -1,212 +1,298 @@
 "use strict";
-// Where boxes and lines are, in pixels: layers by layers, as rtshell_lite/views/layered/ puts them, in rows.
+// Where boxes, frames and lines are, in pixels. Python has found rows, columns and an order for what each group is made of
+// (views/page_groups.py). Here it is stacked, with opened groups as frames, as large as what is in them; lines are led between.
 //
-// A box has width, height, its layers, and the names of its ports, left and right; an edge source, target (numbers of
-// boxes), out, into (ports) and service. Data flows from left to right.
+// A node is a box, {width, height}, or a frame, {rows, top, side}; each has a home, its y in its row if all groups are closed, and its
+// usual size, about, by which rows are broken: what a person opens stays in its row. A row is {columns, channels, lanes}, a column {items: nodes from above, gaps: the lines that pass above each item and below all}.
+// There is a channel before each column and after the last one: the lines that turn there beside the column on the left, [1], and
+// on the right, [0]. Lines leave and enter nodes on side 0, the left one, or 1; they turn where they do both on the same side.
 
-const [BESIDE, BELOW, PASSING, MARGIN, LANE] = [70, 24, 6, 40, 10];
-const [FAR, SWEEPS, RELAX] = [8, 5, 4];
+const [TITLE, PAD, BESIDE, GAP, LANE, MARGIN] = [34, 24, 84, 24, 8, 28];
+const [LEAST, EDGE] = [24, 44]; // of a channel: for curves, and in all of the first one; in the rest is room for what is opened
+const PITCH = 3; // the least distance of lines that pass between two boxes
+const WIDER = 1.5; // times the width of the page, before columns become several rows
 
-// {items: where each box is, ways: for each edge the items that it passes, or the corners of its detour, width, height}.
-// `page` is [width, height]; a larger picture has the same proportions. `isPart`: other boxes are not shown.
-function arrange(boxes, edges, portOf, page, isPart) {
-  const items = boxes.map((box, number) => newItem(number, box.width, box.height));
-  const area = sum(items.map((item) => (item.width + BESIDE) * (item.height + BELOW)));
-  const [wide, tall] = page.map((side) => side * Math.max(1, Math.sqrt(area / page[0] / page[1])));
-  const used = new Set([].concat(...edges.map((edge) => [items[edge.source], items[edge.target]])));
-  const columns = makeColumns(items, items.filter((item) => used.has(item)), boxes, edges, tall, isPart);
-  columns.forEach((column, place) => column.forEach((item) => { item.column = place; }));
-  const lines = edges.filter((edge) => items[edge.target].column !== items[edge.source].column + 1).length;
-  const rows = makeRows(columns, lines * LANE, wide, tall / wide);
-  const strip = makeStrip(items.filter((item) => !used.has(item)), boxes, wide);
-  strip.forEach((column, place) => column.forEach((item) => Object.assign(item, {column: columns.length + place, row: rows.length})));
-  if (strip.length) {
-    rows.push(strip);
-    columns.push(...strip);
-  }
-  const ways = edges.map((edge) => wayOf(edge, boxes, items, columns));
-  sortColumns(columns);
-  rows.forEach(putBelow);
-  const turns = columns.map(() => ({"-1": [], "1": []}));
-  const detours = edges.map((edge, place) => ways[place] || newDetour(edge, items, portOf, turns)).filter((way) => way.corners);
-  const right = putOutside(detours, putBeside(rows, turns));
-  const height = putRows(rows, detours);
-  return {items, ways: ways.map((way) => way || detours.shift().corners), width: right + MARGIN, height};
+// Place all that is in a frame. Edges are {source, target: nodes}; endOf(edge, 0 or 1) is the {x, y, side} of an end; each edge gets
+// its hops, from stop to stop. `page` is [width, height]. `isPart`: other boxes are not shown.
+function arrange(root, edges, endOf, page, isPart) {
+  if (isPart) edges.forEach(noteSource);
+  prepare(root, page, isPart);
+  place(root);
+  putSlots(edges);
+  edges.forEach((edge) => { edge.hops = route(edge, endOf); });
+  place(root);
+  edges.forEach((edge) => edge.hops.forEach(({from, to}) => [from, to].forEach((stop) => stop.edge && Object.assign(stop, endOf(edge, stop.end)))));
+  putLines(root);
+  putTurns(root);
 }
-function newItem(number, width, height) {
-  return {number, width, height, space: number === null ? PASSING : BELOW, x: 0, y: 0, place: 0, column: 0, row: 0, before: [], after: []};
-}
+const largest = (values, least = 0) => values.reduce((most, value) => Math.max(most, value), least);
 const sum = (values) => values.reduce((total, value) => total + value, 0);
-const mean = (values, otherwise) => (values.length ? sum(values) / values.length : otherwise);
 
-// Lists of items: a column for each layer that Python found (views/page_layers.py), or several where one is too tall. Where
-// only a part is shown, layers are only the order: each item is in the first column after those of its sources.
-function makeColumns(all, items, boxes, edges, tallest, isPart) {
-  const layersOf = (item) => boxes[item.number].layers;
-  const depth = Math.max(0, ...boxes.map((box) => box.layers.length));
-  const compare = (a, b) => {
-    const place = Array.from({length: depth}).findIndex((none, each) => (layersOf(a)[each] || 0) !== (layersOf(b)[each] || 0));
-    return place < 0 ? 0 : (layersOf(a)[place] || 0) - (layersOf(b)[place] || 0);
-  };
-  const sources = new Map(items.map((item) => [item, []]));
-  edges.forEach(({source, target}) => sources.get(all[target]).push(all[source]));
-  const [columns, heights] = [[], []];
-  let last = null;
-  for (const item of items.slice().sort((a, b) => compare(a, b) || a.number - b.number)) {
-    let place = last && compare(last, item) ? columns.length : Math.max(0, columns.length - 1);
-    if (isPart) place = Math.max(0, ...sources.get(item).filter((source) => compare(source, item) < 0).map((source) => source.column + 1));
-    while (isPart && heights[place] + item.height > tallest) place += 1;
-    if (place === columns.length) [columns[place], heights[place]] = [[], 0];
-    columns[place].push(item);
-    heights[place] += item.height + item.space;
-    last = Object.assign(item, {column: place});
-  }
-  return [].concat(...columns.map((column) => {
-    const height = sum(column.map((item) => item.height + item.space));
-    const size = Math.ceil(column.length / (height > 1.6 * tallest ? Math.ceil(height / tallest) : 1));
-    return Array.from({length: Math.ceil(column.length / size)}, (none, part) => column.slice(part * size, (part + 1) * size));
+// The nodes that hold both ends of an edge, in the innermost frame that holds them both.
+function ways({source, target}) {
+  const [near, far] = [source, target].map((node) => {
+    const path = [node];
+    while (path[path.length - 1].parent) path.push(path[path.length - 1].parent);
+    return path;
+  });
+  const common = near.slice(1).find((frame) => far.includes(frame, 1));
+  return [near, far].map((path) => path.slice(0, path.indexOf(common, 1)));
+}
+function noteSource(edge) {
+  const [from, to] = ways(edge).map((path) => path[path.length - 1]);
+  if (from === to) return;
+  to.sources.push(from);
+  [from, to].forEach((node) => { node.isJoined = true; });
+}
+
+// ---- rows and columns
+function prepare(frame, page, isPart) {
+  if (isPart) frame.rows = shortRows([].concat(...frame.rows.map((row) => [].concat(...row))), page);
+  const area = sum([].concat(...frame.rows).map((column) => widthOf(column) * sum(column.map((item) => item.usual[1] + GAP))));
+  const wide = WIDER * Math.max(page[0], Math.sqrt(area * page[0] / page[1]));
+  frame.rows = [].concat(...frame.rows.map((columns) => broken(columns, wide))).map((columns) => ({
+    columns: columns.map((items) => ({items, gaps: [...items.map(() => []), []]})),
+    channels: [...columns.map(() => [[], []]), [[], []]],
+    lanes: [],
   }));
+  frame.outside = [];
+  frame.rows.forEach((row, number) => {
+    row.number = number;
+    row.isCentred = isPart;
+    const top = isPart ? 0 : Math.min(...[].concat(...row.columns.map(({items}) => items.map((item) => item.home))));
+    row.columns.forEach(({items}, column) => items.forEach((item) => {
+      Object.assign(item, {row, column, home: isPart ? 0 : item.home - top});
+      if (item.rows) prepare(item, page, isPart);
+    }));
+  });
 }
-// Columns of what is not connected, by name from left to right and then below.
-function makeStrip(items, boxes, wide) {
-  const sorted = items.slice().sort((a, b) => byName(boxes[a.number].heads[0], boxes[b.number].heads[0]) || a.number - b.number);
-  const across = Math.max(1, Math.floor(wide / (Math.max(0, ...items.map((item) => item.width)) + BESIDE)));
-  return Array.from({length: Math.min(across, items.length)}, (none, column) => sorted.filter((item, place) => place % across === column));
-}
+const widthOf = (items) => largest(items.map((item) => item.usual[0])) + BESIDE;
 
-// Lists of columns that follow one another: as many as give this width, or the proportions of the page.
-function makeRows(columns, lanes, width, proportion) {
-  const sizes = columns.map((items) => [Math.max(...items.map((item) => item.width)) + BESIDE, sum(items.map((item) => item.height + item.space))]);
-  const total = sum(sizes.map((size) => size[0]));
-  let [best, starts] = [Infinity, []];
-  for (let count = 1; count <= columns.length; count += 1 + Math.floor(count / 10)) {
-    const found = breaks(sizes, total / count + total / columns.length / 2); // one row may be half a column wider than the others
-    const wider = Math.log((total + 2 * lanes) / count / Math.max(width, (found.height + lanes) / proportion));
-    if (Math.max(2 * wider, -wider) < best) [best, starts] = [Math.max(2 * wider, -wider), found.starts];
-  }
-  const rows = starts.map((start, place) => columns.slice(start, starts[place + 1]));
-  rows.forEach((row, place) => [].concat(...row).forEach((item) => { item.row = place; }));
+// Rows of about equal width, none much wider than this.
+function broken(columns, wide) {
+  const widths = columns.map(widthOf);
+  const count = sum(widths) > wide ? Math.ceil(sum(widths) * WIDER / wide) : 1;
+  const rows = [[]];
+  let x = 0;
+  columns.forEach((items, place) => {
+    if (x > sum(widths) / count * rows.length - widths[place] / 2 && rows[rows.length - 1].length) rows.push([]);
+    rows[rows.length - 1].push(items);
+    x += widths[place];
+  });
   return rows;
 }
-// The first column of each row, if rows are that wide, and the height of them all.
-function breaks(sizes, width) {
-  let [starts, height, x, tall] = [[], 0, Infinity, 0];
-  sizes.forEach(([wide, high], place) => {
-    if (x + wide > width) {
-      starts.push(place);
-      height += tall + MARGIN;
-      [x, tall] = [0, 0];
+
+// The row of a part: each node is in the first column after those of its sources; then one of nodes that no lines join.
+function shortRows(nodes, page) {
+  const columns = [];
+  const met = new Map();
+  const alone = nodes.filter((node) => !node.isJoined);
+  nodes.filter((node) => node.isJoined).forEach((node) => {
+    const place = largest(node.sources.map((source) => (met.has(source) ? met.get(source) + 1 : 0)));
+    met.set(node, place);
+    if (!columns[place]) columns[place] = [];
+    columns[place].push(node);
+  });
+  const across = Math.max(1, Math.floor(page[0] / widthOf(alone)));
+  const strip = Array.from({length: Math.min(across, alone.length)}, (none, column) => alone.filter((node, place) => place % across === column));
+  return [columns, strip].filter((row) => row.length);
+}
+
+// ---- stacking
+// Tracks are multiples of 4, in every second row halfway between: so rows that face each other have none in common.
+const pitch = (lines) => (lines.length > 5 ? LANE / 2 : LANE);
+const tracks = (lines) => (lines.length ? lines.length * pitch(lines) + LANE / 2 : 0);
+const need = (lines) => (lines.length ? (lines.length + 1) * PITCH : 0);
+
+function place(root) {
+  measure(root);
+  move(root, 0, 0);
+}
+// Set the sizes of a frame and of all in it, and where that is from its corner.
+function measure(frame) {
+  let y = frame.top;
+  frame.width = frame.least;
+  for (const row of frame.rows) {
+    y += row.lanes.length ? tracks(row.lanes) + GAP / 2 : 0;
+    [row.y, row.bottom] = [y, y];
+    let x = frame.side + row.number % 2 * LANE / 4;
+    row.columns.forEach((column, number) => {
+      x = putChannel(row.channels[number], x, number ? LEAST : 0, number ? BESIDE : EDGE);
+      Object.assign(column, {x, row});
+      putColumn(column);
+      row.bottom = Math.max(row.bottom, column.bottom + need(column.gaps[column.items.length]));
+      x += column.width;
+    });
+    x = putChannel(row.channels[row.columns.length], x, 0, 0);
+    if (row.isCentred) {
+      row.columns.forEach(({items, bottom}) => items.forEach((item) => { item.y += Math.floor((row.bottom - bottom) / 2); }));
     }
-    [x, tall] = [x + wide, Math.max(tall, high)];
+    frame.width = Math.max(frame.width, x + frame.side);
+    y = row.bottom + GAP;
+  }
+  frame.across = frame.width - frame.side;
+  frame.width += tracks(frame.outside);
+  frame.height = Math.max(y - GAP, frame.top) + frame.side;
+}
+function putChannel(channel, x, least, usual) {
+  const [left, right] = [tracks(channel[1]), tracks(channel[0])];
+  const end = x + Math.max(usual, left + least + right);
+  Object.assign(channel, {x, left: x + left, right: end - right, end});
+  return end;
+}
+function putColumn(column) {
+  const boxes = column.items.filter((item) => !item.rows);
+  const wide = largest(boxes.map((box) => box.least));
+  boxes.forEach((box) => { box.width = wide; });
+  column.items.filter((item) => item.rows).forEach(measure);
+  let free = column.row.y;
+  column.items.forEach((item, number) => {
+    item.x = column.x;
+    item.y = Math.max(column.row.y + item.home, free + Math.max(number ? GAP : 0, need(column.gaps[number])));
+    free = item.y + item.height;
   });
-  return {starts, height: height + tall};
+  column.width = Math.ceil(largest(column.items.map((item) => item.width)) / LANE) * LANE;
+  column.bottom = free;
+}
+// Move a frame to x and y, and all in it along.
+function move(frame, x, y) {
+  Object.assign(frame, {x, y, across: frame.across + x});
+  for (const row of frame.rows) {
+    row.y += y;
+    row.bottom += y;
+    row.channels.forEach((channel) => ["x", "left", "right", "end"].forEach((side) => { channel[side] += x; }));
+    for (const column of row.columns) {
+      column.x += x;
+      for (const item of column.items) {
+        if (item.rows) move(item, item.x + x, item.y + y);
+        else Object.assign(item, {x: item.x + x, y: item.y + y});
+      }
+    }
+  }
 }
 
-function wayOf(edge, boxes, items, columns) {
-  const [source, target] = [items[edge.source], items[edge.target]];
-  if (source.column >= target.column || source.row !== target.row || target.column - source.column > FAR) return null;
-  const [rights, lefts] = [boxes[edge.source].right, boxes[edge.target].left];
-  if (!rights.includes(edge.out) || !lefts.includes(edge.into)) return null;
-  const way = [];
-  for (let column = source.column + 1; column < target.column; column += 1) {
-    way.push(newItem(null, 0, 0));
-    columns[column].push(way[way.length - 1]);
-  }
-  const stops = [source, ...way, target];
-  const height = (ports, port) => (ports.indexOf(port) + 1) / (ports.length + 1); // where on a box, from 0 to 1
-  const at = [height(rights, edge.out), ...way.map(() => 0.5), height(lefts, edge.into)];
-  for (let place = 0; place + 1 < stops.length; place += 1) {
-    stops[place].after.push([stops[place + 1], at[place + 1], at[place]]);
-    stops[place + 1].before.push([stops[place], at[place], at[place + 1]]);
-  }
-  return way;
+// ---- lines
+// The ends on each side of a group are in the order of what they lead to.
+function putSlots(edges) {
+  const sides = new Map();
+  edges.forEach((edge) => [edge.source, edge.target].forEach((box, end) => {
+    if (!box.group) return;
+    if (!sides.has(box)) sides.set(box, [[], []]);
+    const other = end ? edge.source : edge.target;
+    sides.get(box)[end].push({edge, end, y: other.y + other.height / 2});
+  }));
+  sides.forEach((ends) => ends.forEach((lines) => lines.sort((a, b) => a.y - b.y).forEach(({edge, end}, slot) => { edge.slots[end] = slot; })));
 }
 
-// Each box near its neighbours in the columns beside it: lines that would cross then mostly do not.
-function sortColumns(columns) {
-  const number = (items) => items.forEach((item, place) => { item.place = place; });
-  const sort = (items, side) => {
-    for (const item of items) item.key = mean(item[side].map(([other, at]) => other.place + at), item.place);
-    number(items.sort((a, b) => a.key - b.key || a.place - b.place));
+// The hops of an edge: out of the frames around its source, past the columns between, into the frames around its target.
+function route(edge, endOf) {
+  const hops = [];
+  const [near, far] = ways(edge);
+  const [start, end] = [0, 1].map((number) => endOf(edge, number));
+  let [stop, channel, detour] = [{edge, end: 0, y: start.y, leaves: start.side}, null, null];
+  const step = (to) => {
+    const hop = Object.assign({from: stop, to, channel, turns: [], lanes: [], ys: []}, detour);
+    if (!detour && stop.leaves === to.enters) turn(hop, channel[to.enters]);
+    if (detour) [[channel, start], [detour.into, end]].forEach(([beside, {side}]) => turn(hop, beside[side]));
+    hop.lanes.concat(hop.outside || []).forEach((lane) => lane.push(hop));
+    hops.push(hop);
+    [stop, detour] = [to, null];
   };
-  columns.forEach(number);
-  for (let sweep = 0; sweep < SWEEPS; sweep += 1) {
-    columns.slice(1).forEach((items) => sort(items, "before"));
-    columns.slice(0, -1).reverse().forEach((items) => sort(items, "after"));
-  }
-}
-
-function putBelow(columns) {
-  for (const items of columns) stack(items, items.map(() => 0));
-  for (let round = 0; round < RELAX; round += 1) {
-    columns.slice(1).forEach((items) => stack(items, items.map((item) => wantedY(item, item.before))));
-    columns.slice(0, -1).reverse().forEach((items) => stack(items, items.map((item) => wantedY(item, item.after))));
-  }
-  const items = [].concat(...columns);
-  const top = Math.min(...items.map((item) => item.y));
-  items.forEach((item) => { item.y -= top; });
-}
-// The y at which the lines of an item are straight, on the average.
-const wantedY = (item, lines) => mean(lines.map(([other, at, here]) => other.y + at * other.height - here * item.height), item.y);
-function stack(items, wanted) {
-  let free = -Infinity;
-  items.forEach((item, place) => {
-    item.y = Math.max(wanted[place], free);
-    free = item.y + item.height + item.space;
+  // past columns of a row, from the channel of this number to that one
+  const pass = (row, from, to) => {
+    const enters = from < to ? 0 : 1;
+    for (let number = from; number !== to; number += enters ? -1 : 1) {
+      step(newPass(row.columns[number - enters], enters, stop.y, end.y));
+      channel = row.channels[number + (enters ? -1 : 1)];
+    }
+  };
+  near.forEach(({row, column}, place) => {
+    channel = row.channels[column + start.side];
+    if (place + 1 < near.length) pass(row, column + start.side, start.side ? row.columns.length : 0);
   });
-  const shift = mean(items.map((item, place) => wanted[place] - item.y), 0);
-  for (const item of items) item.y = Math.round(item.y + shift);
+  const [first, last] = [near[near.length - 1], far[far.length - 1]];
+  if (first.row === last.row) pass(first.row, first.column + start.side, last.column + end.side);
+  else detour = newDetour(first.row, last.row, last.row.channels[last.column + end.side]);
+  far.slice(0, -1).reverse().forEach(({row, column}) => pass(row, end.side ? row.columns.length : 0, column + end.side));
+  step({edge, end: 1, y: end.y, enters: end.side});
+  return hops;
 }
-
-// A line that passes between rows, or below the last one: see the class of that name in layered/lines.py. It turns up or down
-// beside columns: `turns` has for each column, and each side of it, the lines that do so.
-function newDetour(edge, items, portOf, turns) {
-  const [from, to] = [items[edge.source].row, items[edge.target].row];
-  const lanes = [to < from ? from - 1 : from, from < to ? to - 1 : to];
-  if (lanes[0] === lanes[1]) lanes.pop();
-  const corners = new Array(1 + 2 * lanes.length).fill(0);
-  [[items[edge.source], edge.out, 0], [items[edge.target], edge.into, corners.length - 1]].forEach(([item, port, corner]) => {
-    const {y, side} = portOf(item, port);
-    const isUp = lanes[corner && lanes.length - 1] < item.row;
-    turns[item.column][side].push({order: isUp ? 1e9 + y : -y, put: (x) => { corners[corner] = x; }});
+function turn(hop, list) {
+  hop.turns.push({hop, x: 0});
+  list.push(hop.turns[hop.turns.length - 1]);
+}
+// From a row to another one: by the lane above one of them, or by that beside each and outside of all rows between.
+function newDetour(row, other, into) {
+  const {rows, outside} = other.columns[0].items[0].parent;
+  const isDown = row.number < other.number;
+  const lanes = [rows[row.number + isDown].lanes, rows[other.number + !isDown].lanes];
+  return lanes[0] === lanes[1] ? {into, isDown, lanes: [lanes[0]]} : {into, isDown, lanes, outside: [outside]};
+}
+// Past a column, where a line from this y to that one leads least astray.
+function newPass(column, enters, y, target) {
+  const {items, gaps, row} = column;
+  let [best, least] = [null, Infinity];
+  let above = row.y;
+  items.concat(null).forEach((item, number) => {
+    const below = item ? item.y : Math.max(row.bottom, above + 2 * LANE);
+    const middle = below - above < 2 * LANE ? Math.min(below, above + LANE) : Math.min(Math.max(y, above + LANE), below - LANE);
+    const cost = Math.abs(middle - y) + Math.abs(middle - target) / 2 + (number && item ? 0 : GAP);
+    if (cost < least) [best, least] = [{column, enters, leaves: 1 - enters, number, y: middle, fromTop: middle - above}, cost];
+    above = item ? item.y + item.height : 0;
   });
-  return {lanes, corners};
+  gaps[best.number].push(best);
+  return best;
 }
 
-// Set x of all items, and where lines turn beside them, those nearest that cross fewest; returns where the widest row ends.
-function putBeside(rows, turns) {
-  let column = 0;
-  return Math.max(0, ...rows.map((row, number) => row.reduce((left, items) => {
-    const [before, after] = [-1, 1].map((side) => turns[column][side].sort((a, b) => a.order - b.order));
-    const width = Math.ceil(Math.max(...items.map((item) => item.width)) / LANE) * LANE;
-    const x = left + before.length * LANE;
-    before.forEach(({put}, track) => put(x - (track + 1) * LANE));
-    after.forEach(({put}, track) => put(x + width + (track + 1) * LANE));
-    items.forEach((item) => Object.assign(item, {x, width}));
-    column += 1;
-    return x + width + after.length * LANE + BESIDE;
-  }, MARGIN + number % 2 * LANE / 2) - BESIDE)); // rows that face each other have no track in common
-}
-
-// Set where lines with two lanes change from one to the other, right of x; returns where that ends.
-function putOutside(detours, x) {
-  const far = detours.filter(({lanes}) => lanes.length > 1).sort((a, b) => Math.abs(a.lanes[0] - a.lanes[1]) - Math.abs(b.lanes[0] - b.lanes[1]));
-  far.forEach(({corners}, place) => { corners[2] = x + (place + 1) * LANE; });
-  return x + far.length * LANE;
-}
-
-// Set y of all items, rows below each other, and of lanes between them, the shortest first; returns the height of it all.
-function putRows(rows, detours) {
-  const found = rows.map(() => []);
-  for (const {lanes, corners} of detours) {
-    lanes.forEach((row, place) => found[row].push({length: Math.abs(corners[2 * place] - corners[2 * place + 2]),
-                                                   put: (y) => { corners[2 * place + 1] = y; }}));
+// Set y of the lines in each gap and lane, and of all within.
+function putLines(frame) {
+  frame.outside.forEach((hop, number) => { hop.x = frame.across + (number + 1) * pitch(frame.outside); });
+  for (const {columns, lanes, y} of frame.rows) {
+    lanes.forEach((hop, number) => { hop.ys[hop.lanes.indexOf(lanes)] = y - GAP / 2 - (number + 1) * pitch(lanes); });
+    for (const {items, gaps, row} of columns) {
+      gaps.forEach((passes, number) => {
+        const top = number ? items[number - 1].y + items[number - 1].height : row.y;
+        putPasses(passes, top, number < items.length ? items[number].y : row.bottom);
+      });
+      items.filter((item) => item.rows).forEach(putLines);
+    }
   }
-  return rows.reduce((top, row, place) => {
-    const items = [].concat(...row);
-    items.forEach((item) => { item.y += top; });
-    const bottom = Math.max(...items.map((item) => item.y + item.height)) + MARGIN / 2;
-    found[place].sort((a, b) => a.length - b.length).forEach(({put}, lane) => put(bottom + lane * LANE));
-    return bottom + found[place].length * LANE + MARGIN / 2;
-  }, MARGIN);
+}
+// Set x of each turn.
+function putTurns(frame) {
+  for (const channel of [].concat(...frame.rows.map((row) => row.channels))) {
+    channel.forEach((turns, isLeft) => turns.sort((a, b) => urgency(a) - urgency(b)).forEach((each, number) => {
+      const far = (number + 1) * pitch(turns);
+      each.x = isLeft ? channel.x + far : channel.end - far;
+    }));
+  }
+  frame.rows.forEach(({columns}) => columns.forEach(({items}) => items.filter((item) => item.rows).forEach(putTurns)));
+}
+function putPasses(passes, top, bottom) {
+  const step = Math.min(LANE, (bottom - top) / (passes.length + 1));
+  passes.sort((a, b) => a.fromTop - b.fromTop);
+  passes.forEach((pass, number) => { pass.y = Math.max(top + pass.fromTop, (number ? passes[number - 1].y : top) + step); });
+  passes.forEach((pass, number) => { pass.y = Math.min(pass.y, bottom - step * (passes.length - number)); });
+}
+// Nearest to the column is what turns least; lines to other rows are outside of those.
+function urgency({hop}) {
+  const [y, other] = [hop.from.y, hop.to.y];
+  return hop.lanes.length ? 1e6 + (hop.isDown ? -y : y) : Math.abs(y - other);
+}
+
+// The path of an edge.
+function pathOf({hops}) {
+  const xOf = (stop, side) => (stop.edge ? stop.x : stop.column.x + side * stop.column.width);
+  let path = `M${xOf(hops[0].from)},${hops[0].from.y}`;
+  for (const {from, to, channel, turns, lanes, ys, x} of hops) {
+    if (lanes.length > 1) path += ` H${turns[0].x} V${ys[0]} H${x} V${ys[1]} H${turns[1].x} V${to.y}`;
+    else if (lanes.length) path += ` H${turns[0].x} V${ys[0]} H${turns[1].x} V${to.y}`;
+    else if (turns.length) path += ` H${turns[0].x} V${to.y}`;
+    else if (from.y !== to.y) {
+      const [left, right] = from.leaves ? [channel.left, channel.right] : [channel.right, channel.left];
+      path += ` H${left} C${(left + right) / 2},${from.y} ${(left + right) / 2},${to.y} ${right},${to.y}`;
+    }
+    path += ` H${xOf(to, to.enters)}`;
+  }
+  return path;
 }

@@ -16,13 +16,17 @@ function reword() {
   const found = picture.boxes.map(heads);
   const fits = (words, place) => words.length === picture.boxes[place].heads.length &&
     words.every((line) => (cells(line) + 1) * CELL <= picture.boxes[place].width);
-  if (!found.every(fits)) return false;
+  if (!found.every(fits) || picture.frames.some((frame) => (cells(titleOf(frame)) + 5) * CELL > frame.width)) return false;
   found.forEach((words, place) => {
     const box = picture.boxes[place];
     box.heads = words;
     box.shape.setAttribute("class", classOf(box));
     box.shape.querySelectorAll("text").forEach((line, row) => { if (row < words.length) line.textContent = words[row]; });
   });
+  for (const frame of picture.frames) {
+    frame.shape.querySelector(".title").textContent = titleOf(frame);
+    frame.shape.setAttribute("class", `frame${frame.members.some(isBroken) ? " broken" : ""}`);
+  }
   mark();
   return true;
 }
@@ -50,7 +54,8 @@ function showBeside() {
   else if (isFree("details")) {
     const [top, said] = [element("details").scrollTop, element("status").textContent];
     if (view.selected === null) clear();
-    else showGroup(picture.boxes[picture.at.get(view.selected)]);
+    else if (nodeOf(view.group)) showGroup(nodeOf(view.group));
+    else clear();
     element("details").scrollTop = top;
     element("status").textContent = said;
   }

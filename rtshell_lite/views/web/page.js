@@ -1,13 +1,13 @@
 // The page of a system: list, map, details. What the system says goes into text nodes only. views/page.py has the fields of `data`.
 const DEFAULTS = {path: null, state: null, missing: false, composite: null, parts: [], ports: [], why: ""};
-let [data, ALL, troubles, connectionsOf, texts] = []; // see load()
+let [data, ALL, troubles, connectionsOf, membersOf, texts] = []; // see load()
 const SVG = "http://www.w3.org/2000/svg";
 const SHAPES = new Set(["svg", "g", "rect", "text", "path", "title"]);
 const SYMBOLS = {Active: "\u25cf", Inactive: "\u25cb", Error: "\u2716", Created: "\u25cc", Unknown: "?"};
+const WORST = ["Error", "Unknown"]; // states that are counted first
 const [CELL, ROW] = [8.5, 20]; // pixels: a character, a line of text
-// characters of a name on the map, components in the list, sources that a group names (of more, the number)
-const [LONGEST, LISTED, MOST_SOURCES] = [44, 300, 12];
-const view = {around: null, hops: 1, way: "both", broken: false, kind: "auto", scale: 1, selected: null, opened: new Set()};
+const LONGEST = 44; // characters of a name on the map
+const view = {around: null, hops: 1, way: "both", broken: false, kind: "auto", scale: 1, selected: null, group: null, opened: new Map(), folders: new Map()};
 let picture = null; // what fold() made, with the elements on the map
 
 function load(found) {
@@ -17,6 +17,10 @@ function load(found) {
   [troubles, connectionsOf, texts] = [ALL.map(() => []), ALL.map(() => []), []]; // findings of each component; what is searched
   data.connections.forEach((connection) => new Set(connection.ends.map((end) => end[0])).forEach(
     (end) => connectionsOf[end].push(connection)));
+  membersOf = [];
+  data.groups.forEach((group, number) => { // what is in a group comes before it
+    membersOf.push([].concat(...childrenOf(number).map((child) => (child < 0 ? membersOf[-1 - child] : child))));
+  });
   data.findings.filter(({box, level}) => box !== null && ["fail", "warn"].includes(level)).forEach(
     (finding) => troubles[finding.box].push(finding));
 }
@@ -62,94 +66,120 @@ function shownNumbers() {
   return view.broken ? neighbours(ALL.filter(isBroken), 1, "both") : ALL;
 }
 
-// {boxes, at: the place of each component's box, kind, shown: opened groups}: groups of a kind are one box each, but for
-// opened ones. An opened group of many components shows its groups of a finer kind.
-function fold(numbers, kind, opened) {
-  const found = {boxes: [], at: new Map(), kind, shown: new Map()};
+// {root, boxes, frames, at: the place of each component's box}: what is seen of these components. Groups of a kind are one box each, or
+// frames, down to a depth or as `opened` has it; a group of which one component is shown is that component.
+function fold(numbers, kind, depth, opened) {
+  const found = {boxes: [], frames: [], at: new Map(), kind};
+  const shown = new Set(numbers);
   const add = (members, group) => {
     members.forEach((member) => found.at.set(member, found.boxes.length));
-    const layers = data.places[data.layers[kind][members[0]]];
-    found.boxes.push({members, group, left: [], right: [], labels: new Map(), layers: group ? layers.slice(0, group.depth) : layers});
+    const box = {members, group, sources: [], left: [], right: [], lines: [0, 0]};
+    found.boxes.push(box);
+    return box;
   };
-  const put = (inside, level, above, depth) => groupsOf(inside, level).forEach((members, name) => {
-    const key = `${above}/${level}:${name}`;
-    if (members.length < 2) add(members, null);
-    else if (!opened.has(key)) add(members, {key, name, depth});
-    else {
-      found.shown.set(key, {name, members});
-      put(members, finerKind(members, level), key, depth + 1);
-    }
-  });
-  put(numbers, kind, "", 1);
+  const node = (child, above, level) => {
+    if (child >= 0) return shown.has(child) ? add([child], null) : null;
+    const members = membersOf[-1 - child].filter((member) => shown.has(member));
+    if (members.length < 2) return members.length ? add(members, null) : null;
+    const group = groupOf(child, above);
+    const isOpen = opened.has(group.key) ? opened.get(group.key) : level < depth;
+    return isOpen ? frame(-1 - child, group, members, level + 1) : add(members, group);
+  };
+  const frame = (number, group, members, level) => {
+    const made = {group, members, sources: [], top: TITLE, side: PAD, least: 0};
+    if (level) found.frames.push(made);
+    made.rows = data.groups[number][3].map((row) => row.map((column) => {
+      const items = [];
+      for (let place = 0; place < column.length; place += 2) {
+        const item = node(column[place], group.key, level);
+        if (item) items.push(Object.assign(item, {home: column[place + 1], usual: usualSize(column[place], depth - level), parent: made}));
+      }
+      return items;
+    }).filter((items) => items.length)).filter((row) => row.length);
+    return made;
+  };
+  found.root = Object.assign(frame(data.trees[kind], {key: ""}, numbers, 0), {top: MARGIN, side: MARGIN});
   return found;
 }
-function groupsOf(numbers, level) {
-  const groups = new Map();
-  for (const number of numbers) {
-    const group = level ? data.boxes[number].groups[level - 1] : null;
-    const name = group === null ? `\n${number}` : data.names[group];
-    if (!groups.has(name)) groups.set(name, []);
-    groups.get(name).push(number);
-  }
-  return groups;
+// About the size of a box, or of a group with all groups open down to this depth.
+function usualSize(child, depth) {
+  if (child >= 0 || depth < 1) return child >= 0 ? [140, 90] : [260, 80];
+  const rows = data.groups[-1 - child][3].map((row) => row.map((column) => column.filter((inner, place) => place % 2 === 0).map(
+    (inner) => usualSize(inner, depth - 1))).map((sizes) => [largest(sizes.map((size) => size[0])) + BESIDE, sum(sizes.map((size) => size[1] + GAP))]));
+  return [largest(rows.map((row) => sum(row.map((size) => size[0])))), sum(rows.map((row) => largest(row.map((size) => size[1]))))];
 }
-function finerKind(members, level) {
-  const isUseful = (kind) => kind < level && groupsOf(members, kind).size > 1 && groupsOf(members, kind).size < members.length;
-  return (members.length > data.most && [3, 2, 1].find(isUseful)) || 0;
+// How many boxes there are if groups are open down to this depth.
+function countAt(child, depth, shown) {
+  if (child >= 0) return shown.has(child) ? 1 : 0;
+  const inside = membersOf[-1 - child].filter((member) => shown.has(member)).length;
+  if (inside < 2 || depth < 1) return Math.min(inside, 1);
+  return sum(childrenOf(-1 - child).map((inner) => countAt(inner, depth - 1, shown)));
 }
+const childrenOf = (number) => [].concat(...data.groups[number][3].map((row) => [].concat(...row.map((column) => column.filter((child, place) => place % 2 === 0)))));
+// A group by its number as a child; its key has those of the groups around it.
+function groupOf(child, above) {
+  const [kind, full, label] = data.groups[-1 - child];
+  return {number: -1 - child, key: `${above}\n${kind}:${full}`, kind: data.kinds[kind], name: label || full, full};
+}
+const groupsIn = (number, above) => childrenOf(number).filter((child) => child < 0).map((child) => groupOf(child, above));
 
-// The finest kind of groups that leaves no more boxes than a person can overlook.
+// [kind, depth]: the first kind of groups that leaves no more boxes than a person can overlook; groups that are open at first.
 function chooseKind(numbers) {
-  const kind = data.kinds.findIndex((name, place) => fold(numbers, place, new Set()).boxes.length <= data.most);
-  return kind < 0 ? data.kinds.length - 1 : kind;
+  const shown = new Set(numbers);
+  const count = (kind, depth) => countAt(-1 - data.trees[kind], depth, shown);
+  const fits = data.order.find((kind) => count(kind, 1) <= data.most);
+  const kind = fits === undefined ? data.order[data.order.length - 1] : fits;
+  let depth = 0;
+  while (depth < 4 && count(kind, depth + 2) <= data.most) depth += 1;
+  return [kind, depth];
 }
 
 // The lines between boxes, for which they get ports; parallel ones to or from a group are one.
 function connect({boxes, at}) {
   const lines = new Map();
-  const arriving = boxes.map(() => 0);
   for (const {ends, service} of data.connections) {
-    const [source, out] = [at.get(ends[0][0]), ends[0][1]];
+    const [from, out] = [at.get(ends[0][0]), ends[0][1]];
     for (const [number, port] of ends.slice(1)) {
-      const target = at.get(number);
-      if (source === undefined || target === undefined) continue;
-      const folded = boxes[source].group || boxes[target].group;
-      if (folded && source === target) continue;
-      const key = JSON.stringify(folded ? [source, target, service] : [source, out, target, port, service]);
-      if (!lines.has(key)) arriving[target] += 1;
-      if (!lines.has(key)) lines.set(key, {source, target, service, pairs: []});
+      const to = at.get(number);
+      if (from === undefined || to === undefined) continue;
+      const folded = boxes[from].group || boxes[to].group;
+      if (folded && from === to) continue;
+      const key = folded ? `${from} ${to} ${service}` : JSON.stringify([from, out, to, port, service]);
+      if (!lines.has(key)) lines.set(key, {from, to, source: boxes[from], target: boxes[to], service, folded, slots: [0, 0], pairs: []});
       lines.get(key).pairs.push([out, port]);
     }
   }
-  lines.forEach((edge) => namePorts(edge, boxes[edge.source], boxes[edge.target], arriving[edge.target]));
-  return Array.from(lines.values());
+  const edges = Array.from(lines.values());
+  edges.forEach((edge) => [edge.source, edge.target].forEach((box, end) => {
+    const ports = Array.from(new Set(edge.pairs.map((pair) => pair[end])));
+    const port = ports.length === 1 ? ports[0] : `${ports.length} ports`;
+    edge[end ? "into" : "out"] = port;
+    if (box.group) box.lines[1 - end] += 1;
+    else if (!box.left.includes(port) && !box.right.includes(port)) box[end ? "left" : "right"].push(port);
+  }));
+  return edges;
 }
-function namePorts(edge, source, target, arriving) {
-  const word = edge.service ? "services" : "data";
-  const onlyOne = (ports) => (new Set(ports).size === 1 ? ports[0] : `${new Set(ports).size} ports`);
-  [edge.out, edge.into] = [0, 1].map((end) => onlyOne(edge.pairs.map((pair) => pair[end])));
-  if (source.group) edge.out = word;
-  const isJoined = target.group && arriving > MOST_SOURCES;
-  if (isJoined) edge.into = word;
-  else if (target.group) edge.into = `from ${boxName(source)}${edge.service ? " (services)" : ""}`;
-  const count = (target.labels.get(edge.into) || 0) + edge.pairs.length;
-  if (edge.pairs.length > 1 || isJoined) target.labels.set(edge.into, count);
-  for (const [box, port, side] of [[source, edge.out, "right"], [target, edge.into, "left"]]) {
-    if (!box.left.includes(port) && !box.right.includes(port)) box[side].push(port);
-  }
+// Where an edge begins (end 0) or ends (1): at a port, on a group in the order of what it leads to.
+function endOf(edge, end) {
+  const [box, port] = [end ? edge.target : edge.source, end ? edge.into : edge.out];
+  const side = box.group ? 1 - end : Number(box.right.includes(port));
+  const row = box.heads.length + (side ? box.right : box.left).indexOf(port);
+  const y = box.group ? Math.round(box.height * (edge.slots[end] + 1) / (box.lines[side] + 1)) : row * ROW + 15;
+  return {x: box.x + side * box.width, y: box.y + y, side};
 }
 
 // ---- words on the map
-const boxName = (box) => (box.group ? box.group.name : data.boxes[box.members[0]].name);
+const nameOf = (number) => data.boxes[number].label || data.boxes[number].name;
+const boxName = (box) => (box.group ? box.group.name : nameOf(box.members[0]));
 const short = (words) => (words.length > LONGEST ? `${words.slice(0, LONGEST - 1)}\u2026` : words);
-const portWords = (box, port) => short(port) + (box.labels.has(port) ? ` \u00d7${box.labels.get(port)}` : "");
 const cells = (words) => Array.from(words).reduce((sum, letter) => sum + (letter.codePointAt(0) < 0x1100 ? 1 : 2), 0);
 const stateWords = (state) => `${SYMBOLS[state] || "?"} ${state}`;
 
 function counts(numbers) {
   const states = new Map();
   numbers.map((number) => data.boxes[number].state).filter(Boolean).forEach((state) => states.set(state, (states.get(state) || 0) + 1));
-  const order = Array.from(states.keys()).sort((a, b) => (b === "Error") - (a === "Error") || states.get(b) - states.get(a));
+  const rank = (state) => WORST.indexOf(state) + 1 || WORST.length + 1;
+  const order = Array.from(states.keys()).sort((a, b) => rank(a) - rank(b) || states.get(b) - states.get(a));
   return order.map((state) => stateWords(state).replace(" ", ` ${states.get(state)} `));
 }
 
@@ -161,7 +191,7 @@ function heads(box) {
   const {state, missing, composite} = data.boxes[box.members[0]];
   const words = [state === null ? "" : stateWords(state), missing ? "not in the profile" : "",
                  troubles[box.members[0]].length ? `\u26a0 ${plural(troubles[box.members[0]].length, "finding")}` : "",
-                 composite === null ? "" : `in ${short(data.boxes[composite].name)}`].filter(Boolean).join("  ");
+                 composite === null || box.parent.group.kind === "composite" ? "" : `in ${short(data.boxes[composite].name)}`].filter(Boolean).join("  ");
   return [short(boxName(box)), words].filter(Boolean);
 }
 function classOf(box) {
@@ -171,98 +201,120 @@ function classOf(box) {
 }
 
 // ---- the map
-// Draw it for a page of this width and height, in pixels.
-function draw(page = pageOfScreen()) {
-  const numbers = shownNumbers();
-  const {boxes} = picture = fold(numbers, view.kind === "auto" ? chooseKind(numbers) : data.kinds.indexOf(view.kind), view.opened);
-  const edges = connect(picture);
+// What is seen of these components, drawn for a page of this width and height, in pixels.
+function paint(numbers, [kind, depth], opened, page) {
+  const found = fold(numbers, kind, depth, opened);
+  const {root, boxes, frames} = found;
+  const edges = connect(found);
   for (const box of boxes) {
     box.heads = heads(box);
-    const [left, right] = [box.left, box.right].map((side) => Math.max(0, ...side.map((port) => cells(portWords(box, port)))));
-    box.width = Math.ceil((Math.max(left + right + 3, ...box.heads.map(cells)) + 2) * CELL);
+    const [left, right] = [box.left, box.right].map((ports) => largest(ports.map((port) => cells(short(port)))));
+    box.least = Math.ceil((Math.max(left + right + 3, ...box.heads.map(cells)) + 2) * CELL) + (box.group ? 48 : 0);
+    box.width = box.least;
     box.height = (box.heads.length + Math.max(box.left.length, box.right.length)) * ROW + ROW / 2;
+    if (box.group) box.height = Math.max(box.height, (Math.max(...box.lines) + 1) * 14);
   }
-  const portOf = (item, port) => {
-    const box = boxes[item.number];
-    const side = box.right.includes(port) ? 1 : -1;
-    const row = box.heads.length + (side > 0 ? box.right : box.left).indexOf(port);
-    return {x: item.x + (side > 0 ? item.width : 0), y: item.y + row * ROW + 15, side};
-  };
-  const {items, ways, width, height} = arrange(boxes, edges, portOf, page, numbers.length < ALL.length);
-  const svg = make("svg", {width: width * view.scale, height: height * view.scale, viewBox: `0 0 ${width} ${height}`,
-                           role: "group", "aria-label": "map of the system"});
-  Object.assign(picture, {edges, items, svg, width, height});
-  edges.forEach((edge, place) => {
-    const [from, to] = [edge.source, edge.target].map((number) => boxName(boxes[number]));
-    const path = pathOf(portOf(items[edge.source], edge.out), portOf(items[edge.target], edge.into), ways[place]);
-    edge.shape = make("path", {d: path, class: edge.service ? "line service" : "line",
-                               "marker-end": edge.service ? "url(#dot)" : "url(#arrow)"}, make("title", {}, `${from}:${edge.out} to ${to}:${edge.into}`));
-    svg.appendChild(edge.shape);
-  });
-  boxes.forEach((box, place) => svg.appendChild(drawBox(box, items[place], portOf)));
-  fill(element("map"), svg);
-  if (boxes.length) boxes[0].shape.setAttribute("tabindex", "0");
+  frames.forEach((frame) => { frame.least = Math.ceil((cells(titleOf(frame)) + 5) * CELL); });
+  arrange(root, edges, endOf, page, numbers.length < ALL.length);
+  const {width, height} = root;
+  const svg = make("svg", {viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "map of the system"});
+  svg.append(...frames.map(drawFrame), ...edges.map(drawLine), ...boxes.map(drawBox), ...edges.filter((edge) => edge.pairs.length > 1).map(drawNumber));
+  return Object.assign(found, {edges, svg, width, height, room: {x: 0, y: 0, width, height}});
+}
+function draw() {
+  const numbers = shownNumbers();
+  const kind = view.kind === "auto" ? chooseKind(numbers) : [data.kinds.indexOf(view.kind), 0];
+  picture = paint(numbers, kind, view.opened, pageOfScreen());
+  fill(element("map"), picture.svg);
+  if (picture.boxes.length) picture.boxes[0].shape.setAttribute("tabindex", "0");
   zoom(view.scale);
   mark();
   showControls();
 }
 
-function drawBox(box, item, portOf) {
+function drawLine(edge) {
+  const [from, to] = [edge.source, edge.target].map(boxName);
+  const number = edge.pairs.length > 1 ? `${edge.pairs.length} connections, ` : "";
+  edge.shape = make("path", {d: pathOf(edge), class: edge.service ? "line service" : "line", "marker-end": edge.service ? "url(#dot)" : "url(#arrow)"},
+                    make("title", {}, `${number}${from}:${edge.out} to ${to}:${edge.into}`));
+  return edge.shape;
+}
+// How many connections a line is, where it leaves a group or comes to one.
+function drawNumber(edge) {
+  const {x, y, side} = endOf(edge, edge.source.group ? 0 : 1);
+  return make("text", {x: x + (side ? 5 : -12), y: y - 3, "text-anchor": side ? "start" : "end", class: "number"}, `${edge.pairs.length}`);
+}
+const titleOf = ({group, members}) => [short(group.name), plural(members.length, "component"), ...counts(members)].join(" \u00b7 ");
+// A button on the map that opens a group, or closes it: + or −.
+function toggle({group, x, y}, isOpen) {
+  const words = `${isOpen ? "close" : "open"} ${group.name}`;
+  return make("g", {class: "toggle", role: "button", tabindex: "-1", "aria-label": words, click: (event) => { event.stopPropagation(); setOpen(group.key, !isOpen); }},
+              make("rect", {x: x + 5, y: y + 5, width: 22, height: 22, rx: 3}),
+              make("path", {d: `M${x + 10},${y + 16} h12${isOpen ? "" : ` M${x + 16},${y + 10} v12`}`}));
+}
+function drawFrame(frame) {
+  const {x, y, width, height} = frame;
+  const broken = frame.members.some(isBroken) ? " broken" : "";
+  frame.shape = make("g", {class: `frame${broken}`, role: "button", tabindex: "-1", "aria-label": titleOf(frame), click: () => choose(frame),
+                           dblclick: () => setOpen(frame.group.key, false), keydown: (event) => pressed(event, frame)},
+                     make("rect", {x, y, width, height, rx: 7}), make("rect", {x, y, width, height: TITLE - 4, rx: 7, class: "bar"}),
+                     make("text", {x: x + 34, y: y + 21, class: "title"}, titleOf(frame)), toggle(frame, true));
+  return frame.shape;
+}
+function drawBox(box) {
+  const {x, y, width, height} = box;
   const connected = box.group ? "group" : plural(connectionsOf[box.members[0]].length, "connection");
-  const lines = box.heads.map((words, row) => make("text", {x: item.x + item.width / 2, y: item.y + row * ROW + 19, "text-anchor": "middle",
-                                                            class: row ? "" : "name"}, words));
-  for (const port of box.left.concat(box.right)) {
-    const {x, y, side} = portOf(item, port);
-    lines.push(make("text", {x: x - 7 * side, y: y + 5, "text-anchor": side > 0 ? "end" : "start"}, portWords(box, port)));
-  }
+  const lines = box.heads.map((words, row) => make("text", {x: x + width / 2, y: y + row * ROW + 19, "text-anchor": "middle", class: row ? "" : "name"}, words));
+  [box.left, box.right].forEach((ports, side) => ports.forEach((port, row) => {
+    const at = {x: x + (side ? width - 7 : 7), y: y + (box.heads.length + row) * ROW + 20, "text-anchor": side ? "end" : "start"};
+    lines.push(make("text", at, short(port)));
+  }));
+  if (box.group) lines.push(toggle(box, false));
   box.shape = make("g", {role: "button", tabindex: "-1", class: classOf(box), click: () => choose(box),
-                         dblclick: () => box.group && open(box.group.key), keydown: (event) => pressed(event, box),
+                         dblclick: () => box.group && setOpen(box.group.key, true), keydown: (event) => pressed(event, box),
                          "aria-label": [boxName(box), ...box.heads.slice(1), connected].join(", ")},
-                   make("rect", {x: item.x, y: item.y, width: item.width, height: item.height, rx: 5}),
-                   make("path", {d: `M${item.x - 6},${item.y - 6} h${item.width + 12} v${item.height + 12} h${-item.width - 12} z`, class: "halo"}), ...lines);
+                   make("rect", {x, y, width, height, rx: 5}),
+                   make("path", {d: `M${x - 5},${y - 5} h${width + 10} v${height + 10} h${-width - 10} z`, class: "halo"}), ...lines);
   return box.shape;
 }
 
-function pathOf(start, end, way) {
-  let [begin, from] = [`M${start.x},${start.y}`, start];
-  if (typeof way[0] === "number") return [...way, end.y, end.x].reduce((path, corner, place) => `${path} ${"HV"[place % 2]}${corner}`, begin);
-  const curve = (to) => ` C${(from.x + to.x) / 2},${from.y} ${(from.x + to.x) / 2},${to.y} ${to.x},${to.y}`;
-  const path = way.map(({x, y, width}) => {
-    const line = `${curve({x, y})} H${x + width}`;
-    from = {x: x + width, y};
-    return line;
-  });
-  return begin + path.join("") + curve(end);
-}
-
-// Show which box is selected, which lines are its own, and what is searched for.
+// Show which box is selected, which lines are its own, and what is searched for: that and what is around it is as always.
 function mark() {
   const wanted = element("search").value;
-  const place = picture.at.get(view.selected);
-  picture.boxes.forEach((box, each) => {
-    box.shape.classList.toggle("selected", each === place);
-    box.shape.classList.toggle("dim", wanted !== "" && !box.members.some((number) => matches(number, wanted)));
-  });
-  const isSilent = (each) => picture.boxes[each].members.every((number) => data.boxes[number].state === "Unknown");
+  const frame = picture.frames.find(({group}) => group.key === view.group);
+  const own = new Set(frame ? picture.boxes.filter((box) => frame.members.includes(box.members[0])) : [picture.boxes[picture.at.get(view.selected)]]);
+  const isHit = (box) => box.members.some((number) => matches(number, wanted));
+  const clear = new Set(wanted === "" || view.around !== null ? picture.boxes : picture.boxes.filter(isHit));
+  const hits = new Set(clear);
+  const isSilent = (box) => box.members.every((number) => data.boxes[number].state === "Unknown");
   for (const {shape, source, target} of picture.edges) {
-    shape.classList.toggle("on", source === place || target === place);
+    if (hits.has(source)) clear.add(target);
+    if (hits.has(target)) clear.add(source);
+    shape.classList.toggle("on", frame ? own.has(source) !== own.has(target) : own.has(source) || own.has(target));
     shape.classList.toggle("unsure", isSilent(source) || isSilent(target)); // what does not answer may have no connection any more
   }
-  picture.svg.classList.toggle("some", place !== undefined);
+  for (const box of picture.boxes) {
+    box.shape.classList.toggle("selected", !frame && own.has(box));
+    box.shape.classList.toggle("hit", wanted !== "" && hits.has(box) && view.around === null);
+    box.shape.classList.toggle("dim", hits.size > 0 && !clear.has(box));
+  }
+  picture.frames.forEach((each) => each.shape.classList.toggle("selected", each === frame));
+  picture.svg.classList.toggle("some", picture.edges.some(({shape}) => shape.classList.contains("on")));
 }
 
 // Show the map larger or smaller, around the same point.
 function zoom(scale) {
-  const map = element("map");
-  const x = (map.scrollLeft + map.clientWidth / 2) / view.scale;
-  const y = (map.scrollTop + map.clientHeight / 2) / view.scale;
+  const [map, {svg, room}] = [element("map"), picture];
+  const x = (map.scrollLeft + map.clientWidth / 2) / view.scale + room.x;
+  const y = (map.scrollTop + map.clientHeight / 2) / view.scale + room.y;
   view.scale = Math.min(3, Math.max(0.03, scale));
-  ["width", "height"].forEach((side) => picture.svg.setAttribute(side, picture[side] * view.scale));
+  ["width", "height"].forEach((side) => svg.setAttribute(side, room[side] * view.scale));
+  svg.setAttribute("viewBox", `${room.x} ${room.y} ${room.width} ${room.height}`);
   lookAt(x, y);
 }
 function lookAt(x, y) {
   const map = element("map");
-  map.scrollTo(x * view.scale - map.clientWidth / 2, y * view.scale - map.clientHeight / 2);
+  map.scrollTo((x - picture.room.x) * view.scale - map.clientWidth / 2, (y - picture.room.y) * view.scale - map.clientHeight / 2);
 }
 
 // What a map may be large, so that its text is read easily when all of it is seen.
@@ -283,28 +335,41 @@ function change(more) {
 }
 // Where the map is larger than the screen: at what is selected, or is broken.
 function lookAtSelected() {
-  const isWanted = (box) => (view.selected === null ? box.members.some(isBroken) : box.members.includes(view.selected));
-  const item = picture.items[picture.boxes.findIndex(isWanted)];
-  if (item) lookAt(item.x + item.width / 2, item.y + item.height / 2);
+  const box = picture.boxes.find((each) => (view.selected === null ? each.members.some(isBroken) : each.members.includes(view.selected)));
+  if (box) lookAt(box.x + box.width / 2, box.y + box.height / 2);
 }
-const open = (key) => change({opened: new Set(view.opened).add(key)});
-function shut(key) {
-  change({opened: new Set(Array.from(view.opened).filter((other) => other !== key))});
-  choose(picture.boxes[picture.at.get(view.selected)]);
+const nodeOf = (key) => picture.boxes.concat(picture.frames).find(({group}) => group && group.key === key);
+// Open a group, or close it: its corner stays where it is on the screen.
+function setOpen(key, isOpen) {
+  const [map, sides] = [element("map"), ["x", "y"]];
+  const where = ({room}) => sides.map((side) => (nodeOf(key)[side] - room[side]) * view.scale);
+  const onScreen = where(picture).map((side, place) => side - [map.scrollLeft, map.scrollTop][place]);
+  view.opened.set(key, isOpen);
+  draw();
+  const {room} = picture;
+  let goal = where(picture).map((side, place) => side - onScreen[place]);
+  // a map that has become smaller keeps room for that
+  [room.x, room.y] = goal.map((side) => Math.min(0, side / view.scale));
+  goal = goal.map((side) => Math.max(0, side));
+  room.width = Math.max(picture.width - room.x, (goal[0] + map.clientWidth + 1) / view.scale);
+  room.height = Math.max(picture.height - room.y, (goal[1] + map.clientHeight + 1) / view.scale);
+  zoom(view.scale);
+  map.scrollTo(...goal);
+  choose(nodeOf(key));
 }
-function choose(box) {
-  if (!box.group) return select(box.members[0]);
-  view.selected = box.members[0];
-  return showGroup(box);
+function choose(node) {
+  if (!node.group) return select(node.members[0]);
+  Object.assign(view, {selected: node.members[0], group: node.group.key});
+  return showGroup(node);
 }
 
 // Select a component: it is shown as a box of its own, and its details.
 function select(number) {
-  view.selected = number;
+  Object.assign(view, {selected: number, group: null});
   if (!shownNumbers().includes(number)) Object.assign(view, {around: null, broken: false});
   draw();
   while (picture.boxes[picture.at.get(number)].group) {
-    view.opened.add(picture.boxes[picture.at.get(number)].group.key);
+    view.opened.set(picture.boxes[picture.at.get(number)].group.key, true);
     draw();
   }
   showComponent(number);
@@ -316,35 +381,11 @@ function pressed(event, box) {
   const step = {ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1}[event.key];
   if (event.key !== "Enter" && event.key !== " " && !step) return;
   event.preventDefault();
-  const next = picture.boxes[picture.boxes.indexOf(box) + step];
+  const nodes = picture.boxes.concat(picture.frames);
+  const next = nodes[nodes.indexOf(box) + step];
   if (next) next.shape.focus();
-  else if (!step && box.group && view.selected === box.members[0]) open(box.group.key);
+  else if (!step && box.group && view.selected === box.members[0]) setOpen(box.group.key, !box.rows);
   else if (!step) choose(box);
-}
-
-// ---- the list
-function matches(number, wanted) {
-  if (texts[number] === undefined) {
-    const {name, path, state, groups, parts, ports} = data.boxes[number];
-    const more = [groups.map((group) => data.names[group]), ports.map((port) => port[0]), parts.map((part) => data.rows[part[1]])];
-    texts[number] = JSON.stringify([name, path, state, more]).toLowerCase();
-  }
-  return wanted.toLowerCase().split(/\s+/).every((word) => texts[number].includes(JSON.stringify(word).slice(1, -1)));
-}
-function showList() {
-  const wanted = element("search").value;
-  const found = inListOrder(ALL.filter((number) => matches(number, wanted)));
-  fill(element("list"), ...found.slice(0, LISTED).map((number) => make("li", {}, componentButton(number))));
-  const more = found.length > LISTED ? `, the first ${LISTED} of them listed` : "";
-  element("found").textContent = `${found.length} of ${plural(ALL.length, "component")}${more}`;
-  return found;
-}
-// A button that selects a component.
-function componentButton(number, words) {
-  const {name, state, path} = data.boxes[number];
-  const more = {class: isBroken(number) ? "link broken" : "link", title: path || ""};
-  const listed = `${SYMBOLS[state] || ""} ${name}${troubles[number].length ? " \u26a0" : ""}`;
-  return Object.assign(button(words || listed, (event) => select(event.currentTarget.number), more), {number});
 }
 
 // ---- details
@@ -356,7 +397,7 @@ function showDetails(title, ...children) {
   mark();
 }
 function clear() {
-  view.selected = null;
+  Object.assign(view, {selected: null, group: null});
   const size = `${plural(ALL.length, "component")}, ${plural(data.connections.length, "connection")}`;
   fill(element("details"), make("h2", {}, data.title), ...[data.what, size, counts(ALL).join(", ")].map((line) => make("p", {}, line)),
        ...data.plots.map(([title, svg]) => folded(title, make("img", {alt: title, title: "Click to enlarge it, elsewhere to shrink it", tabindex: 0, src: `data:image/svg+xml;base64,${svg}`}), true)),
@@ -365,19 +406,19 @@ function clear() {
   element("status").textContent = "";
   mark();
 }
-function showGroup(box) {
-  const members = inListOrder(box.members).slice(0, LISTED).map((number) => make("li", {}, componentButton(number)));
-  showDetails(box.group.name, make("p", {}, [plural(box.members.length, "component"), ...counts(box.members)].join(", ")),
-              button("Open", () => open(box.group.key)), make("ul", {}, ...members));
+function showGroup({group, members, rows}) {
+  const list = inListOrder(members).map((number) => make("li", {}, componentButton(number)));
+  showDetails(group.name, make("p", {}, `${group.kind} ${group.full}`), make("p", {}, [plural(members.length, "component"), ...counts(members)].join(", ")),
+              button(rows ? "Close" : "Open", () => setOpen(group.key, !rows)), make("ul", {}, ...list));
 }
 const nowWords = ({state, why}) => [state, why].filter(Boolean).join(": ");
 function showComponent(number) {
   const {name, path, missing, parts, ports} = data.boxes[number];
-  const groups = Array.from(picture.shown).filter(([, group]) => group.members.includes(number));
+  const groups = picture.frames.filter((frame) => frame.members.includes(number));
   showDetails(name, ...[path, missing ? "not in the profile" : ""].filter(Boolean).map((line) => make("p", {}, line)),
               make("p", {id: "now"}, nowWords(data.boxes[number])),
               button("Around this", () => change({around: view.selected, hops: 1})),
-              ...groups.map(([key, group]) => button(`Fold ${short(group.name)}`, () => shut(key))), ...showFindings(troubles[number]),
+              ...groups.map(({group}) => button(`Close ${short(group.name)}`, () => setOpen(group.key, false))), ...showFindings(troubles[number]),
               make("h3", {}, plural(connectionsOf[number].length, "connection")),
               ...connectionsOf[number].map((connection) => showConnection(connection, number)), ...showCommands(data.boxes[number]),
               ...parts.map(([heading, rows]) => folded(heading, table(data.rows[rows]), true)),
@@ -441,10 +482,12 @@ function showControls() {
 
 function listen() {
   const on = (id, event, then) => element(id).addEventListener(event, then);
-  on("search", "input", () => { showList(); mark(); });
+  on("search", "input", () => { view.folders.clear(); showList(); mark(); });
+  on("list", "keydown", pressedInList);
+  on("print", "click", () => window.print());
   on("search", "keydown", (event) => { if (event.key === "Enter" && showList().length) select(showList()[0]); });
   on("broken", "change", (event) => change({broken: event.target.checked, around: null}));
-  on("kind", "change", (event) => change({kind: event.target.value, opened: new Set()}));
+  on("kind", "change", (event) => change({kind: event.target.value, opened: new Map()}));
   ["hops", "way"].forEach((id) => on(id, "change", (event) => change({[id]: event.target.value})));
   on("everything", "click", () => change({around: null}));
   [["closer", 1.25], ["farther", 0.8]].forEach(([id, times]) => on(id, "click", () => zoom(view.scale * times)));
@@ -456,8 +499,9 @@ function listen() {
     event.preventDefault();
     zoom(view.scale * Math.exp(-event.deltaY / 200));
   });
-  window.addEventListener("beforeprint", () => draw([1050, 620])); // a sheet of paper
-  window.addEventListener("afterprint", () => draw());
+  
+  window.addEventListener("beforeprint", putSheets);
+  window.addEventListener("afterprint", () => fill(element("sheets")));
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") clear();
     if (event.key !== "/" || event.target.tagName === "INPUT") return;
@@ -476,9 +520,17 @@ function drag(event) {
   document.addEventListener("mouseup", () => document.removeEventListener("mousemove", move), {once: true});
 }
 
+// Open the group of this name, and those around it, in the group of a number.
+function openFrames(number, above, name) {
+  return groupsIn(number, above).some((group) => {
+    if (group.full !== name && !openFrames(group.number, group.key, name)) return false;
+    return view.opened.set(group.key, true);
+  });
+}
 function start() {
   load(JSON.parse(element("system").textContent));
-  Object.assign(view, {kind: data.kind || "auto", opened: new Set(data.open.map((name) => `/${data.kinds.indexOf(data.kind)}:${name}`))});
+  Object.assign(view, {kind: data.kind || "auto"});
+  data.open.forEach((name) => openFrames(data.trees[view.kind === "auto" ? chooseKind(ALL)[0] : data.kinds.indexOf(view.kind)], "", name));
   ["auto", ...data.kinds].forEach((kind) => element("kind").appendChild(make("option", {value: kind}, kind)));
   listen();
   change({});
