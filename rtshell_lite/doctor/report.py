@@ -9,6 +9,7 @@ from rtshell_lite.corba import orb
 from rtshell_lite.data import clocks
 from rtshell_lite.doctor import host
 from rtshell_lite.doctor.finding import LEVELS, Finding, sorted_by_level
+from rtshell_lite.net import calendar
 from rtshell_lite.robot import component, ports, tree
 from rtshell_lite.system import capture, page_file
 from rtshell_lite.views import live_graph, page
@@ -17,6 +18,8 @@ from rtshell_lite.text import counted
 
 CONFIGURATION = ("conf.", "configuration.")  # begins the names of properties with what is configured
 WINDOW = 30  # seconds of a log that are shown, its last ones
+MOST_PLOTS = 5  # of components with findings
+MOST_EVENTS = 10  # of such a component, its last ones
 # kinds of Nodes that are objects
 BOUND = ("component", "manager", "zombie", "other", "unsure", *tree.DOUBTFUL)
 
@@ -39,13 +42,12 @@ def html(seen, findings, title, log=None, values=True, environment=True):
     for line in drawing.notes:
         remarks.append(page.Remark("note", "", "", line, ""))
     fields = page.fields(drawing.picture, drawing.profile, title, "", remarks)
-    fields["what"] = page.origin("rtdoctor --report") + ". " + _contents(log, values, environment)
-    fields["sections"] = [
-        (heading, page.shown(text)) for heading, text in _sections(seen, environment) if text
-    ]
+    fields["what"] = page.origin("rtdoctor --report")
+    sections = _sections(seen, environment) + [("This report", _contents(log, values, environment))]
     if log:
-        title = f"The last {WINDOW} s of {page.shown(log)}"
-        fields["plots"] = [(title, _plot(log))]
+        fields["plots"], events = _of_log(log, remarks)
+        sections = events + sections
+    fields["sections"] = [(heading, page.shown(text)) for heading, text in sections if text]
     fields["profile"] = profile
     return page.html(fields)
 
@@ -182,15 +184,72 @@ def _ports(visits):
 # ---- a log ----
 
 
-def _plot(name):
-    """The last values and events of a log, as SVG in Base64. Raises errors.Error, OSError."""
+def _of_log(name, findings):
+    """The last values of a log as plots, [(title, SVG in Base64)]: those of components with findings, in
+    their order, then all; the last events of such components as sections. Raises errors.Error, OSError.
+    """
     from rtshell_lite.data import datatypes
-    from rtshell_lite.datalog import decode, logfile, play
-    from rtshell_lite.views import plot_sources, plot_svg
+    from rtshell_lite.datalog import decode, logfile
 
+    plots = []
+    events = []
     with logfile.load(name) as log:
         decoder = decode.Decoder(log, datatypes.Types().load())
-        start = (log.last or 0) / 1e9 - WINDOW
-        entries = play.Range(start, None, False).entries(log)
-        picture = plot_sources.of_log(decoder, [], "", entries)
+        channels = {}
+        for channel in log.channels:
+            for port in {channel.name, *channel.sources}:
+                channels.setdefault(port.rpartition(":")[0], []).append(channel.name)
+        for where, message in _complaints(findings):
+            drawn = where in channels and len(plots) < MOST_PLOTS and _plot(decoder, channels[where])
+            if drawn:
+                title = f"{where}: {message}: the last {WINDOW} s of its out ports"
+                plots.append((page.shown(title), drawn))
+            lines = _events(log, where)
+            if lines:
+                events.append((f"{where}: {message}: its last events in {name}", "\n".join(lines)))
+        plots.append((f"The last {WINDOW} s of {page.shown(name)}", _plot(decoder, [])))
+    return plots, events
+
+
+def _complaints(findings):
+    """{path of a component: the first message} of what is wrong, in the order of findings."""
+    complaints = {}
+    for finding in findings:
+        if finding.level in ("fail", "warn"):
+            where = finding.path.partition(".rtc:")
+            complaints.setdefault(where[0] + where[1].rstrip(":"), finding.message)
+    return complaints.items()
+
+
+def _last(log):
+    """The entries of the last seconds of a log."""
+    from rtshell_lite.datalog import play
+
+    start = (log.last or 0) / 1e9 - WINDOW
+    return play.Range(start, None, False).entries(log)
+
+
+def _plot(decoder, names):
+    """The last values of some channels as SVG in Base64, None where there are none; of all without names."""
+    from rtshell_lite.views import plot_sources, plot_svg
+
+    picture = plot_sources.of_log(decoder, names, "", _last(decoder.log))
+    if names and picture.is_empty():
+        return None
     return base64.b64encode("\n".join(plot_svg.lines(picture)).encode()).decode()
+
+
+def _events(log, where):
+    """The last events of a component, as lines."""
+    from rtshell_lite.datalog import schemas
+
+    numbers = {
+        number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT
+    }
+    lines = []
+    for entry in _last(log) if numbers else ():
+        value = entry.value
+        if entry.channel in numbers and isinstance(value, dict) and value.get("path") == where:
+            words = " ".join(str(value.get(key, "")) for key in ("kind", "subject", "event"))
+            lines.append(f"{calendar.local('%H:%M:%S', entry.received // 10**9)}  {words}")
+    return lines[-MOST_EVENTS:]

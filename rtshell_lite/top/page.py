@@ -427,7 +427,10 @@ class Page:
     def _draw_head(self, components, height, width):
         """The summary, the flow of ports, the head of the columns; returns the number of lines."""
         matching = f"; {len(self.rows)} with: {self.pattern}" if self.pattern else ""
-        below = f"; below {self.common}" if self.common else ""
+        common = self.common
+        if width >= rows.WIDE:
+            common = rows.common_directory(self.rows)
+        below = f"; below {common}" if common else ""
         self._put(0, f"{rows.summary(components)}{matching}{below}", curses.A_BOLD)
         rates = [rows.rate_line(meter.rate()) for meter in self.meters]
         most = max(height // 3, 1)

@@ -64,6 +64,15 @@ def shortened(shown):
     return short, common
 
 
+def common_directory(listed):
+    """What the directories of these Rows begin with, if there are several rows: "/robot1:2809/"; "" for
+    nothing.
+    """
+    common = os.path.commonprefix([row.path for row in listed])
+    common = common[: common.rfind("/") + 1]
+    return common if len(listed) > 1 and common != "/" else ""
+
+
 natural = functools.lru_cache(maxsize=4096)(text.natural)  # for all rows at each look
 
 
@@ -143,7 +152,7 @@ def _wide_line(row):
 
 def wide_head(shown):
     """WIDE_HEAD with the columns that `wide_lines` adds, for these Rows."""
-    names, directories = _widths(shown)
+    names, directories, _ = _widths(shown)
     return "%s  %s  %5s  %s  %s" % (
         WIDE_HEAD[: -len("COMPONENT")] + text.padded("COMPONENT", names),
         text.padded("DIRECTORY", directories),
@@ -155,22 +164,28 @@ def wide_head(shown):
 
 def wide_lines(shown, listed):
     """Yield a line for each Row of `shown`, which are some of those `listed`, below their `wide_head`."""
-    names, directories = _widths(listed)
+    names, directories, common = _widths(listed)
     for row in shown:
         why = reason(row.path, row.failure) if row.failure else row.event
         yield "%s  %s  %5s    %s" % (
             text.padded(_wide_line(row), len(WIDE_HEAD) - len("COMPONENT") + names),
-            text.padded(group(row, "directory"), directories),
+            text.padded(_directory(row, common), directories),
             _duration(row.since and loop.now() - row.since),
             why,
         )
 
 
 def _widths(shown):
-    """Columns for names and for directories."""
+    """Columns for names and for directories, and what is left out of the latter."""
+    common = common_directory(shown)
     names = [text.cells(row.name) + 1 for row in shown]
-    directories = [text.cells(group(row, "directory")) for row in shown]
-    return (min(max(names + [9]), _NAMES), min(max(directories + [9]), _NAMES))
+    directories = [text.cells(_directory(row, common)) for row in shown]
+    return min(max(names + [9]), _NAMES), min(max(directories + [9]), _NAMES), common
+
+
+def _directory(row, common):
+    """The directory of a Row below a common one."""
+    return group(row, "directory")[len(common) :] or "."
 
 
 def _duration(seconds):

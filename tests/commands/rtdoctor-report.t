@@ -88,6 +88,21 @@ The last values of a log, and what happened, as a plot:
 
   $ rtlog -q -i -e 5 -f run.mcap Sensor0.rtc:out
   $ rtdoctor -q --report a.html --log run.mcap > now; has a.html '"plots":.."The last 30 s of run.mcap"'
+
+The component that a finding is about comes first, with its values and its events:
+
+  $ ctl error Sensor0; rtdoctor -q --report a.html --log run.mcap > now
+  [1]
+  $ grep -o '"plots":.."[^"]*"' a.html
+  "plots":[["/localhost:$PORT/test.host_cxt/Sensor0.rtc: in Error: the last 30 s of its out ports"
+  $ rtlog -q -i --events -t 2 -f events.mcap . & recording=$!
+  $ soon '[ -e events.mcap ]'; rtreset Sensor0.rtc; ctl error Sensor0; wait $recording
+  $ rtdoctor -q --report a.html --log events.mcap > now
+  [1]
+  $ grep -o '"[^"]*: its last events in events.mcap"' a.html
+  "/localhost:$PORT/test.host_cxt/Sensor0.rtc: in Error: its last events in events.mcap"
+  $ rtreset Sensor0.rtc; rtact --wait Sensor0.rtc
+
   $ rtdoctor -q --report a.html --log gone.mcap > now
   rtdoctor: gone.mcap: No such file or directory
   [1]

@@ -114,6 +114,27 @@ What is asked for by name is not folded:
   |                            out +-+
   +--------------------------------+
 
+A directory that is asked for is not folded, either; what a terminal has no columns for is cut, as a wrapped line would tear the
+drawing apart:
+
+  $ rtstodot --ascii --live --group directory --around . 2>&1 | grep -c components
+  0
+  [1]
+  $ terminal 22 rtstodot --ascii --live --around Motor0.rtc | sed 's/ *$//'
+  rtstodot: folded by host to fit 22 columns; --open GROUP shows one, --group none everything
+  rtstodot: cut at 22 columns; with | less -RS all of it can be looked at
+  +-------------------+
+  | test              |
+  | 2 components      |
+  | 1 Active, 1 Error |
+  | from Motor0       |<
+  |              data +-
+  +-------------------+
+  | Motor0  Inactive  |
+  | in                |<
+  |               out +-
+  +-------------------+
+
   $ rtstodot --ascii --live --group host --open test
   +------------------------+
   | Hokuyo_AIST0  Inactive |

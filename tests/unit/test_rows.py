@@ -161,14 +161,24 @@ class Shown(unittest.TestCase):
         self.assertEqual(
             [line.rstrip() for line in [rows.wide_head(given)] + list(rows.wide_lines(given, given))],
             [
-                "STATE         RATE  MEASURED  VALUES/S  CONN  COMPONENT  DIRECTORY      SINCE "
+                "STATE         RATE  MEASURED  VALUES/S  CONN  COMPONENT  DIRECTORY   SINCE "
                 "   LAST EVENT",
-                "Active          50      50.0      60.0     2  A.rtc      /h/a.host_cxt     1m "
+                "Active          50      50.0      60.0     2  A.rtc      a.host_cxt     1m "
                 "   Inactive to Active",
-                "?                -         -         -     -  ?B.rtc     /h                 "
+                "?                -         -         -     -  ?B.rtc     .               "
                 "-    no answer",
             ],
         )
+
+    def test_wide_lines_have_no_common_directory(self):
+        """It is said once, above them."""
+        given = [row(name[-5:], path=name) for name in ("/h/a/X.rtc", "/h/a/Y.rtc", "/h/b/Z.rtc")]
+        self.assertEqual(rows.common_directory(given), "/h/")
+        self.assertEqual(rows.common_directory(given[:2]), "/h/a/")
+        self.assertEqual(rows.common_directory(given[:1]), "")
+        self.assertEqual(rows.common_directory([row("X.rtc", path="/g/X.rtc")] + given), "")
+        shown = list(rows.wide_lines(given, given))
+        self.assertEqual([line.split()[5] for line in shown], ["a", "a", "b"])
 
     def test_rates(self):
         for given, expected in (

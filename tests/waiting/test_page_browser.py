@@ -624,7 +624,8 @@ class Hostile(Pages):
             Finding("ok", "host name", "here", "all is well", "", ""),
         ]
         log = os.path.join(self.directory, "a<b>.csv")
-        with mock.patch.object(report, "_plot", return_value=base64.b64encode(SVG).decode()):
+        plots = [("The last 30 s of " + log, base64.b64encode(SVG).decode())]
+        with mock.patch.object(report, "_of_log", return_value=(plots, [])):
             html = report.html(None, found, large_robots.MARKUP, log)
         with open(os.path.join(self.directory, "report.html"), "w", encoding="utf-8") as file:
             file.write(html)

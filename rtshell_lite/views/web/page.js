@@ -400,8 +400,8 @@ function clear() {
   Object.assign(view, {selected: null, group: null});
   const size = `${plural(ALL.length, "component")}, ${plural(data.connections.length, "connection")}`;
   fill(element("details"), make("h2", {}, data.title), ...[data.what, size, counts(ALL).join(", ")].map((line) => make("p", {}, line)),
-       ...data.plots.map(([title, svg]) => folded(title, make("img", {alt: title, title: "Click to enlarge it, elsewhere to shrink it", tabindex: 0, src: `data:image/svg+xml;base64,${svg}`}), true)),
-       ...showFindings(data.findings.filter((found) => found.level !== "ok")), ...data.sections.map(([title, text]) => folded(title, make("pre", {}, text))));
+       ...showFindings(data.findings.filter((found) => found.level !== "ok")),
+       ...data.plots.map(([title, svg]) => folded(title, make("img", {alt: title, title: "Click to enlarge it, elsewhere to shrink it", tabindex: 0, src: `data:image/svg+xml;base64,${svg}`}), true)), ...data.sections.map(([title, text]) => folded(title, make("pre", {}, text))));
   element("page").classList.remove("chosen");
   element("status").textContent = "";
   mark();
