@@ -288,7 +288,7 @@ class Browsers(Served):
         page.wait(DETAILS + ".includes('Inactive')")
         self.rt("rtact", "Motor0.rtc")
         self.addCleanup(self.rt, "rtdeact", "Motor0.rtc")
-        page.wait((BOX % "Motor0") + ".getAttribute('class') === 'box Active selected'")
+        page.wait((BOX % "Motor0") + ".getAttribute('class') === 'box Active selected hit'")
         page.wait(DETAILS + ".includes('Active: Inactive to Active (seen at')")
         self.assertEqual(page.run("document.getElementById('search').value"), "motor")
         World.error.ctl("error", "Err0")
@@ -301,7 +301,7 @@ class Browsers(Served):
         page.wait("document.getElementById('status').textContent === 'Motor0: ✖ Error'")
         page.run("document.getElementById('search').value = ''; "
                  "document.getElementById('search').dispatchEvent(new Event('input'))")
-        page.wait("document.querySelector('#list button').textContent.includes('Broken0')")
+        page.wait("document.querySelector('#list .link').textContent.includes('Broken0')")
 
     def test_selection_folds_and_focus_stay(self):
         """Selection, folded groups, focus, where the map is."""

@@ -48,7 +48,9 @@ function noteSource(edge) {
 // ---- rows and columns
 function prepare(frame, page, isPart) {
   if (isPart) frame.rows = shortRows([].concat(...frame.rows.map((row) => [].concat(...row))), page);
-  const area = sum([].concat(...frame.rows).map((column) => widthOf(column) * sum(column.map((item) => item.usual[1] + GAP))));
+  const area = sum([].concat(...frame.rows).map((column) => widthOf(column) * heightOf(column)));
+  const tall = Math.max(page[1], Math.sqrt(area * page[1] / page[0]));
+  frame.rows = frame.rows.map((columns) => [].concat(...columns.map((column) => divided(column, area, tall))));
   const wide = WIDER * Math.max(page[0], Math.sqrt(area * page[0] / page[1]));
   frame.rows = [].concat(...frame.rows.map((columns) => broken(columns, wide))).map((columns) => ({
     columns: columns.map((items) => ({items, gaps: [...items.map(() => []), []]})),
@@ -67,6 +69,16 @@ function prepare(frame, page, isPart) {
   });
 }
 const widthOf = (items) => largest(items.map((item) => item.usual[0])) + BESIDE;
+
+const heightOf = (items) => sum(items.map((item) => item.usual[1] + GAP));
+
+// Columns of a column that has most of an area and is taller than this: by turns, so each is beside the lines that pass.
+function divided(items, area, tall) {
+  const isTall = heightOf(items) > WIDER * tall && widthOf(items) * heightOf(items) > area / 2;
+  const count = isTall ? Math.min(items.length, Math.ceil(heightOf(items) / tall)) : 1;
+  if (count > 1) items.forEach((item) => { item.home = 0; });
+  return Array.from({length: count}, (none, start) => items.filter((item, place) => place % count === start));
+}
 
 // Rows of about equal width, none much wider than this.
 function broken(columns, wide) {

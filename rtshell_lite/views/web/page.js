@@ -221,14 +221,20 @@ function paint(numbers, [kind, depth], opened, page) {
   svg.append(...frames.map(drawFrame), ...edges.map(drawLine), ...boxes.map(drawBox), ...edges.filter((edge) => edge.pairs.length > 1).map(drawNumber));
   return Object.assign(found, {edges, svg, width, height, room: {x: 0, y: 0, width, height}});
 }
+// Draw what is seen now, around the same point.
 function draw() {
+  const center = picture ? centerOfMap() : [0, 0];
+  replaceMap();
+  lookAt(...center);
+}
+function replaceMap() {
   const numbers = shownNumbers();
   const kind = view.kind === "auto" ? chooseKind(numbers) : [data.kinds.indexOf(view.kind), 0];
   picture = paint(numbers, kind, view.opened, pageOfScreen());
-  fill(element("map"), picture.svg);
   if (picture.boxes.length) picture.boxes[0].shape.setAttribute("tabindex", "0");
-  zoom(view.scale);
+  resize();
   mark();
+  fill(element("map"), picture.svg);
   showControls();
 }
 
@@ -304,17 +310,23 @@ function mark() {
 
 // Show the map larger or smaller, around the same point.
 function zoom(scale) {
-  const [map, {svg, room}] = [element("map"), picture];
-  const x = (map.scrollLeft + map.clientWidth / 2) / view.scale + room.x;
-  const y = (map.scrollTop + map.clientHeight / 2) / view.scale + room.y;
+  const center = centerOfMap();
   view.scale = Math.min(3, Math.max(0.03, scale));
+  resize();
+  lookAt(...center);
+}
+function resize() {
+  const {svg, room} = picture;
   ["width", "height"].forEach((side) => svg.setAttribute(side, room[side] * view.scale));
   svg.setAttribute("viewBox", `${room.x} ${room.y} ${room.width} ${room.height}`);
-  lookAt(x, y);
+}
+function centerOfMap() {
+  const [map, {room}] = [element("map"), picture];
+  return [(map.scrollLeft + map.clientWidth / 2) / view.scale + room.x, (map.scrollTop + map.clientHeight / 2) / view.scale + room.y];
 }
 function lookAt(x, y) {
-  const map = element("map");
-  map.scrollTo((x - picture.room.x) * view.scale - map.clientWidth / 2, (y - picture.room.y) * view.scale - map.clientHeight / 2);
+  const [map, {room}] = [element("map"), picture];
+  map.scrollTo((x - room.x) * view.scale - map.clientWidth / 2, (y - room.y) * view.scale - map.clientHeight / 2);
 }
 
 // What a map may be large, so that its text is read easily when all of it is seen.
@@ -343,17 +355,18 @@ const nodeOf = (key) => picture.boxes.concat(picture.frames).find(({group}) => g
 function setOpen(key, isOpen) {
   const [map, sides] = [element("map"), ["x", "y"]];
   const where = ({room}) => sides.map((side) => (nodeOf(key)[side] - room[side]) * view.scale);
+  const [wide, high] = [map.clientWidth, map.clientHeight]; // read once: it costs a layout
   const onScreen = where(picture).map((side, place) => side - [map.scrollLeft, map.scrollTop][place]);
   view.opened.set(key, isOpen);
-  draw();
+  replaceMap();
   const {room} = picture;
   let goal = where(picture).map((side, place) => side - onScreen[place]);
   // a map that has become smaller keeps room for that
   [room.x, room.y] = goal.map((side) => Math.min(0, side / view.scale));
   goal = goal.map((side) => Math.max(0, side));
-  room.width = Math.max(picture.width - room.x, (goal[0] + map.clientWidth + 1) / view.scale);
-  room.height = Math.max(picture.height - room.y, (goal[1] + map.clientHeight + 1) / view.scale);
-  zoom(view.scale);
+  room.width = Math.max(picture.width - room.x, (goal[0] + wide + 1) / view.scale);
+  room.height = Math.max(picture.height - room.y, (goal[1] + high + 1) / view.scale);
+  resize();
   map.scrollTo(...goal);
   choose(nodeOf(key));
 }

@@ -1,4 +1,5 @@
 // The map on paper: sheets that are drawn when a browser is about to print.
+const SMALLEST = 12000; // square pixels of a component, and of what is around it
 // width and height for the map on a sheet, in pixels; the least size of letters, 6 points, by that on the map
 const [PAPERS, LEGIBLE] = [{A4: [1040, 640], A3: [1505, 965]}, 8 / 14];
 
@@ -9,8 +10,10 @@ function sheets() {
   const isLegible = ({width, height}) => Math.min(size[0] / width, size[1] / height) >= LEGIBLE;
   const [kind, depth] = view.kind === "auto" ? chooseKind(numbers) : [data.kinds.indexOf(view.kind), 0];
   const grouped = kind || data.order.find((other) => other && countAt(-1 - data.trees[other], 1, shown) <= data.most) || data.order[data.order.length - 1];
-  const whole = paint(numbers, [kind, Infinity], new Map(), size);
-  if (isLegible(whole)) return [[data.title, whole]];
+  if (numbers.length * SMALLEST * LEGIBLE * LEGIBLE < size[0] * size[1]) {
+    const whole = paint(numbers, [kind, Infinity], new Map(), size);
+    if (isLegible(whole)) return [[data.title, whole]];
+  }
   const overviews = [kind ? depth : 0, 0].map((open) => paint(numbers, [grouped, open], new Map(), size));
   const found = [[`${data.title}: overview`, overviews.find(isLegible) || overviews[1]]];
   const add = (number, above, key) => groupsIn(number, key).forEach((group) => {
