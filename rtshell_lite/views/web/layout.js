@@ -10,7 +10,7 @@
 const [TITLE, PAD, BESIDE, GAP, LANE, MARGIN] = [34, 24, 84, 24, 8, 28];
 const [LEAST, EDGE] = [24, 44]; // of a channel: for curves, and in all of the first one; in the rest is room for what is opened
 const PITCH = 3; // the least distance of lines that pass between two boxes
-const WIDER = 1.5; // times the width of the page, before columns become several rows
+const WIDER = 1.4; // times the width of the page, before columns become several rows
 
 // Place all that is in a frame. Edges are {source, target: nodes}; endOf(edge, 0 or 1) is the {x, y, side} of an end; each edge gets
 // its hops, from stop to stop. `page` is [width, height]. `isPart`: other boxes are not shown.

@@ -288,7 +288,7 @@ function drawBox(box) {
 function mark() {
   const wanted = element("search").value;
   const frame = picture.frames.find(({group}) => group.key === view.group);
-  const own = new Set(frame ? picture.boxes.filter((box) => frame.members.includes(box.members[0])) : [picture.boxes[picture.at.get(view.selected)]]);
+  const own = frame ? undefined : picture.boxes[picture.at.get(view.selected)];
   const isHit = (box) => box.members.some((number) => matches(number, wanted));
   const clear = new Set(wanted === "" || view.around !== null ? picture.boxes : picture.boxes.filter(isHit));
   const hits = new Set(clear);
@@ -296,11 +296,11 @@ function mark() {
   for (const {shape, source, target} of picture.edges) {
     if (hits.has(source)) clear.add(target);
     if (hits.has(target)) clear.add(source);
-    shape.classList.toggle("on", frame ? own.has(source) !== own.has(target) : own.has(source) || own.has(target));
+    shape.classList.toggle("on", source === own || target === own);
     shape.classList.toggle("unsure", isSilent(source) || isSilent(target)); // what does not answer may have no connection any more
   }
   for (const box of picture.boxes) {
-    box.shape.classList.toggle("selected", !frame && own.has(box));
+    box.shape.classList.toggle("selected", box === own);
     box.shape.classList.toggle("hit", wanted !== "" && hits.has(box) && view.around === null);
     box.shape.classList.toggle("dim", hits.size > 0 && !clear.has(box));
   }
