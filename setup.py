@@ -1,12 +1,16 @@
 """What setup.cfg cannot say: every file of bin/ is a command, every file below man/ a manual page."""
 import glob
+import gzip
 import os
 import sys
+import tarfile
+import time
 import zlib
 
 import setuptools
 from distutils.command.build_scripts import build_scripts  # that of setuptools
 from setuptools.command.build_py import build_py
+from setuptools.command.sdist import sdist
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
@@ -83,6 +87,33 @@ class SameEverywhere(bdist_wheel):
                 os.chmod(os.path.join(where, name), 0o755 if is_program else 0o644)
 
 
+class SameSources(sdist):
+    """The same for the archive of the sources."""
+
+    def make_archive(self, base_name, format, root_dir=None, base_dir=None, owner=None, group=None):
+        if format != "gztar":
+            return super().make_archive(base_name, format, root_dir, base_dir, owner, group)
+        moment = int(os.environ.get("SOURCE_DATE_EPOCH", time.time()))
+
+        def without_traces(member):
+            member.uid = member.gid = 0
+            member.uname = member.gname = ""
+            member.mtime = moment
+            member.mode = 0o755 if member.isdir() or member.mode & 0o100 else 0o644
+            return member
+
+        name = base_name + ".tar.gz"
+        with open(name, "wb") as file, gzip.GzipFile("", "wb", 9, file, moment) as packed:
+            with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:
+                paths = [base_dir]
+                for where, directories, names in os.walk(base_dir):
+                    paths += [os.path.join(where, name) for name in directories + names]
+                for path in sorted(paths):
+                    archive.add(path, recursive=False, filter=without_traces)
+        return name
+
+
 setuptools.setup(long_description=overview(), long_description_content_type="text/markdown",
                  scripts=COMMANDS, data_files=sorted(PAGES.items()),
-                 cmdclass={"build_py": Modules, "build_scripts": Starters, "bdist_wheel": SameEverywhere})
+                 cmdclass={"build_py": Modules, "build_scripts": Starters, "bdist_wheel": SameEverywhere,
+                           "sdist": SameSources})

@@ -228,12 +228,9 @@ def _bands(picture, panel, top):
     for row, series in enumerate(panel.series.values()):
         y = top + BAND * row
         yield _text(LEFT - 8, y + 16, _short(series.name or "value"), "end", "small")
-        values = sorted(series.names)
         for begin, end, value in _spells(picture, series):
             words = series.names.get(value) or ("true" if value else "false")
-            sort = words if words in STATES else f"b{values.index(value) % len(STYLES)}" if values else "b0"
-            if words == "false":
-                sort = "grid"  # not filled
+            sort = _sort(series, value, words)
             x = _x(picture, begin)
             width = max(_x(picture, end) - x, 1.0)
             yield (
@@ -242,6 +239,15 @@ def _bands(picture, panel, top):
             )
             if WORD * (cells(words) + 1) < width:
                 yield _text(x + 5, y + 16, words, sort="small")
+
+
+def _sort(series, value, words):
+    """The class of a band."""
+    if words in STATES:
+        return words
+    if series.names:
+        return f"b{sorted(series.names).index(value) % len(STYLES)}"
+    return "b0" if value else "grid"  # which is not filled
 
 
 def _spells(picture, series):

@@ -69,6 +69,33 @@ class Reproducible(unittest.TestCase):
             self.assertEqual(one.read(), other.read())
 
     @unittest.skipUnless(BUILDERS, "tests/run has built no wheel")
+    def test_sources_octet_for_octet(self):
+        """An sdist depends neither on modes and times of files, nor on who has built it, and where."""
+        self.top = tempfile.mkdtemp(prefix="rt-")
+        self.addCleanup(shutil.rmtree, self.top)
+        build = "import setuptools.build_meta as b, sys; b.build_sdist(sys.argv[1])"
+        archives = []
+        for name, mask in ("here", 0o022), ("in another place", 0o002):
+            source = os.path.join(self.top, name)
+            for each in environments.SOURCES:
+                environments.copy(os.path.join(ROOT, each), os.path.join(source, each))
+            for where, _, files in os.walk(source):
+                for path in [os.path.join(where, each) for each in files]:
+                    os.chmod(path, (0o777 if os.access(path, os.X_OK) else 0o666) & ~mask)
+                    os.utime(path, (mask, mask))
+            subprocess.check_call(
+                [BUILDERS[0], "-c", build, source + "-sdist"],
+                cwd=source,
+                env=dict(os.environ, SOURCE_DATE_EPOCH="1764072000"),
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
+            (path,) = glob.glob(os.path.join(source + "-sdist", "*.tar.gz"))
+            with open(path, "rb") as file:
+                archives.append(file.read())
+        self.assertTrue(archives[0] == archives[1])
+
+    @unittest.skipUnless(BUILDERS, "tests/run has built no wheel")
     def test_whoever_has_the_sources_can_test_them(self):
         """An sdist has all that git has, but what is about git."""
         self.top = tempfile.mkdtemp(prefix="rt-")

@@ -36,9 +36,7 @@ THREADS = (
     "corba/omniorb.py",
     "corba/answers.py",
     "api.py",
-    "mocks.py",
-)  # which may import threading; answers.py has data of each thread, api.py meets the loop of asyncio,
-# mocks.py has its components on a thread of their own
+)  # which may import threading; the last two have data of each thread, and meet the loop of asyncio
 
 
 # Files that import what is net/'s to import, and what: two that run before anything else is imported, and the
@@ -296,6 +294,7 @@ class OneColour(unittest.TestCase):
                 for path in (
                     "cli.py",
                     "api.py",
+                    "mocks.py",
                     "net/hosts.py",
                     "net/loop.py",
                     "corba/omniorb.py",
