@@ -8,6 +8,7 @@ from rtshell_lite import __version__, errors, text
 
 FOREVER = float("inf")  # s
 SCREEN = 24  # lines that the short form of a help has at most
+REST = 6  # of them after the options: those that all commands have, an example, where more is said
 NARROWEST = 10  # columns that its words have at least, on however narrow a terminal
 ENDING = ("--version", "--help", "-h")  # options that end the program
 DIGITS = frozenset("0123456789.")
@@ -221,15 +222,18 @@ class Parser(Words, argparse.ArgumentParser):
         arguments = [_synopsis(action) for action in self._actions if not action.option_strings]
         lines = [" ".join([f"usage: {self.prog} [OPTION ...]"] + arguments), ""]
         lines += textwrap.wrap(self.description, max(text.width() - 2, NARROWEST)) + [""]
-        lines += self._option_lines([action for action in self._actions if action not in common])
+        options = [action for action in self._actions if action not in common]
+        lines += self._option_lines(options, SCREEN - len(lines) - REST)
         names = [f"{action.option_strings[0]} {action.metavar or ''}".strip() for action in common]
         lines += [f"  {', '.join(names)}: as all commands have them", ""]
         verbose = names[0]  # -v, but for rtcryo
         last = f"`{self.prog} --help {verbose}` says more, as does `man {self.prog.partition(' ')[0]}`."
         return "\n".join(lines + self._some_examples(SCREEN - len(lines) - 1) + [last, ""])
 
-    def _option_lines(self, actions):
-        """A line for each argument and option, with as many of the words of its help as fit."""
+    def _option_lines(self, actions, room):
+        """A line for each argument and option, with as many of the words of its help as fit; where they take
+        more than `room` lines, the last ones have their names only.
+        """
         import textwrap
 
         shown = [action for action in actions if action.help is not argparse.SUPPRESS]
@@ -240,8 +244,13 @@ class Parser(Words, argparse.ArgumentParser):
         for name, action in zip(names, shown):
             name = f"  {name.ljust(size)}  "
             meaning = self._get_formatter()._expand_help(action) if action.help else ""
-            room = max(text.width() - 1 - len(name), NARROWEST)
-            lines.append(name + textwrap.shorten(meaning, room, placeholder=" …"))
+            columns = max(text.width() - 1 - len(name), NARROWEST)
+            lines.append(name + textwrap.shorten(meaning, columns, placeholder=" …"))
+        for count in range(len(lines), 0, -1):
+            last = [name for action in shown[count:] for name in action.option_strings]
+            more = textwrap.wrap(", ".join(last) + " …", max(text.width() - 4, NARROWEST)) if last else []
+            if count + len(more) <= room:
+                return lines[:count] + ["  " + line for line in more]
         return lines
 
     def _some_examples(self, room):
