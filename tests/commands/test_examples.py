@@ -263,7 +263,12 @@ class Case(unittest.TestCase):
         """Wait until the process of a line ends."""
         endless = line.partition(" ")[0] in ENDLESS
         status, said = self.robot.outcome(process, endless)
-        self.assertIn(status, (0, 130, -signal.SIGINT) if endless else (STATUS.get(line, 0),), said)
+        statuses = (STATUS.get(line, 0),)
+        if endless:
+            statuses = (0, 130, -signal.SIGINT)
+        elif "its buffer is full (BUFFER_FULL)" in said:  # a component on a busy machine reads late
+            statuses += (5,)
+        self.assertIn(status, statuses, said)
         self.assertNotIn("internal error", said[-1000:])
 
 
