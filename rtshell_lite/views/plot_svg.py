@@ -210,7 +210,8 @@ def _scale(panel):
     """(ticks, words at the head) of the axis of values."""
     if panel.is_of_states():
         return [], ""
-    return plot.scale(*_bounds(panel), 6)
+    low, high = _bounds(panel)
+    return plot.scale(low, high, 6)
 
 
 def _short(name):
