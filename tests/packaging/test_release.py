@@ -77,6 +77,7 @@ class Reproducible(unittest.TestCase):
         archives = []
         for name, mask in ("here", 0o022), ("in another place", 0o002):
             source = os.path.join(self.top, name)
+            os.mkdir(source)
             for each in environments.SOURCES:
                 environments.copy(os.path.join(ROOT, each), os.path.join(source, each))
             for where, _, files in os.walk(source):
