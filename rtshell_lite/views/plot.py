@@ -4,6 +4,7 @@ plot_svg.py draw.
 
 import math
 import re
+import sys
 
 from rtshell_lite import errors
 from rtshell_lite.net import calendar
@@ -317,6 +318,8 @@ def ticks(low, high, most):
     if not high > low or not math.isfinite(high - low):
         return [(low, number(low))]
     rough = (high - low) / max(most, 1)
+    if rough < sys.float_info.min:  # numbers so small have no powers of ten between them
+        return [(low, number(low))]
     power = 10.0 ** math.floor(math.log10(rough))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough * 0.999)
     digits = max(0, -int(math.floor(math.log10(step) + 1e-9)))
@@ -334,6 +337,8 @@ def scale(low, high, most):
     """
     marks = ticks(low, high, most)
     if max((cells(words) for _, words in marks), default=0) <= LONGEST or not math.isfinite(high - low):
+        return marks, ""
+    if high - low < sys.float_info.min:
         return marks, ""
     head = ""
     shared = _shared(low, high)

@@ -156,6 +156,8 @@ class Axes(unittest.TestCase):
             [words for _, words in plot.ticks(0, 1, 5)], ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
         )
         self.assertEqual([words for _, words in plot.ticks(-3.2, 7.9, 5)], ["0", "5"])
+        for low, high in ((0.0, 5e-324), (5e-324, 1e-323)):  # no power of ten is as small
+            self.assertEqual([value for value, _ in plot.scale(low, high, 5)[0]], [low])
         for low, high in ((0, 1e-9), (1e9, 1e9 + 1), (-1e30, 1e30), (5, 5), (float("-inf"), 1)):
             found = plot.ticks(low, high, 5)
             self.assertTrue(1 <= len(found) < 12, found)
