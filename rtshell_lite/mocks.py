@@ -25,14 +25,13 @@ from rtshell_lite.corba.session import Session
 from rtshell_lite.data import datatypes
 from rtshell_lite.net import loop
 from rtshell_lite.play import live, robot as play
+from rtshell_lite.text import printable
 
 __all__ = ["Component", "Fault", "Robot", "robot"]
 
 Component = live.Worker  # the class to derive components from
 Fault = live.Fault  # what their step() raises to go to Error
 LOOK = 0.2  # seconds between two looks whether the components' thread has ended
-
-_session = Session()
 
 
 class Robot:
@@ -51,7 +50,9 @@ class Robot:
         return self.home + "/" + name
 
     def component(self, name):
-        """The object of the component with this instance name, Motor0."""
+        """The object of the component with this instance name, Motor0. Raises NoSuch."""
+        if name not in self._parts.by_name:
+            raise errors.NoSuch("the robot", "component", printable(name))
         return self._parts.by_name[name]
 
     def fail(self, name):
@@ -70,20 +71,27 @@ class Robot:
         self._run_there(self.component(name).close)
 
     def send(self, port, value):
-        """Send a value from an out port, Motor0:angle, as api.send has it."""
+        """Send a value from an out port, Motor0:angle, as api.send has it. Connections of `robot` are "new",
+        as most are: of values that are sent faster than they are carried, the last one comes.
+        """
         self._run_there(self._parts.port(port).send, value)
 
     def received(self, port, count=1, timeout=5.0):
         """The values that have come to an in port, Motor0:target, since this was last called, once there are
         `count`. Raises errors.Unreachable where they do not come within `timeout` seconds.
         """
+        self._parts.port(port)  # raises what is wrong with the name
         there = self._received[port]
         end = loop.now() + timeout
-        while len(there.values) < count and there.came.acquire(timeout=max(0.0, end - loop.now())):
-            pass
+        while len(there.values) < count:
+            if self._is_over:
+                raise self._failure or RuntimeError("the robot has ended")
+            if loop.now() > end:
+                raise errors.Unreachable(
+                    self.path(port), f"{len(there.values)} of {count} values within {timeout:g}s"
+                )
+            there.came.acquire(timeout=min(LOOK, max(0.0, end - loop.now())))
         values = there.values[:]
-        if len(values) < count:
-            raise errors.Unreachable(self.path(port), f"{len(values)} of {count} values within {timeout:g}s")
         del there.values[: len(values)]
         return values
 
@@ -106,7 +114,7 @@ class Robot:
 
     def _run(self, *words):
         try:
-            loop.run(self._play(*words), session=_session)
+            loop.run(self._play(*words), session=Session())
         except loop.Cancelled:
             pass
         except BaseException as e:

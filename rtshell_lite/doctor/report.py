@@ -47,7 +47,7 @@ def html(seen, findings, title, log=None, values=True, environment=True):
     if log:
         fields["plots"], events = _of_log(log, remarks)
         sections = events + sections
-    fields["sections"] = [(heading, page.shown(text)) for heading, text in sections if text]
+    fields["sections"] = [(page.shown(heading), page.shown(text)) for heading, text in sections if text]
     fields["profile"] = profile
     return page.html(fields)
 
@@ -204,7 +204,7 @@ def _of_log(name, findings):
             if drawn:
                 title = f"{where}: {message}: the last {WINDOW} s of its out ports"
                 plots.append((page.shown(title), drawn))
-            lines = _events(log, where)
+            lines = len(events) < MOST_PLOTS and _events(log, where)
             if lines:
                 events.append((f"{where}: {message}: its last events in {name}", "\n".join(lines)))
         plots.append((f"The last {WINDOW} s of {page.shown(name)}", _plot(decoder, [])))

@@ -2,11 +2,12 @@
 and in memory alone.
 """
 
-from rtshell_lite import path
+from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
 from rtshell_lite.net import loop
 from rtshell_lite.play import bindings, component, nameserver
 from rtshell_lite.robot import tree
+from rtshell_lite.text import printable
 
 HERE = "127.0.0.1"
 
@@ -68,9 +69,13 @@ class Robot:
             self.tasks.start(part.work())
 
     def port(self, name):
-        """The port with a name like Motor0:out."""
-        owner, _, port = name.partition(":")
-        return self.by_name[owner].port(port)
+        """The port with a name like Motor0:out. Raises NoSuch."""
+        owner, _, word = name.partition(":")
+        if owner in self.by_name:
+            for port in self.by_name[owner].ports:
+                if port.name == word:
+                    return port
+        raise errors.NoSuch("the robot", "port", printable(name))
 
     async def _connect(self, ends):
         ports = [self.port(end) for end in ends]

@@ -16,6 +16,7 @@ _GAP = 24  # between boxes
 
 _FAR = 6  # layers that lines pass that count for the order; of _MANY boxes in a group only one
 _MANY = 200
+_DEEPEST = 20  # directories in directories that are told apart
 
 # A group of a tree: its kind (a number in part.KINDS), what --open calls it, numbers of all its boxes, what
 # it is made of: Groups and numbers of boxes
@@ -50,7 +51,7 @@ def _path(picture, number, kind):
     if kind == host:
         steps.append((host, part.group_name(picture, number, "host")))
     if kind >= directory:
-        steps += [(directory, name) for name in part.directories(picture.boxes[number])]
+        steps += [(directory, name) for name in part.directories(picture.boxes[number])[:_DEEPEST]]
     if kind > 1:
         steps.append((2, part.group_name(picture, number, "process")))
     if kind:

@@ -269,7 +269,7 @@ class Panel:
         low, high = min(heights), max(heights)
         if low == high:
             more = abs(low) * 0.1 or 1.0
-            return low - more, high + more
+            return max(low - more, -sys.float_info.max), min(high + more, sys.float_info.max)
         return low, high
 
 
@@ -329,6 +329,13 @@ def ticks(low, high, most):
         words = "%.10g" % value if abs(value) >= 1e15 or digits > 5 else "%.*f" % (digits, value + 0.0)
         ticks.append((value, words))
     return ticks
+
+
+def share(value, low, high):
+    """Where a value is between two bounds, 0 to 1. Their difference may be more than a float."""
+    if math.isinf(high - low):
+        return (value / 4 - low / 4) / (high / 4 - low / 4)
+    return (value - low) / (high - low)
 
 
 def scale(low, high, most):

@@ -3,6 +3,7 @@ dashes, too).
 """
 
 import math
+import sys
 
 from rtshell_lite.text import cells, printable
 from rtshell_lite.views import plot
@@ -194,7 +195,7 @@ def _axes(panel, top):
     if head:
         yield _text(LEFT - 8 - WORD, top - 6, head, sort="small")
     for value, words in ticks:
-        y = bottom - (value - low) / (high - low) * HEIGHT
+        y = bottom - plot.share(value, low, high) * HEIGHT
         yield f'<path class="grid" d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}"/>'
         yield _text(LEFT - 8, y + 4, words, "end", "small")
 
@@ -202,8 +203,8 @@ def _axes(panel, top):
 def _bounds(panel):
     """The least and the greatest value, with some room beyond."""
     low, high = panel.bounds() or (0.0, 1.0)
-    room = (high - low) * 0.04
-    return low - room, high + room
+    room = high * 0.04 - low * 0.04  # so as their difference may be more than a float
+    return max(low - room, -sys.float_info.max), min(high + room, sys.float_info.max)
 
 
 def _scale(panel):
@@ -278,7 +279,7 @@ def _curves(picture, panel, top):
         width = 0.0
         for moment, value, is_after_gap in _thinned(picture, series):
             x = _x(picture, moment)
-            y = top + HEIGHT - (value - low) / (high - low) * HEIGHT
+            y = top + HEIGHT - plot.share(value, low, high) * HEIGHT
             if is_after_gap or end is None:
                 data.append(f"M{x:.1f} {y:.1f}h0")  # a value between two gaps is a dot
                 end = x, y

@@ -140,7 +140,7 @@ def _axis(panel, rows):
         marks, head = plot.scale(low, high, max(2, rows // 3))
     labels = {}
     for value, words in marks:
-        up = round((value - low) / (high - low) * bottom)
+        up = round(plot.share(value, low, high) * bottom)
         labels[bottom - up] = words
     return bounds, labels, head
 
@@ -202,7 +202,7 @@ def _draw(canvas, picture, series, bounds, number):
     from_x = from_y = None
     for moment, value, is_after_gap in series.points:
         x = round((moment - picture.first) / span * canvas.right)
-        y = round((value - low) / (high - low) * canvas.top)
+        y = round(plot.share(value, low, high) * canvas.top)
         if from_x is None or is_after_gap:
             canvas.dot(x, y, number)
         elif series.is_step:

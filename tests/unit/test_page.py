@@ -151,6 +151,15 @@ class Data(unittest.TestCase):
             for root in trees:
                 self.assertEqual(sorted(members(-1 - root)), list(range(len(picture.boxes))))
 
+    def test_deep_directories_cost_no_more(self):
+        """Components in 300 nested directories, one in each; only the outermost ones are groups."""
+        profile = robot_maps.profile([], ["C%d" % depth for depth in range(300)])
+        for depth, component in enumerate(profile.components):
+            words = ["localhost"] + depth * ["d.cxt"] + [component.instance_name + ".rtc"]
+            component.path_uri = "/".join(words)
+        groups, _ = page_groups.of(graph.of(profile))
+        self.assertLess(len(groups), 50)
+
     def test_the_same_system_keeps_its_groups(self):
         """They are not computed again for a live page."""
         profile = large_robots.profile(9)

@@ -5,6 +5,7 @@ import math
 import os
 import random
 import re
+import sys
 import types
 import unittest
 import xml.dom.minidom
@@ -280,6 +281,13 @@ class Drawn(unittest.TestCase):
         empty.fit()
         self.assertEqual(plot_text.lines(empty, 80, 12), ["no values"])
         self.assertIn("no values", "\n".join(plot_svg.lines(empty)))
+
+    def test_the_greatest_numbers_are_drawn(self):
+        """Their difference is no float."""
+        for low, high in ((-1e308, 1e308), (1.0, 1.79e308), (sys.float_info.max, sys.float_info.max)):
+            drawn = picture(2, function=[low, high].__getitem__)
+            self.assertIn("*", "\n".join(plot_text.lines(drawn, 80, 12, False)[2:]))
+            self.assertNotRegex("\n".join(plot_svg.lines(drawn)), r"[^a-z](nan|inf)[^a-z]")
 
     def test_one_value_is_drawn(self):
         self.assertIn("*", "\n".join(plot_text.lines(picture(1), 80, 12, False)[2:]))

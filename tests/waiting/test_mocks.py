@@ -87,10 +87,13 @@ class Robots(unittest.TestCase):
         with self.assertRaises(errors.Error):
             with mocks.robot({"Bad0.rtc": type("Bad", (mocks.Component,), {"ins": {"in": "No.SuchType"}})}):
                 pass
-        with self.assertRaises(KeyError):
-            with mocks.robot(ROBOT) as robot:
-                robot.fail("Motor1")
-        with self.assertRaises(KeyError):
+        with mocks.robot(ROBOT) as robot:
+            for act in (
+                lambda: robot.fail("Motor1"), lambda: robot.send("Motor0", 1),
+                lambda: robot.received("Motor0:none"),
+            ):
+                self.assertRaises(errors.NoSuch, act)
+        with self.assertRaises(errors.NoSuch):
             with mocks.robot(ROBOT, [("Sensor0:out", "Motor1:in")]):
                 pass
         with self.assertRaisesRegex(ValueError, "Motor0"):
