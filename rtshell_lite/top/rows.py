@@ -176,7 +176,7 @@ def wide_lines(shown, listed):
 
 
 def _widths(shown):
-    """Columns for names and for directories, and what is left out of the latter."""
+    """Columns for names and for directories, and the directory that is left out of directories."""
     common = common_directory(shown)
     names = [text.cells(row.name) + 1 for row in shown]
     directories = [text.cells(_directory(row, common)) for row in shown]

@@ -1,5 +1,5 @@
-"""What groups and components are called on a page: what is common to all is left out, what is equal is told
-apart.
+"""What groups and components are called on a page: without what all names begin with, and with directories
+where names are equal.
 """
 
 import collections
@@ -34,7 +34,7 @@ def _name(picture, group, depth):
 
 
 def common_directory(picture):
-    """The directory of all components of a picture, spelt for a person; "" if there is none."""
+    """The directory of all components of a picture, spelt for a person; "" where they have none."""
     return "/".join(_common_directory(picture, range(len(picture.boxes))))
 
 
@@ -69,7 +69,7 @@ def _ends_word(start, name):
 
 
 def of_boxes(picture):
-    """{number: what tells a box apart from others of its name}: `left/Motor0`, `right/Motor0`."""
+    """{number: label} of the boxes that share a name with others: `left/Motor0`, `right/Motor0`."""
     equal = collections.defaultdict(list)
     for number, box in enumerate(picture.boxes):
         equal[box.name].append(number)

@@ -18,10 +18,8 @@ BUILDERS = glob.glob(os.path.join(environments.STORE, "build-*", "bin", "python"
 
 
 class Reproducible(unittest.TestCase):
-    def built(self, name, mask, **environment):
-        """A wheel of the checkout, built in a directory of this name, from files with the modes that a umask
-        leaves.
-        """
+    def copied(self, name, mask):
+        """A directory of this name with the sources; their files have the modes that a umask leaves."""
         source = os.path.join(self.top, name)
         os.mkdir(source)
         for each in environments.SOURCES:
@@ -30,6 +28,11 @@ class Reproducible(unittest.TestCase):
             for path in [os.path.join(where, each) for each in files]:
                 os.chmod(path, (0o777 if os.access(path, os.X_OK) else 0o666) & ~mask)
                 os.utime(path, (mask, mask))
+        return source
+
+    def built(self, name, mask, **environment):
+        """A wheel of the checkout, built in a directory of this name from `copied` files."""
+        source = self.copied(name, mask)
         builder = BUILDERS[0]
         environment = dict(os.environ, SOURCE_DATE_EPOCH="1764072000", **environment)
         subprocess.check_call(
@@ -76,14 +79,7 @@ class Reproducible(unittest.TestCase):
         build = "import setuptools.build_meta as b, sys; b.build_sdist(sys.argv[1])"
         archives = []
         for name, mask in ("here", 0o022), ("in another place", 0o002):
-            source = os.path.join(self.top, name)
-            os.mkdir(source)
-            for each in environments.SOURCES:
-                environments.copy(os.path.join(ROOT, each), os.path.join(source, each))
-            for where, _, files in os.walk(source):
-                for path in [os.path.join(where, each) for each in files]:
-                    os.chmod(path, (0o777 if os.access(path, os.X_OK) else 0o666) & ~mask)
-                    os.utime(path, (mask, mask))
+            source = self.copied(name, mask)
             subprocess.check_call(
                 [BUILDERS[0], "-c", build, source + "-sdist"],
                 cwd=source,
