@@ -54,7 +54,7 @@ orb: builtin
    --version
   $ for option in --ring --csv --every --map --trigger --in-place; do for verb in record ring play serve \
   >     show export mend; do
-  > rtlog $verb --help | grep -q -e " $option " && echo $option $verb; done; done
+  > rtlog $verb --help -v | grep -q -e " $option " && echo $option $verb; done; done
   --ring ring
   --csv play
   --csv export
