@@ -107,20 +107,23 @@ class Journal:
             self._listener(fields)
 
     async def _describe(self):
-        """Attach the profile of the system: at the start, and when it has changed and is quiet."""
+        """Attach the profile of the system: at the start, and when it has changed and is quiet. Where it
+        cannot be described, this is tried again.
+        """
         now = loop.now()
         if not self._changed:
             return
         is_busy = now - self._changed < QUIET or now - self._looked < RARELY
-        if self._number and is_busy:
+        if self._looked and is_busy:
             return
-        self._changed = 0.0
+        changed, self._changed = self._changed, 0.0
         self._looked = now
-        self._number += 1
         try:
             profile, more = await describe(self._tops)
         except errors.Error:
-            return  # the next change shows it
+            self._changed = self._changed or changed
+            return
+        self._number += 1
         moment = int(loop.wall() * 1e9)
         self._work.attach(moment, "system-%d.rtsys" % self._number, "application/xml", profile)
         self._work.attach(moment, "components-%d.json" % self._number, "application/json", more)

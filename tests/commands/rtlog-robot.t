@@ -7,7 +7,7 @@ world: senders 100 100
   $ entries() { rtlog -d --json -f $1 2>/dev/null |
   > python3 -c "import json, sys; print([c['entries'] for c in json.load(sys.stdin)['channels'] if c['name'].endswith('$2')][0])"; }
   $ rtlog -q -f a.mcap --events . & pid=$!
-  > soon '[ $(entries a.mcap :number) -gt 20 ]'
+  > soon '[ $(entries a.mcap :number) -gt 20 ]' && soon 'rtlog --attachment system-1.rtsys -f a.mcap'
   > kill $pid; wait $pid
   [143]
 
