@@ -102,9 +102,10 @@ class Terminal:
         self.program(programs, "python3", '"%s"' % sys.executable)
         ours = "env RTSHELL_ORB=builtin"  # what the demo needs
         self.program(programs, "rtshell_lite", '%s "%s" -m rtshell_lite' % (ours, sys.executable))
+        # the timeout: what is silent is no subject of papers, and a busy machine is slow
         environment = dict(
             worlds.ENVIRONMENT, HOME=directory, TERM="dumb", LC_ALL="C.UTF-8", PYTHONDONTWRITEBYTECODE="1",
-            PATH=os.pathsep.join([programs, worlds.COMMANDS, os.environ["PATH"]]),
+            RTSHELL_TIMEOUT="15", PATH=os.pathsep.join([programs, worlds.COMMANDS, os.environ["PATH"]]),
         )
         for name in "RTCTREE_NAMESERVERS", "RTCSH_CWD", "COLUMNS", "NO_COLOR":
             environment.pop(name, None)
