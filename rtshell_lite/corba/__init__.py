@@ -8,7 +8,6 @@ orb        the door: references (their address, identity, endpoint), calls with 
 iiop/      our own ORB behind it, in Python: client, which orb.py sees; peers, calls, connections; server
 omniorb    the annex: omniORB behind it, by threads; answers looks at what peers send before omniORB makes
            objects of it, stubs makes its classes
-hosts      where hosts are, by their names
 failures   what the exceptions of peers mean, for both
 refusals   what a refused connection proves
 servants   objects of ours that components call

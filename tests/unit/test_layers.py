@@ -36,7 +36,7 @@ THREADS = (
     "corba/omniorb.py",
     "corba/answers.py",
     "api.py",
-)  # which may import threading; the last two have data of each thread, and meet the loop of asyncio
+)  # which may import threading
 
 
 # Files that import what is net/'s to import, and what: two that run before anything else is imported, and the
