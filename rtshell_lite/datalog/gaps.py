@@ -3,7 +3,6 @@ has a Metadata record for each such gap.
 """
 
 import collections
-import json
 
 from rtshell_lite.datalog import records
 from rtshell_lite.text import printable
@@ -22,12 +21,16 @@ Gap = collections.namedtuple("Gap", "first last counts why")
 
 def to_texts(gap):
     """The texts of a Gap's Metadata record, by name."""
+    import json  # which Debian's python3-minimal lacks, and a live plot does not need
+
     counts = json.dumps(gap.counts, sort_keys=True)
     return {"first": str(gap.first), "last": str(gap.last), "counts": counts, "why": gap.why}
 
 
 def from_texts(texts):
     """The Gap that the texts of a Metadata record describe; None where they describe none."""
+    import json
+
     try:
         first = int(texts["first"][:20])
         last = int(texts["last"][:20])

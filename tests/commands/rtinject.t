@@ -20,6 +20,12 @@ A number alone is the data:
   $ rtinject -c 44 ConsoleOut0.rtc:in; ctl received ConsoleOut0:in 6
   6 44
 
+A number among the ports is taken for what it is:
+
+  $ rtinject ConsoleOut0.rtc:in 44
+  rtinject: 44: no port; to send that value: -c 44 (see --help)
+  [2]
+
 {time} is fresh for every value; so is a time that is left out:
 
   $ ctl times ConsoleOut0:in

@@ -193,10 +193,10 @@ What cannot be; both spellings have the same messages:
   rtlog: --json is for rtlog play, show and export, not for rtlog serve (see --help)
   [2]
   $ rtlog export a.mcap tables
-  rtlog: not a DIRECTORY for --csv: tables (see --help)
+  rtlog: not a DIRECTORY for --csv, which writes a table for each channel: tables (see --help)
   [2]
   $ rtlog export a.mcap tables --json
-  rtlog: not a DIRECTORY for --csv: tables (see --help)
+  rtlog: not a DIRECTORY for --csv, which writes a table for each channel: tables (see --help)
   [2]
   $ rtlog export a.mcap --csv --attachment x
   rtlog: --attachment takes only the log (see --help)

@@ -139,6 +139,9 @@ What is not there:
   $ rtplot -f none
   rtplot: none: No such file or directory
   [1]
+  $ rtplot none.mcap numbers
+  rtplot: none.mcap: No such file or directory
+  [1]
   $ rtlog -q -f empty.mcap -t 0.3 ConsoleIn0.rtc:out; rtplot -f empty.mcap
   no values
   [1]

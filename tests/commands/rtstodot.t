@@ -232,6 +232,9 @@ Files that are not profiles, reported with line and column:
   $ rtstodot nofile
   rtstodot: nofile: No such file or directory
   [1]
+  $ rtstodot --svg new.svg /localhost
+  rtstodot: new.svg: no such file to draw; --svg prints the drawing: > new.svg (see --help)
+  [2]
   $ rtstodot
   rtstodot: -:1:1: the file is empty
   [1]

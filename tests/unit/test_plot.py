@@ -5,6 +5,7 @@ import math
 import os
 import random
 import re
+import subprocess
 import sys
 import types
 import unittest
@@ -16,6 +17,7 @@ from rtshell_lite.data import statistics
 from rtshell_lite.datalog import gaps, records
 from rtshell_lite.views import plot, plot_sources, plot_svg, plot_text
 
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 START = 1700000000 * 10 ** 9
 SECOND = 10 ** 9
 
@@ -329,6 +331,11 @@ class Drawn(unittest.TestCase):
         places = [float(x) for x, _ in found] + [plot_svg.WIDTH + plot_svg.WORD]
         for this, following in zip(places, places[1:]):
             self.assertGreaterEqual(following - this, 24 * plot_svg.WORD)
+
+    def test_live_plots_need_no_json(self):
+        """Debian's python3-minimal lacks it."""
+        code = "import sys; sys.modules['json'] = None; from rtshell_lite.views import plot_sources, plot"
+        subprocess.check_call([sys.executable, "-c", code], env=dict(os.environ, PYTHONPATH=ROOT))
 
 
 if __name__ == "__main__":
