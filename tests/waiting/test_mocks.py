@@ -56,14 +56,16 @@ class Robots(unittest.TestCase):
             self.assertEqual(robot.component("Motor0").setting("gain"), 3)
 
     def test_two_robots_at_once_and_nothing_left(self):
-        threads = threading.active_count()
+        before = threading.enumerate()
         with mocks.robot(ROBOT) as one, mocks.robot(ROBOT) as other:
             self.assertNotEqual(one.address, other.address)
             for robot in one, other:
                 self.assertEqual(len(api.components(robot.home)), 2)
         with self.assertRaises(errors.Unreachable):
             api.components(one.home)
-        self.assertEqual(threading.active_count(), threads)
+        for thread in set(threading.enumerate()) - set(before):
+            thread.join(10.0)
+            self.assertFalse(thread.is_alive(), thread)
 
     def test_a_component_that_is_killed(self):
         with mocks.robot(ROBOT, CONNECTED) as robot:
