@@ -39,8 +39,8 @@ LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for a
 
 # The doctor promises three times the timeout; what asks one after the other may wait as often, such as
 # rtcheck --extra, which asks the components of the file, then all bad peers at once, for their ports and then
-# for their profiles. rttrace asks the doctor about the culprit, rtteardown looks again before it ends.
-PATIENCE = {"rtdoctor": 3, "rttrace": 4, "rtsh": 2, "rtteardown": 2}
+# for their profiles. rttrace asks the doctor about the culprit.
+PATIENCE = {"rtdoctor": 3, "rttrace": 4, "rtsh": 2}
 
 BAD = {4}               # the peer is dead, silent or garbled
 # What the status may be besides: the answer of those that look is that the peer is bad, what asks only the

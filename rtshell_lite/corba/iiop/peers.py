@@ -508,12 +508,15 @@ class Peers:
                 peer.add(request)
 
     def _restart_clocks(self, seconds):
-        """We were away for so long: nobody was silent meanwhile."""
+        """We were away for so long: nobody was silent meanwhile. What was sent at the end of that waits from
+        now on.
+        """
+        now = loop.now()
         for peer in self._asked:
-            peer.heard += seconds
-            peer.moved_on += seconds
+            peer.heard = min(peer.heard + seconds, now)
+            peer.moved_on = min(peer.moved_on + seconds, now)
             for request in peer.connection.requests.values():
-                request.sent += seconds
+                request.sent = min(request.sent + seconds, now)
 
     def _leave_all(self):
         """End the connections, or leave them for later calls."""
