@@ -91,6 +91,15 @@ class Robot(unittest.TestCase):
         self.assertEqual(result, (0, "export PATH='%s/bin':$PATH\n" % place, ""))
         return place
 
+    def unpacked(self):
+        """A copy of what one `unpack` has laid out for all tests, as compiling it takes long."""
+        laid_out = os.path.join(self.top, "laid out")
+        if not os.path.exists(laid_out):
+            shutil.move(self.unpack(), laid_out)
+        place = os.path.join(self.directory, "a place")
+        shutil.copytree(laid_out, place, symlinks=True)
+        return place
+
     def check_without_omniorb(self, command, chosen=("rtls", "rtpwd", "rtcon")):
         """`command(name)` gives the words that start a command; there is no omniORBpy, and nobody listens."""
         for name in chosen:

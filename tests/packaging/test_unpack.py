@@ -18,7 +18,7 @@ class Unpacked(Robot):
         self.check_without_omniorb(lambda name: [os.path.join(place, "bin", name)])
 
     def test_they_start_without_what_is_installed_beside_python_and_find_it_when_it_is_asked_for(self):
-        command = os.path.join(self.unpack(), "bin", "rtls")
+        command = os.path.join(self.unpacked(), "bin", "rtls")
         with open(command, encoding="utf-8") as file:
             self.assertEqual(file.readline(), "#!%s -S\n" % self.python)
         beside = subprocess.check_output(
@@ -39,7 +39,7 @@ class Unpacked(Robot):
 
     def test_can_be_moved_linked_and_unpacked_again(self):
         moved = os.path.join(self.directory, "moved")
-        os.rename(self.unpack(), moved)
+        os.rename(self.unpacked(), moved)
         link = os.path.join(self.directory, "rtpwd")
         os.symlink(os.path.join(moved, "bin", "rtpwd"), link)
         self.assertEqual(run([link]), (0, "/\n", ""))
@@ -53,7 +53,7 @@ class Unpacked(Robot):
         self.assertEqual(files(moved, kept), before)
 
     def test_checkout_and_wheel_lay_out_the_same(self):
-        place = self.unpack()
+        place = self.unpacked()
         other = os.path.join(self.directory, "other")
         self.assertEqual(
             run([self.python, "-m", "rtshell_lite", "--unpack", other], environment={"PYTHONPATH": ROOT})[0],
@@ -63,7 +63,7 @@ class Unpacked(Robot):
 
     def test_modules_come_from_one_compiled_file(self):
         """But for what has changed since, and where it is damaged."""
-        place = self.unpack()
+        place = self.unpacked()
         lib = os.path.join(place, "lib")
         (name,) = [name for name in os.listdir(lib) if name.endswith(".compiled")]
         program = (

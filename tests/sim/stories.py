@@ -24,6 +24,7 @@ world began. What else is typed:
     strike INT rtwatch          a signal
     stop rtwatch, wake rtwatch  it does nothing until then, as if its host were busy
     interrupt 0.5 rtls -l       a command, and Ctrl-C after 0.5 s; `terminate`: SIGTERM
+    busy 0.5 rtls -l            a command that computes for 0.5 s before it asks anybody
     sleep 3
     hang many                   a fault of faults.py, and what it concerns: a process goes by the name of its
                                 world (many, many2 …), a host by its own; `wake many` ends this one
@@ -169,9 +170,9 @@ class Robot(robots.Robot):
 class Command:
     """A command that was typed: `program`, what it has printed that was not shown."""
 
-    def __init__(self, host, words, environment):
+    def __init__(self, host, words, environment, work):
         name, *more = words
-        self.program = worlds.Program(host, name, users.typed(name, more), more, environment)
+        self.program = worlds.Program(host, name, users.typed(name, more, work), more, environment)
         self._shown = [0, 0]
 
     def told(self):
@@ -237,10 +238,10 @@ class Player:
 
     # ---- commands ----
 
-    def _run(self, words, environment, struck=None, number=signal.SIGINT):
-        """`struck`: the seconds until a signal."""
+    def _run(self, words, environment, struck=None, number=signal.SIGINT, work=0.0):
+        """`struck`: the seconds until a signal; `work`: those that it computes at first."""
         goes_on = words[-1] == "&"
-        command = Command(self.seat, words[: len(words) - goes_on], environment)
+        command = Command(self.seat, words[: len(words) - goes_on], environment, work)
         if struck is not None:
             self.world.at(struck, command.program.strike, number)
         if not goes_on:
@@ -258,6 +259,9 @@ class Player:
 
     def do_terminate(self, seconds, *words):
         return self._run(words, self.environment, float(seconds), signal.SIGTERM)
+
+    def do_busy(self, seconds, *words):
+        return self._run(words, self.environment, work=float(seconds))
 
     def do_wait(self, name):
         return self._end(self.commands.pop(name))

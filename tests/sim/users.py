@@ -7,7 +7,7 @@ import recordings
 import world as worlds
 
 from rtshell_lite import cli
-from rtshell_lite.net import real
+from rtshell_lite.net import loop, real
 from rtshell_lite.shell import installation
 
 TIMEOUT = 1.0  # seconds, of all commands
@@ -231,13 +231,17 @@ def _spelt(word, names):
     return word
 
 
-def typed(name, words):
-    """main() of a command with these words."""
+def typed(name, words, work=0.0):
+    """main() of a command with these words, which computes for so many seconds before it asks anybody."""
     module = _module(name)
+
+    async def run(*args):
+        loop.world().compute(work)
+        return await module.run(*args)
 
     def main():
         try:
-            return cli.command(module.arguments, module.run, module.__doc__, words)
+            return cli.command(module.arguments, run if work else module.run, module.__doc__, words)
         except KeyboardInterrupt:
             return 130
         except cli.Ended as e:

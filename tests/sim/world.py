@@ -331,6 +331,12 @@ class Program:
         if self._is_killed:
             raise Killed
 
+    def compute(self, seconds):
+        """Do nothing else for a time; on its own thread."""
+        done = self.world.time + seconds
+        while self.world.time < done:
+            self.wait(done - self.world.time)
+
     def hear(self, name):
         """A program of this name has answered it, or does so no more."""
         if name in self.unheard:

@@ -214,3 +214,15 @@ What is no name server is told from one:
   $ rtls /10.0.0.1:40001/a.cxt
   ! rtls: /10.0.0.1:$PORT: not a name server (it is a CORBA process of another kind)
   [3]
+
+What a command computes at first, on a slow machine, is no time in which others were silent, nor is it added to what
+they have:
+
+  $ wake many2
+  $ busy 0.7 rtls --timeout 0.5 Mock0.rtc
+  Mock0.rtc
+  [0] after 0.7 s
+  $ hang names
+  $ busy 0.7 rtls --timeout 1
+  ! rtls: /robot: no answer within 1s
+  [4] after 1.8 s
