@@ -16,7 +16,7 @@ from rtshell_lite.text import printable, shell_word, to_wire
 
 INTERFACES = ("corba_cdr", "data_service")  # usable interface types; the first is preferred
 LOOK = 1.0  # seconds between two looks whether silent ports still exist
-MOST = 100  # that are looked at at a time; of more by turns
+MOST = 20  # that are looked at at a time, of more by turns: each look is a call that the component answers
 
 # That a connector was not removed, why, and when to try again.
 BUSY = (

@@ -23,7 +23,13 @@ class Watcher:
 
     async def report_news(self):
         """Report what is new."""
-        news = [report for connection in self.connections for report in self._news(connection)]
+        told = self.reported
+        changed = [
+            connection
+            for connection in self.connections
+            if connection.remark or connection.failure is not told.get(connection)
+        ]
+        news = [report for connection in changed for report in self._news(connection)]
         if news:  # on a thread, as a terminal may take nothing while components need our answers
             await loop.finish(loop.race(loop.on_thread(_report, news), loop.sleep(PATIENCE)))
 

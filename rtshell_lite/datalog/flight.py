@@ -13,7 +13,8 @@ from rtshell_lite.live import times
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, composites, ports, search, tree
 
-SEEK = 1.0  # seconds between two looks for components
+SEEK = 1.0  # seconds between two looks for components; more where there are many
+SEEK_EACH = 0.004  # seconds for each of those that are there
 AGAIN = 10.0  # seconds until one that did not answer is asked again
 # values a second that a component may send, beyond which it does not call us in its own cycle: each would
 # cost it 0.1 ms
@@ -119,7 +120,7 @@ class Flight:
     async def follow(self, opened):
         """Look for components again and again, and connect to their ports, in connection.Connections."""
         while True:
-            await loop.sleep(SEEK)
+            await loop.sleep(max(SEEK, SEEK_EACH * len(self.components)))
             self._drop_dead(opened)
             readers = await self.find()
             if readers:
@@ -191,12 +192,9 @@ class Flight:
         """Forget the Readers of ports that were gone at the last look, and are reported: they may
         come back.
         """
-        live = opened.live()
-        gone = {
-            identity
-            for identity, reader in self._read.items()
-            if reader not in live and isinstance(reader.failure, errors.Unreachable)
-        }
+        failed = [entry for entry in self._read.items() if isinstance(entry[1].failure, errors.Unreachable)]
+        live = opened.live() if failed else []
+        gone = {identity for identity, reader in failed if reader not in live}
         for identity in gone & self._gone:
             reader = self._read.pop(identity)
             self._due.pop(orb.identity(reader.port.node.ref), None)

@@ -19,6 +19,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot, tree
 
 MOST = 200  # questions of a kind that are put to a process, or a component, at a time
+IDLE = 4.0  # seconds until those are looked through again that were to be asked nothing
 
 KINDS = ("RTC_STATUS", "EC_EVENT", "CONFIG_EVENT")  # not PORT_EVENT
 
@@ -142,6 +143,41 @@ class Followed:
             self.reported(event)
 
 
+class _Queue:
+    """What is asked one question after the other, see `Presence.queue_of`.
+
+    asked    {kind of questions: when some were put}
+    counts   {kind: how many were put}
+    idle     the kinds of which there was none the last time
+    last     when some of any kind were put
+    due_at   when the next may be, while its `members` are the same: how many, and how many of them report
+    is_busy  whether some are being put
+    """
+
+    def __init__(self):
+        self.asked = {}  # type: dict
+        self.counts = collections.Counter()  # type: collections.Counter
+        self.idle = set()  # type: set
+        self.last = -math.inf
+        self.due_at = 0.0
+        self.members = 0, 0
+        self.is_busy = False
+
+    def is_due(self, some, now):
+        """Whether these, its members, may be to be asked something. To look through thousands takes time."""
+        members = len(some), sum([entry.reports for entry in some])
+        if members == self.members and now < self.due_at:
+            return False
+        self.members = members
+        return True
+
+    def wait_for(self, asks, look, now):
+        """Find out when the next of some kinds, as in `Presence.asks`, may be due."""
+        some = asks.keys() - self.idle
+        due = [self.asked.get(kind, -math.inf) + asks[kind] * look for kind in some]
+        self.due_at = max(self.last + look, min([now + IDLE, *due]))
+
+
 class Presence:
     """Follows components, `followed`: `async with presence:`.
 
@@ -155,11 +191,7 @@ class Presence:
     def __init__(self, followed, look):
         self.followed = followed
         self.look = look
-        # by what is asked one question after the other, see `queue_of`: {kind: when some were asked; None: of
-        # any kind}, {kind: how many questions}, and those that are being asked
-        self._asked = collections.defaultdict(dict)  # type: dict
-        self._counts = collections.defaultdict(collections.Counter)  # type: dict
-        self._asking = set()  # type: set
+        self._queues = collections.defaultdict(_Queue)  # type: dict  # by `queue_of`
         self._suspected = set()  # endpoints that are being asked whether they live
         self._seek_at = 0.0  # when absent ones are looked for
         self._late_at = 0.0  # when one may be late, at the soonest
@@ -301,9 +333,9 @@ class Presence:
             for entry in late:
                 self.lend_again(entry)
             pause = times.SEEK if missing else 1.0  # to look through thousands takes some time
-            if self.ask_around(now) or doubtful:
+            if doubtful:
                 pause = min(pause, self.look / 2)
-            pause = min(pause, max(self._late_at - now, self.look / 2))
+            pause = min(pause, max(min(self.ask_around(now), self._late_at) - now, self.look / 2))
             await self._alarm.wait(pause)
 
     def _late(self, now):
@@ -371,47 +403,56 @@ class Presence:
         return number
 
     def ask_around(self, now):
-        """Ask for what is not reported: whether there is something."""
-        queues = collections.defaultdict(list)
+        """Ask for what is not reported. Returns when there may be more to ask for."""
+        members = collections.defaultdict(list)
         for entry in self.followed:
             if entry.seen is not None and entry.shown is not None and not entry.is_hung:
-                queues[self.queue_of(entry)].append(entry)
-        for queue in self._asked.keys() - queues.keys():  # a process that is restarted has another port
-            del self._asked[queue]
-            self._counts.pop(queue, None)
-        for queue, some in queues.items():
-            if queue not in self._asking:
+                members[self.queue_of(entry)].append(entry)
+        for name in self._queues.keys() - members.keys():  # a process that is restarted has another port
+            del self._queues[name]
+        due_at = math.inf
+        for name, some in members.items():
+            queue = self._queues[name]
+            if not queue.is_busy and queue.is_due(some, now):
                 questions = self._due(queue, some, now)
                 if questions:
-                    self._asking.add(queue)
+                    queue.is_busy = True
                     self.start(self._put_all(queue, questions), some[0].endpoint)
-        return bool(queues)
+            due_at = min(due_at, queue.due_at)
+        return due_at
 
     def _due(self, queue, some, now):
         """The questions, (Followed, kind of Event, coroutine function), that these are to be asked."""
-        asked = self._asked[queue]
-        if now - asked.get(None, -math.inf) < self.look:
+        if now - queue.last < self.look:
+            queue.due_at = queue.last + self.look
             return []
+        asked = queue.asked
         overdue = {kind: (now - asked.get(kind, -math.inf)) / looks for kind, looks in self.asks.items()}
+        chosen = []
         for kind in sorted(overdue, key=overdue.get, reverse=True):
             if overdue[kind] < self.look:
                 break
             of_kind = [question for entry in some for question in _questions(entry, kind, now)]
             asked[kind] = now
-            if of_kind:
-                asked[None] = now
-                count = min(self.at_a_time(kind, len(of_kind)), MOST)
-                first = self._counts[queue][kind] % len(of_kind)
-                self._counts[queue][kind] += count
-                return (2 * of_kind)[first : first + count]
-        return []
+            if not of_kind:
+                queue.idle.add(kind)
+                continue
+            queue.idle.discard(kind)
+            queue.last = now
+            count = min(self.at_a_time(kind, len(of_kind)), MOST)
+            first = queue.counts[kind] % len(of_kind)
+            queue.counts[kind] += count
+            chosen = (2 * of_kind)[first : first + count]
+            break
+        queue.wait_for(self.asks, self.look, now)
+        return chosen
 
     async def _put_all(self, queue, questions):
         try:
             for question in questions:
                 await self._put(*question)
         finally:
-            self._asking.discard(queue)
+            queue.is_busy = False
 
     async def _put(self, entry, kind, question):
         """Ask a component a question, and report what its answer shows."""

@@ -216,6 +216,7 @@ class Arm(live.Worker):
     """The joints as one."""
 
     category, description = "Composite", "the three joints"
+    settings = {"default": {"members": "Shoulder0,Elbow0,Wrist0", "exported_ports": ""}}
 
 
 # by what they are bound as; those of a composite are its members

@@ -326,6 +326,8 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     holder = await tree.component(target.object(), or_manager=True)
     if holder.kind == "component" and target.port is not None:
         raise errors.WrongKind(str(target), "component or manager", "port")
+    if holder.kind == "component" and not (adding or removing):
+        raise errors.Usage(f"{target!s}: nothing to do: name members to add (-a) or to remove (-r)")
     if holder.kind == "component":
         composite = holder
     else:

@@ -90,7 +90,7 @@ async def connect(ends, name="", connector_id="", given=None):
     code, raw = await orb.call(ports.between(ends), refs[0], "connect", asked)
     if str(code) != "RTC_OK":
         await _tidy(ends)
-        why = _why_refused(str(code), ends, connector_id)
+        why = _why_refused(str(code), ends, connector_id, given)
         raise errors.Refused(ports.between(ends), why, name=str(code))
     return ports.connector(raw, ports.between(ends))
 
@@ -109,14 +109,24 @@ async def connect_alone(port, name, properties):
     return ports.connector(raw, ports.label(port))
 
 
-def _why_refused(code, ends, connector_id):
+def _why_refused(code, ends, connector_id, given):
     already = ports.joining(ends)
     if code == "PRECONDITION_NOT_MET" and already:
-        return f"already connected (id {printable(already[0].id)})"
+        return _already_connected(ends, already[0], given)
     if code == "PRECONDITION_NOT_MET" and connector_id:
         return f"refused; id {printable(connector_id)} is in use, or the component takes no ids (RtORB)"
     also = f"; it is connected already (id {printable(already[0].id)})" if already else ""
     return f"refused by the component ({code}){also}"
+
+
+def _already_connected(ends, connector, given):
+    """What to say of the Connector that joins the Ports, and what to do where another was asked for."""
+    connector_id = printable(connector.id)
+    differing = _differing(connector, "", "", given)
+    if not differing:
+        return f"already connected (id {connector_id})"
+    removes = " ".join(map(shell_word, ("rtdis", "-i", connector.id, ports.label(ends[0]))))
+    return f"already connected (id {connector_id}: {', '.join(differing)}); to change that, first: {removes}"
 
 
 async def _tidy(ends):

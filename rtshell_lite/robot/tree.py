@@ -332,7 +332,8 @@ async def children(node, objects=()):
     names = await bound(node)
     nodes = []
     if objects:
-        known_nodes = {entry: objects.get(str(node.path.child(entry[0]))) for entry in names}
+        above = str(node.path)
+        known_nodes = {entry: objects.get(f"{above}/{entry[0]}") for entry in names}
         nodes = [node for node in known_nodes.values() if node is not None]
         names = [entry for entry in names if known_nodes[entry] is None]
     while names:
@@ -343,7 +344,7 @@ async def children(node, objects=()):
                 nodes.append(child)
             elif not isinstance(child, errors.Refused):  # unbound since the list was made
                 raise child
-    return _sorted(nodes)
+    return sorted(nodes, key=lambda node: str(node.path.names[-1]))  # what is above is the same
 
 
 async def _child(entry):

@@ -34,6 +34,9 @@ Wrong usage:
   $ rtcomp ../m.host_cxt/manager.mgr
   rtcomp: /localhost:$PORT/m.host_cxt/manager.mgr: nothing to do: name a composite (MANAGER:NAME), or its members (-a) (see --help)
   [2]
+  $ rtcomp composite0.rtc
+  rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: nothing to do: name members to add (-a) or to remove (-r) (see --help)
+  [2]
   $ rtcomp ../m.host_cxt/manager.mgr:'a&b=c'
   rtcomp: a composite cannot be called a&b=c (see --help)
   [2]

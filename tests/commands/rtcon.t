@@ -147,6 +147,9 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   $ rtcon ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
   [6]
+  $ rtcon -p buffer.write.full_policy=block -p subscription_type=new ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1: its dataport.buffer.write.full_policy is empty); to change that, first: rtdis -i id-1 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
+  [6]
   $ rtcon -d ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
   [1]

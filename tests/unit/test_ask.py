@@ -7,7 +7,7 @@ from unittest import mock
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
-from rtshell_lite.live import ask, times, watch
+from rtshell_lite.live import ask, follow, times, watch
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, configuration, ports
 
@@ -261,12 +261,32 @@ class Queues(unittest.TestCase):
         self.watch.ask_around(10.0)  # none has answered
         self.assertEqual(len(self.begun), 3)
 
+    def test_those_that_report_are_looked_through_now_and_then(self):
+        self.follow(1, 0)
+        self.watch.asks = {ask.states: 1}
+        (entry,) = self.watch.followed
+        entry.reports = True
+        looked = []
+        entry.may_be_asked = lambda shows, now: looked.append(now) or True
+        for tenth in range(int(20 * follow.IDLE) + 1):
+            self.watch.ask_around(tenth / 10)
+        self.assertEqual(looked, [0.0, follow.IDLE, 2 * follow.IDLE])
+        entry.reports = False  # it has lost our observer
+        self.watch.ask_around(2 * follow.IDLE + 0.3)
+        self.assertEqual(len(looked), 4)
+
+    def test_when_there_is_more_to_ask_for(self):
+        self.follow(1, 0)
+        self.watch.asks = {ask.contexts: 3}
+        self.assertAlmostEqual(self.watch.ask_around(7.0), 7.0 + 3 * self.watch.look)
+        self.assertAlmostEqual(self.watch.ask_around(7.1), 7.0 + 3 * self.watch.look)
+
     def test_nothing_stays_of_those_that_are_gone(self):
         self.follow(3, 1)
         self.watch.ask_around(0.0)
         self.watch.followed = []
         self.watch.ask_around(10.0)
-        self.assertFalse(self.watch._asked or self.watch._counts)
+        self.assertFalse(self.watch._queues)
 
     def test_many_ports_are_asked_more_rarely(self):
         for count, seconds in ((5, 2), (30, 10)):

@@ -121,16 +121,16 @@ Connections come and go, are made again under their id, with another far end, to
   {"number": 5, "port": "/events", "received": 22.2, "type": "rtlog.Event", "value": {"event": "APPEARED", "kind": "LIFE_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": ""}}
   {"number": 6, "port": "/events", "received": 24.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
   {"number": 7, "port": "/events", "received": 24.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
-  {"number": 8, "port": "/events", "received": 30.8, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
-  {"number": 9, "port": "/events", "received": 30.8, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
-  {"number": 10, "port": "/events", "received": 30.8, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"number": 11, "port": "/events", "received": 30.8, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"number": 12, "port": "/events", "received": 34.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
-  {"number": 13, "port": "/events", "received": 35.0, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
-  {"number": 14, "port": "/events", "received": 35.0, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"number": 15, "port": "/events", "received": 35.0, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"number": 16, "port": "/events", "received": 41.3, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
-  {"number": 17, "port": "/events", "received": 41.7, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
+  {"number": 8, "port": "/events", "received": 30.5, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
+  {"number": 9, "port": "/events", "received": 30.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
+  {"number": 10, "port": "/events", "received": 30.5, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  {"number": 11, "port": "/events", "received": 30.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  {"number": 12, "port": "/events", "received": 34.5, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/ConsoleOut0.rtc", "subject": "ConsoleOut0.in"}}
+  {"number": 13, "port": "/events", "received": 34.5, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  {"number": 14, "port": "/events", "received": 34.5, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  {"number": 15, "port": "/events", "received": 36.0, "type": "rtlog.Event", "value": {"event": "PORT_CONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
+  {"number": 16, "port": "/events", "received": 40.5, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Source0.rtc", "subject": "Source0.number"}}
+  {"number": 17, "port": "/events", "received": 40.8, "type": "rtlog.Event", "value": {"event": "PORT_DISCONNECT", "kind": "PORT_EVENT", "path": "/robot/test.host_cxt/Mock0.rtc", "subject": "Mock0.in"}}
 
 A recorder that stood still lets components go, which would have waited for it:
 
@@ -149,7 +149,7 @@ A recorder that stood still lets components go, which would have waited for it:
   [143] after 11.0 s
   $ rtlog -d -f h.mcap
   Name: h.mcap
-  Size: 221.72KiB (227039B)
+  Size: 221.55KiB (226867B)
   Start time: 2027-01-15 08:00:44 (44.2)
   First entry time: 2027-01-15 08:00:44 (44.2)
   End time: 2027-01-15 08:00:55 (55.2)

@@ -118,7 +118,7 @@ One that answers, but has lost its observer: it is lent once more, then the comp
   $ strike TERM rtwatch
   $ wait rtwatch
   [ConsoleIn0.rtc 88.6] 0 INACTIVE
-  [ConsoleOut0.rtc 89.0] 0 INACTIVE
+  [ConsoleOut0.rtc 88.7] 0 INACTIVE
   [143] after 34.0 s
   $ ctl observers ConsoleIn0
   $ ctl observers ConsoleOut0
@@ -168,10 +168,10 @@ that after Ctrl-C, SIGTERM or SIGHUP; the observer is gone all the same.
   $ strike TERM rtwatch
   $ wait rtwatch
   [ConsoleIn0.rtc 98.7] HEARTBEAT
-  [Microwave0.rtc 98.7] RTC_HEARTBEAT
-  [Microwave0.rtc 98.7] EC_HEARTBEAT
   [ConsoleOut0.rtc 98.7] RTC_HEARTBEAT
   [ConsoleOut0.rtc 98.7] EC_HEARTBEAT
+  [Microwave0.rtc 98.7] RTC_HEARTBEAT
+  [Microwave0.rtc 98.7] EC_HEARTBEAT
   [143] after 2.1 s
   $ ctl @observed2 observers ConsoleIn0
   $ ctl @observed2 observers ConsoleOut0
