@@ -80,6 +80,15 @@ class Words(unittest.TestCase):
                     found.append("%s (line %d): %r; better: %s" % (where, line, match.group(), better))
         self.assertEqual(found, [])
 
+    def test_what_our_own_words_name_is_there(self):
+        paths = re.findall(r"`([a-z]+/[a-z_/]*(?:\.py)?)`", read("docs/words.md"))
+        self.assertGreater(len(paths), 30)
+        missing = [path for path in paths if not os.path.exists(os.path.join(ROOT, "rtshell_lite", path))]
+        self.assertEqual(missing, [])
+        names = re.findall(r"`errors\.(\w+)`", read("docs/words.md"))
+        source = read("rtshell_lite/errors.py")
+        self.assertEqual([name for name in names if f"class {name}(" not in source], [])
+
 
 if __name__ == "__main__":
     unittest.main()
