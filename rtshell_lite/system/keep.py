@@ -279,6 +279,8 @@ class Keeper(follow.Presence):
             self._connections.release(connectors)
         for outcome in outcomes:
             self._judge(outcome, begun)
+            if outcome.status == FAILED:
+                self._settle(outcome.step.joining)
         for kept in batch:
             if kept.is_there and placements.is_gone(kept.placement.error):
                 self.suspect(kept.endpoint)
@@ -287,6 +289,12 @@ class Keeper(follow.Presence):
         """Components are to join a context: where they are Inactive then, no person has done that."""
         for placement in joining:
             self._kept_of[id(placement)].life.lose()
+
+    def _settle(self, joining):
+        """These have not joined: who makes one Inactive from now on is a person."""
+        for kept in [self._kept_of[id(placement)] for placement in joining]:
+            if kept.state == "Active":
+                self._is_active(kept)
 
     def _judge(self, outcome, begun):
         """Report what has become of a step."""
