@@ -644,10 +644,14 @@ class Hostile(Pages):
         self.assertEqual(
             shown.run("[typeof window.owned, document.querySelectorAll('script').length]"), ["undefined", 2]
         )
+        tops = "['details', 'map'].map((id) => element(id).getBoundingClientRect().top)"
+        self.assertEqual(*shown.run(tops), "beside each other on a desk")
         self.assertEqual(shown.complaints(), [])
         self.assertEqual(
             [each for each in shown.requests() if not each.startswith("data:image/svg")], [address]
         )
+        phone = self.browser.open(os.path.join(self.directory, "report.html"), width=390, height=760)
+        self.assertLess(*phone.run(tops), "what is wrong comes first on a phone")
 
 
 if __name__ == "__main__":

@@ -416,6 +416,7 @@ function clear() {
        ...showFindings(data.findings.filter((found) => found.level !== "ok")),
        ...data.plots.map(([title, svg]) => folded(title, make("img", {alt: title, title: "Click to enlarge it, elsewhere to shrink it", tabindex: 0, src: `data:image/svg+xml;base64,${svg}`}), true)), ...data.sections.map(([title, text]) => folded(title, make("pre", {}, text))));
   element("page").classList.remove("chosen");
+  element("page").classList.toggle("report", data.sections.length > 0);
   element("status").textContent = "";
   mark();
 }
