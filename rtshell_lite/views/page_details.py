@@ -31,12 +31,17 @@ class Rows:
     def __init__(self):
         self.lists = Table()
         self.pairs = Table()
+        self._pair_numbers = {}  # by what is not escaped yet
 
     def number(self, pairs):
         """The number of these (name, value)."""
-        return self.lists.number(
-            tuple(self.pairs.number((shown(name), shown(value or ""))) for name, value in pairs)
-        )
+        return self.lists.number(tuple([self._pair_number(name, value or "") for name, value in pairs]))
+
+    def _pair_number(self, name, value):
+        number = self._pair_numbers.get((name, value))
+        if number is None:
+            number = self._pair_numbers[name, value] = self.pairs.number((shown(name), shown(value)))
+        return number
 
 
 def shown(text):

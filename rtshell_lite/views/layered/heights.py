@@ -48,19 +48,19 @@ def _gap(upper, lower):
 
 def _wants(item, sides):
     """[(y at which one of its lines is level, weight)] of an Item."""
-    wants = []
-    for side in sides:
-        for here, other, other_side, there, weight in item.ends[side]:
-            if other_side != side:
-                wants.append((other.y + there - here, weight))
-    wants.sort()
-    return wants
+    return [
+        (other.y + there - here, weight)
+        for side in sides
+        for here, other, other_side, there, weight in item.ends[side]
+        if other_side != side
+    ]
 
 
 def _median(wants):
     """The weighted median of (y, weight)s; the mean of two where half of the weight is on either side."""
-    half = sum(weight for _, weight in wants) / 2
+    half = sum([weight for _, weight in wants]) / 2
     passed = 0
+    wants = sorted(wants)
     for index, (y, weight) in enumerate(wants):
         passed += weight
         if passed > half:
@@ -72,7 +72,7 @@ def _median(wants):
 
 def _mean(wants):
     """The weighted mean of (y, weight)s."""
-    return math.fsum(y * weight for y, weight in wants) / sum(weight for _, weight in wants)
+    return math.fsum([y * weight for y, weight in wants]) / sum([weight for _, weight in wants])
 
 
 # what of its lines an Item follows, and those on which sides: first together, so that no group floats away
@@ -93,7 +93,7 @@ def _fit(items, sides, middle):
         depths.append(depth)
         wants = _wants(item, sides)
         if wants:
-            y, weight = middle(wants), sum(weight for _, weight in wants)
+            y, weight = middle(wants), sum([weight for _, weight in wants])
         else:
             y, weight = item.y, 0.01
         groups.append([(y - depth) * weight, weight, 1])
