@@ -109,8 +109,11 @@ class Series:
     """Values over time: `points`, each (ns since the epoch, number, whether a gap is before it).
 
     `least`, `greatest`, `last` are of all values, also of those that were thinned out. `names` are those of
-    an enum's numbers; a series with `is_step` keeps its value until the next one.
+    an enum's numbers; a series with `is_step` keeps its value until the next one, and one that `lasts` has no
+    gap however long that takes.
     """
+
+    lasts = False
 
     def __init__(self, name, between=None):
         """`between`: (first, last) ns, over which its values will be thinned; None: all are kept."""
@@ -149,6 +152,8 @@ class Series:
     def _is_after_gap(self, moment):
         if self._moment is None:
             return True
+        if self.lasts:
+            return False
         distance = moment - self._moment
         if self._usual is None:
             self._usual = distance

@@ -119,6 +119,31 @@ def channel(log, word):
     raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, names))
 
 
+def _part(log, word, shown):
+    """What a word names: (number, plot.Field) as `channel` has it, or the plot_states.States of a component.
+    Raises as `channel` does.
+    """
+    try:
+        return channel(log, word)
+    except errors.NoSuch as e:
+        states = None if shown else _states(log, word)
+        if states is None:
+            raise e
+        return states
+
+
+def _states(log, word):
+    """The plot_states.States of the component that is called so, or None where none is, or several."""
+    if not log.attachments:
+        return None
+    from rtshell_lite.play import recording  # these import json, which Debian's python3-minimal lacks
+    from rtshell_lite.views import plot_states
+
+    robot = recording.Recording(log)
+    paths = [where for where in robot.paths() if records.is_called(word, (where,))]
+    return plot_states.States(robot, paths[0]) if len(paths) == 1 else None
+
+
 def _called(log, name):
     """Numbers of the channels that may be called so."""
     return [
@@ -138,12 +163,17 @@ def of_log(decoder, words, shown, entries):
     width = max(span // WINDOWS, min(10**9, span // FEWEST), 1)
     sources_of = {}
     sources = []
-    for number, field in [channel(log, word) for word in words] or _all(log):
-        sources.append(Source(log.channels[number].name, field, shown, between, width))
-        sources_of.setdefault(number, []).append(sources[-1])
+    events = {number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT}
+    for part in [_part(log, word, shown) for word in words] or _all(log):
+        source, numbers = part, events
+        if isinstance(part, tuple):
+            number, field = part
+            source, numbers = Source(log.channels[number].name, field, shown, between, width), [number]
+        sources.append(source)
+        for number in numbers:
+            sources_of.setdefault(number, []).append(source)
     picture = plot.Picture([source.panel for source in sources])
     _show_gaps(log, sources_of, picture)
-    events = {number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT}
     moment = 0
     for entry in entries:
         moment = entry.received

@@ -15,7 +15,7 @@ from unittest import mock
 from rtshell_lite import errors
 from rtshell_lite.data import statistics
 from rtshell_lite.datalog import gaps, records
-from rtshell_lite.views import plot, plot_sources, plot_svg, plot_text
+from rtshell_lite.views import plot, plot_sources, plot_states, plot_svg, plot_text
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 START = 1700000000 * 10 ** 9
@@ -151,6 +151,65 @@ class Series(unittest.TestCase):
             [panel.axis for panel in drawn.panels], [(0, drawn.panels[0].series["rate"].greatest)] * 3
         )
         self.assertEqual(drawn.last, START + 10 * SECOND)
+
+
+class States(unittest.TestCase):
+    """Of a component in a log."""
+
+    WHERE = "/a/b.rtc"
+
+    def robot(self, *scenes):
+        """A recording.Recording of a log that begins at 100 ns, with (moment, states) of the component."""
+        scenes = [
+            types.SimpleNamespace(moment=moment, details={self.WHERE: {"states": states}})
+            for moment, states in scenes
+        ]
+        return types.SimpleNamespace(log=types.SimpleNamespace(first=100), scenes=scenes)
+
+    def spells(self, robot, *events):
+        """(moment, state, whether a gap is before it) of the points after (moment, kind, subject, event)s."""
+        shown = plot_states.States(robot, self.WHERE)
+        for moment, *words in events:
+            shown.take(moment, lambda: dict(zip(("kind", "subject", "event"), words), path=self.WHERE))
+        shown.take(900, lambda: {"path": "/a/other.rtc", "kind": "RTC_STATUS", "event": "ERROR"})
+        shown.take(901, lambda: None)
+        shown.take(902, lambda: {"path": self.WHERE, "kind": "RTC_STATUS", "event": []})
+        shown.advance(1000)
+        (series,) = shown.panel.series.values()
+        return [(moment, series.names[value], is_after_gap) for moment, value, is_after_gap in series.points]
+
+    def test_what_it_was_at_first_and_what_is_reported_of_it(self):
+        events = (400, "RTC_STATUS", "0", "ERROR"), (990, "RTC_STATUS", "0", "INACTIVE")
+        self.assertEqual(
+            self.spells(self.robot((50, {"0": "Active"})), *events),
+            [
+                (100, "Active", True), (400, "Error", False), (990, "Inactive", False),
+                (1000, "Inactive", False),
+            ],
+        )
+
+    def test_one_that_ends_and_comes_back(self):
+        robot = self.robot((100, {"0": "Active"}), (600, {"0": "Inactive"}))
+        events = (300, "LIFE_EVENT", "", "DIED"), (500, "LIFE_EVENT", "", "BACK")
+        self.assertEqual(
+            self.spells(robot, *events),
+            [
+                (100, "Active", True), (300, "Active", False), (600, "Inactive", True),
+                (1000, "Inactive", False),
+            ],
+        )
+
+    def test_one_of_several_contexts(self):
+        robot = self.robot((100, {"0": "Active", "1000": "Inactive"}))
+        events = (200, "RTC_STATUS", "1000", "ERROR"), (300, "RTC_STATUS", "1000", "INACTIVE")
+        self.assertEqual(
+            self.spells(robot, *events),
+            [(100, "Active", True), (200, "Error", False), (300, "Active", False), (1000, "Active", False)],
+        )
+
+    def test_details_of_any_form(self):
+        for states in (None, [], {"0": "Unknown"}, {"0": 7}, {"0": []}):
+            self.assertEqual(self.spells(self.robot((100, states))), [])
 
 
 class Axes(unittest.TestCase):

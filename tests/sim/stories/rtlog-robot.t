@@ -57,6 +57,40 @@ A directory with events. A component that dies and comes back goes on in its cha
   0 is 2027-01-15 08:00:00.010
   +2.999 s  ConsoleIn0.rtc: Error
   +2.999 s  Source0.rtc: died
+  $ rtplot -f a.mcap --ascii ConsoleIn0.rtc Source0.rtc
+  /robot/test.host_cxt/ConsoleIn0.rtc
+  * state  min Inactive  max Error  last Error
+     Error |            **********************************************************
+           |            *
+           |            *
+           |            *
+    Active |            *
+           |            *
+           |            *
+           |            *
+  Inactive |*************
+  /robot/test.host_cxt/Source0.rtc
+  * state  min Active  max Active  last Active
+           |
+           |
+           |
+           |
+    Active |*************                          *******************************
+           |
+           |
+           |
+           |
+           ++-----------!------+------------------+-------------------+-----------
+            0                  5                 10                  15 s
+  0 is 2027-01-15 08:00:00.010
+  +3.000 s  ConsoleIn0.rtc: Error
+  +3.000 s  Source0.rtc: died
+  $ rtplot -f a.mcap --ascii Nobody0.rtc
+  ! rtplot: a.mcap: no such channel: Nobody0.rtc (there are: /robot/test.host_cxt/ConsoleIn0.rtc:out, /robot/test.host_cxt/Mock0.rtc:out, /robot/test.host_cxt/Motor0.rtc:out, /robot/test.host_cxt/Source0.rtc:number, /robot/test.host_cxt/Source0.rtc:block, /events, /logs)
+  [3]
+  $ rtplot -f a.mcap --rate ConsoleIn0.rtc
+  ! rtplot: a.mcap: no such channel: ConsoleIn0.rtc (there are: /robot/test.host_cxt/ConsoleIn0.rtc:out, /robot/test.host_cxt/Mock0.rtc:out, /robot/test.host_cxt/Motor0.rtc:out, /robot/test.host_cxt/Source0.rtc:number, /robot/test.host_cxt/Source0.rtc:block, /events, /logs)
+  [3]
   $ ctl @senders2 connectors Source0:number
   $ ctl observers ConsoleIn0
 
