@@ -108,7 +108,7 @@ NO_COMMANDS = (
     "mock_components/tour ", "tests/run ", "pip install ",
 )
 PATIENCE = 3.0   # seconds after which Ctrl-C is pressed
-LIMIT = 30.0
+LIMIT = 90.0
 TOP = tempfile.gettempdir()
 
 

@@ -15,7 +15,7 @@ from rtshell_lite.shell import installation
 BOTH = "each ORB is interrupted in its own way"
 
 LIMIT = 0.3  # seconds from Ctrl-C to the end of the command
-START_LIMIT = 20.0
+START_LIMIT = 60.0
 
 # What each command is asked; SERVER is a name server that accepts connections and never answers.
 COMMANDS = {

@@ -20,7 +20,7 @@ from tools import Failed, control, session_file
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(ROOT)  # behind what is installed
 from mock_components import asking, nameserver  # noqa: E402
-START_LIMIT = 30.0  # seconds until a peer must have said that it is ready
+START_LIMIT = 90.0  # seconds until a peer must have said that it is ready, at load 50
 
 
 _started = {}  # processes by where they keep their files

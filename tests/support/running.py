@@ -18,7 +18,7 @@ import worlds
 TIMEOUT = 0.8           # --timeout of the commands
 SLACK = 0.5             # seconds more than that may pass; waiting for a processor is not counted
 RESIDENT = 64 * 1024    # kB
-LIMIT = 40.0            # seconds after which a command is killed
+LIMIT = 90.0  # seconds after which a command is killed
 # commands run in other directories than ours
 MODULES = os.path.abspath(os.environ.get("PYTHONPATH") or processes.ROOT)
 THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))  # all cases instead of a sample

@@ -10,7 +10,7 @@ import sys
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-START_LIMIT = 30.0  # seconds until a peer must be in the state that was asked for
+START_LIMIT = 90.0  # seconds until a peer must be in the state that was asked for
 # seconds that a command may take to tidy up after Ctrl-C, on a busy machine; the timeout is 3
 UNWINDING = 2.0
 

@@ -16,7 +16,7 @@ except ImportError:
 else:
     from mock_components.idl import RTC, OpenRTM, SDOPackage
 
-LIMIT = 60.0            # seconds that anything may take on a busy machine
+LIMIT = 180.0  # seconds that anything may take on a busy machine
 LONG = "IDL:RTC/TimedLong:1.0"
 COMMANDS = os.path.dirname(shutil.which("rtcwd") or os.path.join(processes.ROOT, "bin", "rtcwd"))
 ENVIRONMENT = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or processes.ROOT)
