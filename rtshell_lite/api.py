@@ -1065,7 +1065,7 @@ async def find(pattern, top="/"):
     """
     from rtshell_lite.robot import search
 
-    criteria = search.Wanted(search.patterns([pattern], []), set(), None, None)
+    criteria = search.Wanted(search.patterns([pattern], []), set(), set(), None)
     nodes, failures, _ = await search.find([await _path(top)], criteria)
     if failures and not nodes:
         raise failures[0]

@@ -36,10 +36,13 @@ def existing(ends, name="", connector_id="", given=None):
         differing = _differing(connector, name, connector_id, given or {})
         if not differing:
             return connector
-        others += [f"id {printable(connector.id)}: {', '.join(differing)}"]
-    if others:
-        raise errors.Failed(ports.between(ends), f"connected otherwise ({'; '.join(others)})")
-    return None
+        others.append((connector, f"id {printable(connector.id)}: {', '.join(differing)}"))
+    if not others:
+        return None
+    why = f"connected otherwise ({'; '.join(differences for _, differences in others)})"
+    if len(others) == 1:
+        why += f"; to change that, first: {_removal(ends, others[0][0])}"
+    raise errors.Failed(ports.between(ends), why)
 
 
 def _differing(connector, name, connector_id, given):
@@ -125,8 +128,13 @@ def _already_connected(ends, connector, given):
     differing = _differing(connector, "", "", given)
     if not differing:
         return f"already connected (id {connector_id})"
-    removes = " ".join(map(shell_word, ("rtdis", "-i", connector.id, ports.label(ends[0]))))
-    return f"already connected (id {connector_id}: {', '.join(differing)}); to change that, first: {removes}"
+    why = f"already connected (id {connector_id}: {', '.join(differing)})"
+    return f"{why}; to change that, first: {_removal(ends, connector)}"
+
+
+def _removal(ends, connector):
+    """The command that removes the Connector from the Ports."""
+    return " ".join(map(shell_word, ("rtdis", "-i", connector.id, ports.label(ends[0]))))
 
 
 async def _tidy(ends):

@@ -22,7 +22,7 @@ from rtshell_lite.path import (
     working_directory,
 )
 from rtshell_lite.robot import tree
-from rtshell_lite.text import listed, printable
+from rtshell_lite.text import listed, printable, shell_word
 
 EVERYWHERE = Path("**", (), None, False)  # as a working directory
 
@@ -33,6 +33,16 @@ async def paths(words):
     Raises BadPath, Ambiguous, NotFound where nothing fits a pattern, and what looking it up raises.
     """
     return [await _path(word) for word in words]
+
+
+def with_components(result):
+    """A WrongKind that says how to list the components of a directory; anything else as it is."""
+    if not isinstance(result, errors.WrongKind):
+        return result
+    where, expected, kind = result.args
+    if kind in ("directory", "name server", "root directory"):
+        kind += f"; rtfind {shell_word(where)} -t c prints the components in it"
+    return errors.WrongKind(where, expected, kind)
 
 
 async def tops(words, dotted=False):

@@ -9,8 +9,8 @@ from rtshell_lite.robot import component, tree
 POLL = 0.5  # seconds between two searches of --wait
 
 # What to find: `names` a list of functions name → bool (any of them; empty: all names), `kinds` a set (empty:
-# all), `state` in lower case or None, `depth` levels or None.
-Wanted = record("Wanted", "names kinds state depth")
+# all), `states` a set (empty: all), `depth` levels or None.
+Wanted = record("Wanted", "names kinds states depth")
 
 # What a node of a kind may turn out to be.
 CAN_BE = {kind: {kind, "zombie", *tree.DOUBTFUL} for kind in ("component", "manager")}
@@ -61,12 +61,12 @@ async def find(paths, criteria):
             for node in nodes
             if node.kind == "unsure" or criteria.kinds & CAN_BE.get(node.kind, {node.kind})
         ]
-    if criteria.kinds or criteria.state:  # only then it matters what lives
+    if criteria.kinds or criteria.states:  # only then it matters what lives
         nodes = await tree.check_alive(nodes)
     if criteria.kinds:
         nodes = [node for node in nodes if node.kind in criteria.kinds]
-    if criteria.state:
-        nodes, more = await _in_state(nodes, criteria.state.capitalize())
+    if criteria.states:
+        nodes, more = await _in_states(nodes, criteria.states)
         failures += more
     return nodes, failures + [node.error for node in nodes if node.kind in tree.DOUBTFUL], close
 
@@ -127,10 +127,10 @@ async def _below(path, criteria):
     return nodes
 
 
-async def _in_state(nodes, state):
+async def _in_states(nodes, wanted):
     silent = [node.error for node in nodes if node.kind in tree.DOUBTFUL]
     components = [node for node in nodes if node.kind == "component"]
     states = await session.each(components, component.state)
-    in_state = [node for node, answer in zip(components, states) if answer == state]
+    in_states = [node for node, answer in zip(components, states) if answer in wanted]
     failures = [answer for answer in states if isinstance(answer, errors.Error)]
-    return in_state, silent + failures
+    return in_states, silent + failures

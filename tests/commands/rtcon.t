@@ -187,7 +187,7 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: connected already
   $ rtcon --ensure -n outin -p dataport.subscription_type=new ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcon --ensure -p dataport.subscription_type=flush ConsoleIn0.rtc:out ConsoleOut0.rtc:in
-  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected otherwise (id $UUID: its dataport.subscription_type is new)
+  rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: connected otherwise (id $UUID: its dataport.subscription_type is new); to change that, first: rtdis -i $UUID /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [1]
   $ rtcon --ensure --dry-run ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ ctl connectors ConsoleIn0:out

@@ -258,6 +258,9 @@ diff, status 1 when there are differences; the active sets are compared, too:
   $ rtconf ConfigSample0.rtc diff Nope0.rtc
   rtconf: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [3]
+  $ rtconf ConfigSample0.rtc dump 'as it was'; rtconf ConfigSample0.rtc diff 'as it was'
+  rtconf: as it was: a file; what differs from it, as commands: rtconf ConfigSample0.rtc load --dry-run 'as it was' (see --help)
+  [2]
   $ rtconf ConfigSample0.rtc diff .
   rtconf: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
   [3]

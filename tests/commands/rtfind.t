@@ -130,6 +130,9 @@ Everything at and below a path, a directory before what is in it:
   $ rtfind . --state inactive -n '*In*'
   /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc
   $ rtfind . --state created --state=unknown
+  $ rtfind . --state active --state error
+  /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  /localhost:$PORT/test.host_cxt/arm.cxt/Broken0.rtc
 
 Names alone ask no component anything; types one question each, states a few.
 

@@ -237,6 +237,12 @@ What cannot be; both spellings have the same messages:
   $ rtlog record a.mcap
   rtlog: a.mcap: a log; show, play and export read it, -f names what is recorded to (see --help)
   [2]
+  $ rtlog merge a.mcap a.mcap
+  rtlog: no such verb: merge (there are: record, ring, play, serve, show, export, mend); a.mcap is a log (see --help)
+  [2]
+  $ rtlog record Source0.rtc a.mcap
+  rtlog: a.mcap: a log; show, play and export read it, -f names what is recorded to (see --help)
+  [2]
   $ rtlog record --keep 3 -f x Source0.rtc:number
   rtlog: --keep needs --rotate, and a number above 0 (see --help)
   [2]

@@ -76,6 +76,9 @@ A component that takes no loggers, as most do not; one beside it is not disturbe
   $ rtvlog --timeout 0.3 ../hung.host_cxt/Mock0.rtc
   rtvlog: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
   [4]
+  $ rtvlog .
+  rtvlog: /localhost:$PORT/test.host_cxt: not a component (it is a directory; rtfind /localhost:$PORT/test.host_cxt -t c prints the components in it)
+  [3]
   $ rtvlog MotorO.rtc
   rtvlog: /localhost:$PORT/test.host_cxt/MotorO.rtc: no such path; did you mean Motor0.rtc?
   [3]

@@ -124,7 +124,7 @@ One that is gone, silent, missing or no component costs its own line:
   rtwatch: /localhost:$PORT/gone.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)
   rtwatch: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
   rtwatch: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?
-  rtwatch: /localhost:$PORT: not a component (it is a name server)
+  rtwatch: /localhost:$PORT: not a component (it is a name server; rtfind /localhost:$PORT -t c prints the components in it)
   $ rtwatch ConsolIn0.rtc
   rtwatch: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?
   [3]
