@@ -127,10 +127,10 @@ async def _below(path, criteria):
     return nodes
 
 
-async def _in_states(nodes, wanted):
+async def _in_states(nodes, states):
     silent = [node.error for node in nodes if node.kind in tree.DOUBTFUL]
     components = [node for node in nodes if node.kind == "component"]
-    states = await session.each(components, component.state)
-    in_states = [node for node, answer in zip(components, states) if answer in wanted]
-    failures = [answer for answer in states if isinstance(answer, errors.Error)]
+    answers = await session.each(components, component.state)
+    in_states = [node for node, answer in zip(components, answers) if answer in states]
+    failures = [answer for answer in answers if isinstance(answer, errors.Error)]
     return in_states, silent + failures
