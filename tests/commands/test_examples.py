@@ -79,11 +79,11 @@ NAMES = [
     ("Arm0.rtc:joints", "Source0.rtc:number"),
     ("Hand0.rtc:force", "Source0.rtc:number"),
     ("Viewer0.rtc:in", "ConsoleOut0.rtc:in"),
-    ("rtlog record -f run.mcap -t 60", "rtlog record -f run.mcap -t 1"),
+    ("rtlog record -f run.mcap -t 60", "rtlog record -f run.mcap -t 5"),  # a busy machine takes long to begin
     ("run.mcap -i -e 1000", "run.mcap -i -e 250"),
     ("-s 100 -e 200", "-s 100 -e 106"),  # what the buffer of a port has room for, on a busy machine
-    ("rtlog ring", "rtlog ring -t 1"),
-    ("rtlog record --rotate", "rtlog record -t 1 --rotate"),
+    ("rtlog ring", "rtlog ring -t 5"),
+    ("rtlog record --rotate", "rtlog record -t 5 --rotate"),
     ("-t 5 ConsoleOut0", "-t 1 ConsoleOut0"),
     (r"(rtprint.*) ConsoleIn0.rtc:out", r"\1 Source0.rtc:number"),
     (r"/(localhost|robot1)(?=[/ \"']|$)", "/localhost:@PORT@"),
