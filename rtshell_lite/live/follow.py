@@ -173,9 +173,11 @@ class _Queue:
 
     def wait_for(self, asks, look, now):
         """Find out when the next of some kinds, as in `Presence.asks`, may be due."""
-        some = asks.keys() - self.idle
-        due = [self.asked.get(kind, -math.inf) + asks[kind] * look for kind in some]
-        self.due_at = max(self.last + look, min([now + IDLE, *due]))
+        due = [
+            self.asked.get(kind, -math.inf) + max(looks * look, IDLE if kind in self.idle else 0.0)
+            for kind, looks in asks.items()
+        ]
+        self.due_at = max(self.last + look, min(due, default=now + IDLE))
 
 
 class Presence:
@@ -409,7 +411,8 @@ class Presence:
             if entry.seen is not None and entry.shown is not None and not entry.is_hung:
                 members[self.queue_of(entry)].append(entry)
         for name in self._queues.keys() - members.keys():  # a process that is restarted has another port
-            del self._queues[name]
+            if not self._queues[name].is_busy:
+                del self._queues[name]
         due_at = math.inf
         for name, some in members.items():
             queue = self._queues[name]

@@ -107,12 +107,8 @@ def by_path(scene):
 
 def _scenes(log):
     """The Scenes in a log, in their order."""
-    details = {}
+    described = details(log)
     scenes = []
-    for attachment in log.attachments:
-        name = attachment[1]
-        if name.startswith("components-") and name.endswith(".json") and attachment[4] <= LARGEST:
-            details[name[len("components-") : -len(".json")]] = _details(log, attachment)
     for attachment in log.attachments:
         name = attachment[1]
         if not name.startswith("system-") or attachment[4] > LARGEST:
@@ -123,8 +119,20 @@ def _scenes(log):
             notes.note(f"{log.where}: {printable(name)}: left out: {e}")
             continue
         number = name[len("system-") :].partition(".")[0]
-        scenes.append(Scene(attachment[0], profile, details.get(number, {})))
+        scenes.append(Scene(attachment[0], profile, described.get((attachment[0], number), {})))
     return sorted(scenes, key=lambda scene: scene.moment)
+
+
+def details(log):
+    """{(moment, number as text): {path: what is known of a component}} of a log. What is recorded later to
+    the same file begins with number 1 again.
+    """
+    described = {}
+    for attachment in log.attachments:
+        moment, name = attachment[:2]
+        if name.startswith("components-") and name.endswith(".json") and attachment[4] <= LARGEST:
+            described[moment, name[len("components-") : -len(".json")]] = _details(log, attachment)
+    return described
 
 
 def _details(log, attachment):

@@ -327,6 +327,7 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     if holder.kind == "component" and target.port is not None:
         raise errors.WrongKind(str(target), "component or manager", "port")
     if holder.kind == "component" and not (adding or removing):
+        await first_organisation(holder)
         raise errors.Usage(f"{target!s}: nothing to do: name members to add (-a) or to remove (-r)")
     if holder.kind == "component":
         composite = holder

@@ -271,30 +271,37 @@ class Keeper(follow.Presence):
         try:
             outcomes += await self._connections.outcomes(connectors)
             outcomes = [outcome for outcome in outcomes if not self._is_by_hand(outcome)]
-            for outcome in outcomes:
-                if outcome.pending:
-                    self._unsettle(outcome.step.joining)
+            agreed = self._unsettle(outcomes)
             await apply.carry_out(outcomes)
         finally:
             self._connections.release(connectors)
         for outcome in outcomes:
             self._judge(outcome, begun)
             if outcome.status == FAILED:
-                self._settle(outcome.step.joining)
+                self._settle(outcome.step.joining, agreed)
         for kept in batch:
             if kept.is_there and placements.is_gone(kept.placement.error):
                 self.suspect(kept.endpoint)
 
-    def _unsettle(self, joining):
-        """Components are to join a context: where they are Inactive then, no person has done that."""
-        for placement in joining:
-            self._kept_of[id(placement)].life.lose()
+    def _unsettle(self, outcomes):
+        """Components are to join contexts: where they are Inactive then, no person has done that. Returns
+        those that were as the file says.
+        """
+        steps_to_do = [outcome.step for outcome in outcomes if outcome.pending]
+        joining = [self._kept_of[id(placement)] for step in steps_to_do for placement in step.joining]
+        agreed = [kept for kept in joining if kept.life.knowledge == AGREED]
+        for kept in joining:
+            kept.life.lose()
+        return agreed
 
-    def _settle(self, joining):
-        """These have not joined: who makes one Inactive from now on is a person."""
+    def _settle(self, joining, agreed):
+        """These have not joined. Those that were as the file says, and of which nothing else was heard, still
+        are: who makes one Inactive from now on is a person.
+        """
         for kept in [self._kept_of[id(placement)] for placement in joining]:
-            if kept.state == "Active":
-                self._is_active(kept)
+            is_as_before = kept.state == "Active" and not kept.has_failed and STATE not in kept.changed
+            if kept in agreed and is_as_before:
+                kept.life.agree()
 
     def _judge(self, outcome, begun):
         """Report what has become of a step."""

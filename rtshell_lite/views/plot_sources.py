@@ -119,29 +119,37 @@ def channel(log, word):
     raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, names))
 
 
-def _part(log, word, shown):
-    """What a word names: (number, plot.Field) as `channel` has it, or the plot_states.States of a component.
-    Raises as `channel` does.
+def _parts(log, words, shown, since):
+    """What each word names: (number, plot.Field) as `channel` has it, or the plot_states.States of a
+    component. Raises as `channel` does.
     """
-    try:
-        return channel(log, word)
-    except errors.NoSuch as e:
-        states = None if shown else _states(log, word)
-        if states is None:
-            raise e
-        return states
+    parts = []
+    described = None
+    for word in words:
+        try:
+            parts.append(channel(log, word))
+        except errors.NoSuch as e:
+            if shown or not log.attachments:
+                raise
+            from rtshell_lite.play import recording  # imports json, which Debian's python3-minimal lacks
+
+            described = recording.details(log) if described is None else described
+            parts.append(_states(log, word, described, since, e))
+    return parts
 
 
-def _states(log, word):
-    """The plot_states.States of the component that is called so, or None where none is, or several."""
-    if not log.attachments:
-        return None
-    from rtshell_lite.play import recording  # these import json, which Debian's python3-minimal lacks
+def _states(log, word, described, since, error):
+    """The plot_states.States of the component that is called so. Raises `error` where none is, Ambiguous."""
     from rtshell_lite.views import plot_states
 
-    robot = recording.Recording(log)
-    paths = [where for where in robot.paths() if records.is_called(word, (where,))]
-    return plot_states.States(robot, paths[0]) if len(paths) == 1 else None
+    paths = sorted({where for details in described.values() for where in details})
+    called = [where for where in paths if records.is_called(word, (where,))]
+    if not called:
+        raise error
+    if len(called) > 1:
+        candidates = text.listed(list(map(printable, called)))
+        raise errors.Ambiguous(printable(word), f"is one of {len(called)} components: {candidates}")
+    return plot_states.States(described, called[0], since)
 
 
 def _called(log, name):
@@ -153,9 +161,9 @@ def _called(log, name):
     ]
 
 
-def of_log(decoder, words, shown, entries):
-    """The plot.Picture of some of the `entries` of a log (decode.Decoder): of the `words` CHANNEL[.FIELD],
-    or all. Raises errors.Error.
+def of_log(decoder, words, shown, entries, since=0):
+    """The plot.Picture of some of the `entries` of a log (decode.Decoder), those `since` a moment: of the
+    `words` CHANNEL[.FIELD] or COMPONENT, or all. Raises errors.Error.
     """
     log = decoder.log
     between = (log.first or 0, log.last or 0)
@@ -164,7 +172,7 @@ def of_log(decoder, words, shown, entries):
     sources_of = {}
     sources = []
     events = {number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT}
-    for part in [_part(log, word, shown) for word in words] or _all(log):
+    for part in _parts(log, words, shown, max(between[0], since)) or _all(log):
         source, numbers = part, events
         if isinstance(part, tuple):
             number, field = part

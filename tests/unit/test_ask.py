@@ -281,9 +281,25 @@ class Queues(unittest.TestCase):
         self.assertAlmostEqual(self.watch.ask_around(7.0), 7.0 + 3 * self.watch.look)
         self.assertAlmostEqual(self.watch.ask_around(7.1), 7.0 + 3 * self.watch.look)
 
+    def test_what_was_not_there_is_looked_for_as_often_as_the_rest(self):
+        self.follow(1, 0)
+        self.watch.asks = {ask.states: 27}  # every 5.4 s; it has no context
+        self.assertAlmostEqual(self.watch.ask_around(1.0), 1.0 + 27 * self.watch.look)
+        self.watch.asks = {ask.states: 1}
+        self.assertAlmostEqual(self.watch.ask_around(10.0), 10.0 + follow.IDLE)
+
+    def test_none_is_asked_twice_at_a_time_that_hung_meanwhile(self):
+        self.follow(1, 0)
+        (entry,) = self.watch.followed
+        for now, entry.is_hung in ((0.0, False), (1.0, True), (2.0, False)):
+            self.watch.ask_around(now)
+        self.assertEqual(len(self.begun), 1)
+
     def test_nothing_stays_of_those_that_are_gone(self):
         self.follow(3, 1)
         self.watch.ask_around(0.0)
+        for queue in self.watch._queues.values():
+            queue.is_busy = False
         self.watch.followed = []
         self.watch.ask_around(10.0)
         self.assertFalse(self.watch._queues)

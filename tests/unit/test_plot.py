@@ -158,58 +158,63 @@ class States(unittest.TestCase):
 
     WHERE = "/a/b.rtc"
 
-    def robot(self, *scenes):
-        """A recording.Recording of a log that begins at 100 ns, with (moment, states) of the component."""
-        scenes = [
-            types.SimpleNamespace(moment=moment, details={self.WHERE: {"states": states}})
-            for moment, states in scenes
-        ]
-        return types.SimpleNamespace(log=types.SimpleNamespace(first=100), scenes=scenes)
-
-    def spells(self, robot, *events):
-        """(moment, state, whether a gap is before it) of the points after (moment, kind, subject, event)s."""
-        shown = plot_states.States(robot, self.WHERE)
+    def points(self, described, *events):
+        """[(moment, state, whether a gap is before it)] shown since 100 ns: described: (moment, states)s; of
+        events: (moment, kind, subject, event)s.
+        """
+        details = {(moment, str(n)): {self.WHERE: {"states": s}} for n, (moment, s) in enumerate(described)}
+        shown = plot_states.States(details, self.WHERE, 100)
         for moment, *words in events:
             shown.take(moment, lambda: dict(zip(("kind", "subject", "event"), words), path=self.WHERE))
         shown.take(900, lambda: {"path": "/a/other.rtc", "kind": "RTC_STATUS", "event": "ERROR"})
         shown.take(901, lambda: None)
         shown.take(902, lambda: {"path": self.WHERE, "kind": "RTC_STATUS", "event": []})
+        shown.take(903, mock.Mock(side_effect=errors.Failed("a.mcap", "no JSON")))
         shown.advance(1000)
         (series,) = shown.panel.series.values()
         return [(moment, series.names[value], is_after_gap) for moment, value, is_after_gap in series.points]
 
     def test_what_it_was_at_first_and_what_is_reported_of_it(self):
         events = (400, "RTC_STATUS", "0", "ERROR"), (990, "RTC_STATUS", "0", "INACTIVE")
-        self.assertEqual(
-            self.spells(self.robot((50, {"0": "Active"})), *events),
-            [
-                (100, "Active", True), (400, "Error", False), (990, "Inactive", False),
-                (1000, "Inactive", False),
-            ],
-        )
+        expected = [
+            (110, "Active", True), (400, "Error", False), (990, "Inactive", False), (1000, "Inactive", False),
+        ]
+        self.assertEqual(self.points([(110, {"0": "Active"})], *events), expected)
+
+    def test_what_was_described_before_may_have_changed_since(self):
+        event = 400, "RTC_STATUS", "0", "ERROR"
+        expected = [(400, "Error", True), (1000, "Error", False)]
+        self.assertEqual(self.points([(50, {"0": "Active"})], event), expected)
 
     def test_one_that_ends_and_comes_back(self):
-        robot = self.robot((100, {"0": "Active"}), (600, {"0": "Inactive"}))
+        described = (100, {"0": "Active"}), (600, {"0": "Inactive"})
         events = (300, "LIFE_EVENT", "", "DIED"), (500, "LIFE_EVENT", "", "BACK")
-        self.assertEqual(
-            self.spells(robot, *events),
-            [
-                (100, "Active", True), (300, "Active", False), (600, "Inactive", True),
-                (1000, "Inactive", False),
-            ],
-        )
+        expected = [
+            (100, "Active", True), (300, "Active", False), (600, "Inactive", True), (1000, "Inactive", False),
+        ]
+        self.assertEqual(self.points(described, *events), expected)
 
-    def test_one_of_several_contexts(self):
-        robot = self.robot((100, {"0": "Active", "1000": "Inactive"}))
+    def test_a_second_recording_in_a_file(self):
+        described = (100, {"0": "Active"}), (600, {"0": "Inactive"})
+        events = (200, "RTC_STATUS", "0", "ERROR"), (500, "LIFE_EVENT", "", "APPEARED")
+        expected = [
+            (100, "Active", True), (200, "Error", False), (600, "Inactive", True), (1000, "Inactive", False),
+        ]
+        self.assertEqual(self.points(described, *events), expected)
+
+    def test_several_contexts(self):
+        described = [(100, {"0": "Active", "1000": "Inactive"})]
         events = (200, "RTC_STATUS", "1000", "ERROR"), (300, "RTC_STATUS", "1000", "INACTIVE")
-        self.assertEqual(
-            self.spells(robot, *events),
-            [(100, "Active", True), (200, "Error", False), (300, "Active", False), (1000, "Active", False)],
-        )
+        others = (400, "RTC_STATUS", "1001", "INACTIVE"), (500, "RTC_STATUS", "", "INACTIVE")
+        expected = [
+            (100, "Active", True), (200, "Error", False), (300, "Active", False), (400, "Active", False),
+            (500, "Inactive", False), (1000, "Inactive", False),
+        ]
+        self.assertEqual(self.points(described, *events, *others), expected)
 
     def test_details_of_any_form(self):
         for states in (None, [], {"0": "Unknown"}, {"0": 7}, {"0": []}):
-            self.assertEqual(self.spells(self.robot((100, states))), [])
+            self.assertEqual(self.points([(100, states)]), [])
 
 
 class Axes(unittest.TestCase):

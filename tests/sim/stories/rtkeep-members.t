@@ -40,3 +40,27 @@ world: composite
   $ sleep 2
   $ show rtkeep
   [08:00:20] /robot/test.host_cxt/Motor0.rtc: is Active again
+  $ strike TERM rtkeep
+  $ wait rtkeep
+  [0] after 22.2 s
+
+One that goes to Error meanwhile is reset, and has failed once:
+
+  $ rtkeep --burst 1/60 --delay 2-3 --look 0.2 b.xml &
+  $ sleep 5
+  $ show rtkeep
+  [08:00:22] /robot/test.host_cxt/composite0.rtc: restored configuration set default
+  $ ctl reset
+  $ ctl fail add_members 1 BAD_PARAM
+  $ ctl fail add_members 2 BAD_PARAM
+  $ ctl fail add_members 3 BAD_PARAM
+  $ ctl fail add_members 4 BAD_PARAM
+  $ rtcomp -r Motor0.rtc composite0.rtc
+  $ rtact Motor0.rtc
+  $ later 0.25 ctl error Motor0
+  $ sleep 7
+  $ show rtkeep
+  [08:00:27] /robot/test.host_cxt/composite0.rtc: configuration set default was changed by hand: left alone
+  [08:00:27] /robot/test.host_cxt/composite0.rtc: CORBA.BAD_PARAM
+  [08:00:27] /robot/test.host_cxt/Motor0.rtc: in Error: reset
+  [08:00:27] /robot/test.host_cxt/Motor0.rtc: Active
