@@ -1,7 +1,9 @@
 """Name server and components of recordings, as others call them, in one loop with who calls."""
+import json
 import os
 import signal
 import termios
+import types
 import unittest
 from unittest import mock
 
@@ -13,7 +15,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.play import bindings, component, nameserver, ports, recording, stage
 from rtshell_lite.robot import tree
 from rtshell_lite.views import playing
-from rtshell_lite.xmlprofile import model
+from rtshell_lite.xmlprofile import model, rtsprofile
 
 HOST = "127.0.0.1"
 PUSH = [
@@ -480,6 +482,25 @@ class Coming(unittest.TestCase):
                 self.assertFalse(await is_there(shown, "/h/c.rtc"))
                 shown.close()
         wait_for(main(), timeout=30)
+
+
+class Scenes(unittest.TestCase):
+    """Of a log."""
+
+    def test_recordings_in_one_file_begin_with_number_1_again(self):
+        contents = {}
+        attachments = []
+        for moment, state in ((5, "Active"), (9, "Inactive")):
+            described = json.dumps([{"path": "/h/a.rtc", "states": {"0": state}}])
+            profile = rtsprofile.dump(model.RtsProfile(), rtsprofile.XML)
+            for filename, text in (("system-1.rtsys", profile), ("components-1.json", described)):
+                attachments.append((moment, filename, "", 0, len(text)))
+                contents[moment, filename] = text.encode()
+        log = types.SimpleNamespace(
+            where="a.mcap", attachments=attachments, attached=lambda entry: contents[entry[:2]],
+        )
+        states = [scene.details["/h/a.rtc"]["states"] for scene in recording._scenes(log)]
+        self.assertEqual(states, [{"0": "Active"}, {"0": "Inactive"}])
 
 
 class Keys(unittest.TestCase):
