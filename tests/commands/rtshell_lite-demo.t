@@ -109,6 +109,7 @@ Whole systems:
 What components of a robot refuse, and mistakes:
 
   $ rtconf $A/Arm0.rtc
+  +default*
   $ rtconf $A/Shoulder0.rtc act none
   rtconf: /127.0.0.1:*/arm.host_cxt/Shoulder0.rtc: no such configuration set: none (there are: default, gentle) (glob)
   [3]
