@@ -12,6 +12,19 @@ from rtshell_lite.robot import ports, tree
 from rtshell_lite.text import printable
 
 
+def asked_range(start, end, by_index):
+    """The Range of -s and -e. Raises Usage."""
+    if start and end is not None and 0 <= end < start:
+        raise errors.Usage("the end is before the start")
+    if not (_is_bound(start) and (end == -1 or _is_bound(end))):
+        raise errors.Usage("start or end out of bounds")
+    return Range(start, end, by_index)
+
+
+def _is_bound(value):
+    return value is None or 0 <= value < 1 << 53
+
+
 class Range:
     """Which entries of a log are played: from `start` to `end`, both either numbers (`by_index`) or seconds
     since the epoch.

@@ -19,7 +19,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import snapshot, tree
 
 MOST = 200  # questions of a kind that are put to a process, or a component, at a time
-IDLE = 4.0  # seconds until those are looked through again that were to be asked nothing
+IDLE = 4.0  # seconds between two looks through those that need not be asked
 
 KINDS = ("RTC_STATUS", "EC_EVENT", "CONFIG_EVENT")  # not PORT_EVENT
 
@@ -171,8 +171,8 @@ class _Queue:
         self.members = members
         return True
 
-    def wait_for(self, asks, look, now):
-        """Find out when the next of some kinds, as in `Presence.asks`, may be due."""
+    def set_due(self, asks, look, now):
+        """Set when the next question of some kinds, as in `Presence.asks`, may be due."""
         due = [
             self.asked.get(kind, -math.inf) + max(looks * look, IDLE if kind in self.idle else 0.0)
             for kind, looks in asks.items()
@@ -447,7 +447,7 @@ class Presence:
             queue.counts[kind] += count
             chosen = (2 * of_kind)[first : first + count]
             break
-        queue.wait_for(self.asks, self.look, now)
+        queue.set_due(self.asks, self.look, now)
         return chosen
 
     async def _put_all(self, queue, questions):

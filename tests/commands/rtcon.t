@@ -150,6 +150,9 @@ Connected already: OpenRTM refuses the same pair twice, unless told otherwise; -
   $ rtcon -p buffer.write.full_policy=block -p subscription_type=new ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1: its dataport.buffer.write.full_policy is empty); to change that, first: rtdis -i id-1 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out
   [6]
+  $ said=$(rtcon -p buffer.length=4 ConsoleIn0.rtc:out ConsoleOut0.rtc:in 2>&1)
+  [6]
+  $ sh -c "${said##*first: }"; rtcon -p buffer.length=4 -n first -i id-1 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcon -d ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: already connected (id id-1)
   [1]

@@ -127,6 +127,9 @@ What is not there:
   $ rtplot -f other.mcap state.mode
   no values
   [1]
+  $ rtplot -f other.mcap -s inf numbers
+  rtplot: start or end out of bounds (see --help)
+  [2]
   $ rtplot -f other.mcap nothing
   rtplot: other.mcap: no such channel: nothing (there are: /numbers, /state)
   [3]

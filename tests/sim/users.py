@@ -232,7 +232,7 @@ def _spelt(word, names):
 
 
 def typed(name, words, work=0.0):
-    """main() of a command with these words, which computes for so many seconds before it asks anybody."""
+    """main() of a command with these words, which computes for `work` seconds before it asks anybody."""
     module = _module(name)
 
     async def run(*args):
