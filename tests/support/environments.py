@@ -42,9 +42,8 @@ def lock():
 
 
 def run(words, **keywords):
-    process = subprocess.run(
-        words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **keywords
-    )
+    process = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, **keywords)
     if process.returncode:
         raise Failed("%s\n%s" % (" ".join(words), process.stdout.decode("utf-8", "replace").strip()))
     return process.stdout.decode().strip()

@@ -54,9 +54,8 @@ def unbuild(names, switch="switch"):
     """Remove the hosts and their switch."""
     for name in list(names) + [switch]:
         shutil.rmtree(os.path.join("/etc/netns", namespace(name)), ignore_errors=True)
-        subprocess.run(
-            ["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
+        subprocess.run(["ip", "netns", "del", namespace(name)], stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
 
 
 def cable(name, how, switch="switch"):

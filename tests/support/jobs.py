@@ -41,15 +41,9 @@ def run_job(python, program, words, limit, environment=None):
     try:
         # Output goes to a file: a process that a test forgot would hold a pipe open.
         with open(os.path.join(directory, "said"), "w+", encoding="utf-8", errors="replace") as said:
-            process = subprocess.Popen(
-                apart() + [python, os.path.join(HERE, program), directory] + words,
-                stdin=subprocess.PIPE,
-                stdout=said,
-                stderr=said,
-                env=environment,
-                cwd=directory,
-                start_new_session=True,
-            )
+            command = apart() + [python, os.path.join(HERE, program), directory] + words
+            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=said, stderr=said,
+                                       env=environment, cwd=directory, start_new_session=True)
             why = _end(process, limit)
             said.seek(0)
             printed = said.read()

@@ -26,9 +26,8 @@ class Serving:
     def __init__(self, timeout):
         self.over = loop.Bell()
         began = concurrent.futures.Future()
-        self._thread = threading.Thread(
-            target=lambda: loop.run(self._run(began), session=session.Session(timeout)), daemon=True
-        )
+        self._thread = threading.Thread(daemon=True, target=lambda: loop.run(
+            self._run(began), session=session.Session(timeout)))
         self._thread.start()
         self.loop = began.result()
 

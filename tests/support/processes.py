@@ -104,9 +104,8 @@ def start(name, command):
     path = os.environ.get("PYTHONPATH") or ROOT
     environment = dict(os.environ, PYTHONPATH=path, PYTHONUNBUFFERED="1", PYTHONDONTWRITEBYTECODE="1")
     with open(session_file("alive")) as alive, open(session_file(name + ".out"), "wb") as out:
-        process = subprocess.Popen(
-            command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""), env=environment
-        )
+        process = subprocess.Popen(command, stdin=alive, stdout=out, stderr=out, cwd=session_file(""),
+                                   env=environment)
     with open(session_file(name + ".pid"), "w") as file:
         file.write(str(process.pid))
     _started[session_file(name)] = process

@@ -20,9 +20,8 @@ def value(rng, descriptor, depth=4):
         low, high = descriptors.RANGES[sort]
         return rng.choice((low, high, 0, rng.randint(low, high)))
     if sort in (descriptors.FLOAT, descriptors.DOUBLE):
-        number = rng.choice(
-            (0.0, -1.5, float("inf"), float("-inf"), float("nan"), 0.1, rng.uniform(-1e9, 1e9), 1e-30)
-        )
+        number = rng.choice((0.0, -1.5, float("inf"), float("-inf"), float("nan"), 0.1,
+                             rng.uniform(-1e9, 1e9), 1e-30))
         return struct.unpack("<f", struct.pack("<f", number))[0] if sort == descriptors.FLOAT else number
     if sort == descriptors.BOOLEAN:
         return rng.random() < 0.5

@@ -77,16 +77,8 @@ def run(words, where, inside=(), most=sys.maxsize, **more):
         status, usage = os.wait4(process.pid, 0)[1:]
         process.returncode = tools.shell_status(status)
         said = os.fstat(out.fileno()).st_size + os.fstat(err.fileno()).st_size
-        return Ran(
-            words,
-            process.returncode,
-            kept(out, most),
-            kept(err, most),
-            seconds - waited,
-            waited,
-            usage.ru_maxrss,
-            said,
-        )
+        return Ran(words, process.returncode, kept(out, most), kept(err, most), seconds - waited, waited,
+                   usage.ru_maxrss, said)
 
 
 def kept(file, most):
