@@ -57,6 +57,8 @@ class Session:
     endless      paths, as text, below which a walk did not end
     checks       {(what, endpoint): answer} of what rtdoctor has tried of endpoints, for one examination
     on_end       functions(endpoint), called when a connection with a process has ended
+    on_late      functions(endpoint), called when it has answered a question that was given up, as what it
+                 waited for is over
     memory       the Memory, for several commands where they run in one process
     """
 
@@ -73,6 +75,7 @@ class Session:
         self.endless = set()  # type: set
         self.checks = {}
         self.on_end = []
+        self.on_late = []
 
     def is_over(self):
         """True when its `end` has passed."""

@@ -202,12 +202,14 @@ class Presence:
 
     async def __aenter__(self):
         session.current().on_end.append(self.suspect)
+        session.current().on_late.append(self._hurry)
         self._group = loop.Group()
         self.start(self._look_around())
         return self
 
     async def __aexit__(self, kind, error, traceback):
         session.current().on_end.remove(self.suspect)
+        session.current().on_late.remove(self._hurry)
         self._group.cancel()
         try:
             await self._group.__aexit__(kind, error, traceback)
@@ -281,11 +283,12 @@ class Presence:
 
     def _try_connections(self):
         """A far end that may have held up others does so no more."""
-        for other in self.followed:
-            other.wait_no_more()
-            other.in_vain = None
-            if other.seen is not None:
-                other.seen.wait_no_more()
+        _ask_again(self.followed)
+
+    def _hurry(self, endpoint):
+        """What has held up a process does so no more."""
+        _ask_again(self.of_process(endpoint))
+        self.look_soon()
 
     def failed(self, entry, error):
         """A question to a component has failed: it is gone; or its process refuses connections, and all its
@@ -479,6 +482,15 @@ class Presence:
         if entry.shown is shown:
             for event in events:
                 entry.reported(event)
+
+
+def _ask_again(held_up):
+    """Have these asked as if they had always answered."""
+    for entry in held_up:
+        entry.wait_no_more()
+        entry.in_vain = None
+        if entry.seen is not None:
+            entry.seen.wait_no_more()
 
 
 def _questions(entry, kind, now):

@@ -310,7 +310,8 @@ class Top:
     async def __aenter__(self):
         orb.start()
         session.current().slots = Slots(IN_FLIGHT)
-        session.current().on_end.append(self._suspect)
+        for told in (session.current().on_end, session.current().on_late):
+            told.append(self._suspect)
         self._tasks = loop.Group()
         self._tasks.start(self._follow_keepers())
         for top in self._tops:
@@ -319,7 +320,8 @@ class Top:
 
     async def __aexit__(self, *exception):
         session.current().slots = None
-        session.current().on_end.remove(self._suspect)
+        for told in (session.current().on_end, session.current().on_late):
+            told.remove(self._suspect)
         self._tasks.cancel()
         try:
             await self._tasks.__aexit__(*exception)
@@ -327,7 +329,7 @@ class Top:
             await self._hearing.take_all_back()
 
     def _suspect(self, endpoint):
-        """A connection with a process has ended: look whether its components live."""
+        """A connection with a process has ended, or what held it up: look at its components."""
         for entry in self._entries.values():
             if entry.node.endpoint == endpoint:
                 entry.hurry()

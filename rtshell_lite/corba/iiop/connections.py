@@ -90,7 +90,8 @@ class TcpConnection:
         self.waits_for = "address"
         self.end = None
         self._number = 0
-        self._given_up = set()
+        # replies to come that nobody waits for: {number: key of an object that may wait for others, or None}
+        self._given_up = {}  # type: dict
         self._strays = 0
         self._memory = session.current().memory
         self._version = (1, self._memory.spoken.get(endpoint, 2))  # the latest GIOP to speak
@@ -270,16 +271,27 @@ class TcpConnection:
         if self.has_answered:
             self._memory.of_one_reply.discard(self.endpoint)
         self.has_answered = True
-        self._given_up.discard(number)
+        self._given_up.pop(number, None)
         return self.requests.pop(number, None)
 
     def give_up(self, number):
         """The request with this number, whose reply is not to be waited for;
         it is not sent any more if it has not been.
         """
+        request = self.requests.pop(number)
         if self._not_begun.pop(number, None) is None:
-            self._given_up.add(number)
-        return self.requests.pop(number)
+            self._given_up[number] = request.ref.address.key if request.asks_others else None
+        return request
+
+    def owed(self, ref):
+        """How many questions that were given up an object has still to answer, as it waits for others: each
+        may hold one of its threads.
+        """
+        return list(self._given_up.values()).count(ref.address.key)
+
+    def is_owed(self, number):
+        """Whether a reply with this number is the answer to one of those."""
+        return self._given_up.get(number) is not None
 
     def give_up_all(self):
         """Give up all requests that wait for replies, and return them."""

@@ -19,6 +19,9 @@ from rtshell_lite.net import loop
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
 # times that a question is asked again as a connection was lost by which others were answered
 MOST_RETRIED = 2
+# answers that an object may owe us until it is asked nothing more that waits for others: who follows a robot
+# for days beside a process that hangs would take thread after thread of those that are connected with it
+MOST_OWED = 3
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
 
@@ -242,6 +245,10 @@ class Peers:
 
     def submit(self, request):
         peer = self.peer(request.endpoint)
+        if request.asks_others and peer.connection is not None:
+            if peer.connection.owed(request.ref) >= MOST_OWED:
+                request.silent(f"no answer to {MOST_OWED} earlier questions")
+                return
         peer.add(request)
         self._changed[peer] = True
 
@@ -398,6 +405,9 @@ class Peers:
         self.session.has_answered(peer.endpoint, peer.heard)
         if number == next(iter(peer.connection.requests), None):
             peer.moved_on = peer.heard
+        if peer.connection.is_owed(number):
+            for tell in self.session.on_late:
+                tell(peer.endpoint)
         request = peer.connection.answered(number)
         if not peer.connection.requests:
             self._asked.pop(peer, None)
