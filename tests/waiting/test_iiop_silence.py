@@ -138,6 +138,43 @@ class Silence(Calls):
         self.assertEqual(others, ["answered"] * 8)
         self.assertEqual(self.session.silent, {})
 
+    def test_an_object_that_waits_for_others_owes_three_answers_at_most(self):
+        self.session = session.Session(0.1)
+        late = []
+        self.session.on_late.append(late.append)
+        is_over = threading.Event()
+
+        def play(pending):
+            if not is_over.is_set() or not pending:
+                return None
+            octets = b"".join(answer(number, struct.pack("<I", 0)) for number, _ in pending)
+            pending.clear()
+            return octets
+
+        peer = self.script(play)
+        port = peer.ref.narrowed("IDL:omg.org/RTC/PortService:1.0")
+
+        async def ask():
+            self.session.ask_again(peer.ref.address[1:3])
+            try:
+                return await orb.call("w", port, "get_connector_profiles")
+            except errors.Silent as e:
+                return e.why
+
+        async def ask_often():
+            whys = [await ask() for _ in range(5)]
+            is_over.set()
+            self.session.timeout = 5
+            try:
+                await orb.call("w", peer.ref, "_non_existent")  # which has the others answered, too
+            except errors.Error:
+                pass
+            return whys, await ask()
+
+        whys, value = self.wait_for(ask_often())
+        self.assertEqual(whys, ["no answer within 0.1s"] * 3 + ["no answer to 3 earlier questions"] * 2)
+        self.assertEqual((late, value, peer.most), ([peer.ref.address[1:3]] * 3, [], 4))
+
     def test_a_hung_process_costs_one_timeout(self):
         self.session = session.Session(0.3)
         silent, lively = self.script(lambda pending: None), self.script(

@@ -276,7 +276,7 @@ class Peers:
         connection = peer.connection
         if self._asked:
             return
-        if len(peer.waiting) + len(peer.waiting_for_others) > 1:
+        if len(peer.waiting) + len(peer.waiting_for_others) != 1:
             return
         if connection is None:
             return
