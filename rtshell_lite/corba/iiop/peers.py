@@ -20,7 +20,7 @@ LOOK = 0.005  # seconds between looks at whether the address of a host has been 
 # times that a question is asked again as a connection was lost by which others were answered
 MOST_RETRIED = 2
 # answers that an object may owe us until it is asked nothing more that waits for others: who follows a robot
-# for days beside a process that hangs would take thread after thread of those that are connected with it
+# for days beside a process that hangs would take thread after thread of its neighbours (docs/protocol.md 1.7)
 MOST_OWED = 3
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
