@@ -25,10 +25,10 @@ All are asked for their states before the first is asked for its ports, and two 
 
 rtdoctor sees for whom the process waits, where the kernel of its host says that:
 
-  $ within 1-4 rtdoctor -q --timeout 1 $near $far | grep rtc
-  fail  /localhost:$PORT/far.host_cxt/Out0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 1s; this explains * more findings (-v shows them); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  $ within 2-8 rtdoctor -q --timeout 2 $near $far | grep rtc
+  fail  /localhost:$PORT/far.host_cxt/Out0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 2s; this explains * more findings (-v shows them); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/In9.rtc: in Error; try: rtreset /localhost:$PORT/near.host_cxt/In9.rtc
-  $ rtdoctor -qv --timeout 1 $near $far > out
+  $ rtdoctor -qv --timeout 2 $near $far > out
   [1]
   $ grep -c '^fail.*In[0-3].rtc: hangs.* mend /localhost:.*/Out0.rtc first$' out; grep '^fail.*In[4-8]' out
   2
