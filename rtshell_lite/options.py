@@ -396,7 +396,7 @@ class _Help(argparse.RawDescriptionHelpFormatter):
             block = paragraph.split("\n")
             if not any(line.startswith(" ") for line in block):
                 block = [" ".join(block)]
-            for line in block:
+            for line in _entries(block):
                 further = " " * (len(line) - len(line.lstrip()) + 2) if line.startswith(" ") else ""
                 if len(line) > width and re.search(r"\S {2,}\S", line):  # the remark goes below
                     above, line = re.split(r"(?<=\S) {2,}", line, 1)
@@ -408,6 +408,20 @@ class _Help(argparse.RawDescriptionHelpFormatter):
                 )
             lines.append("")
         return "\n".join(lines[:-1])
+
+
+def _entries(block):
+    """The lines of a block, each with the lines that continue the remark beside it."""
+    import re
+
+    entries = []  # type: list
+    for line in block:
+        beside = entries and re.search(r"\S {2,}(?=\S)", entries[-1])
+        if beside and len(line) - len(line.lstrip()) >= max(beside.end(), 12):
+            entries[-1] += " " + line.lstrip()
+        else:
+            entries.append(line)
+    return entries
 
 
 def _formatter(prog):

@@ -55,6 +55,7 @@ class Session:
     slow         {what, such as the name of a host: when it was found to be looked up slowly}; as `silent`
     turned_away  how many connections to this command were turned away
     endless      paths, as text, below which a walk did not end
+    looked_for   how many missing names were looked for in other directories
     checks       {(what, endpoint): answer} of what rtdoctor has tried of endpoints, for one examination
     on_end       functions(endpoint), called when a connection with a process has ended
     on_late      functions(endpoint), called when it has answered a question that was given up, as what it
@@ -73,6 +74,7 @@ class Session:
         self.stalled = {}
         self.slow = {}
         self.endless = set()  # type: set
+        self.looked_for = 0
         self.checks = {}
         self.on_end = []
         self.on_late = []

@@ -33,7 +33,12 @@ def load(name, modules=()):
     `modules` are Python modules whose classes a simpkl file may mention. Raises OSError, errors.Failed.
     """
     where = text.printable(name)
-    if stat.S_ISFIFO(os.stat(name).st_mode):
+    try:
+        mode = os.stat(name).st_mode
+    except FileNotFoundError:
+        _check_parts(name)
+        raise
+    if stat.S_ISFIFO(mode):
         raise errors.Failed(where, "a pipe; logs are read from files")
     file = files.opened(name)
     try:
@@ -55,3 +60,14 @@ def load(name, modules=()):
     except (errors.Error, OSError):
         file.close()
         raise
+
+
+def _check_parts(name):
+    """Raise errors.Failed for a log that is not there, but was recorded as several files."""
+    import glob
+
+    stem, dot = os.path.splitext(name)
+    parts = sorted(glob.glob(glob.escape(stem) + "-" + "[0-9]" * 6 + glob.escape(dot or ".mcap")))
+    if parts:
+        names = " … ".join(text.printable(part) for part in dict.fromkeys((parts[0], parts[-1])))
+        raise errors.Failed(text.printable(name), f"no such file; it was recorded as {names}")

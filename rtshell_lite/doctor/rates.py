@@ -177,7 +177,9 @@ def _finding(watched, spent, missed):
     where = watched.where
     name = printable(ports.short_name(watched.port.name, watched.snapshot.node.path.instance))
     if watched.count < 2:
-        return ok("rate", where, f"rate not measured: nothing is written to {name}" + _tracing(watched))
+        number = "one value was" if watched.count else "nothing was"
+        seen = f"{number} written to {name} in {round(spent, 1):g} s"
+        return ok("rate", where, f"rate not measured: {seen}" + _tracing(watched))
     kept = watched.count / spent
     watched.snapshot.written = (watched.port, kept)
     watched.snapshot.stamp = watched.stamp

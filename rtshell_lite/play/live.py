@@ -69,7 +69,8 @@ class Context(component.Context):
         if not 0 < rate <= FASTEST:
             return code("BAD_PARAMETER")
         self.rate = rate
-        self.owner.paced.ring()
+        for member, _ in self.members:
+            member.paced.ring()
         return code("RTC_OK")
 
 
@@ -243,12 +244,17 @@ class Worker(component.Component):
         """Be executed, until that is cancelled."""
         before = due = loop.now()
         while True:
-            due = max(due, loop.now() - 1) + 1 / self.contexts[0].rate  # it makes up for a second at most
+            due = max(due, loop.now() - 1) + 1 / self._pace()  # it makes up for a second at most
             if await self.paced.wait(max(BREATH, due - loop.now())):
                 due = loop.now()
             now = loop.now()
             self._execute(now - before)
             before = now
+
+    def _pace(self):
+        """The rate (Hz) of the context that executes it: the own one of a composite's member is stopped."""
+        running = [context for context in self.contexts + self.participating if context.running]
+        return (running or self.contexts)[0].rate
 
     def _execute(self, seconds):
         active = [context for context in self.contexts + self.participating if self._is_executed_by(context)]

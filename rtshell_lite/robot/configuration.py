@@ -294,6 +294,19 @@ def differences(left, right, with_hidden=False):
     return rows
 
 
+class Dumped:
+    """What `parsed` has read from a file, to be compared by `differences`."""
+
+    def __init__(self, values, active):
+        self.values = values
+        self.active = active
+
+    def sets(self, with_hidden=False):
+        """The Sets, sorted by name."""
+        chosen = [set_id for set_id in sorted(self.values) if with_hidden or not hidden(set_id)]
+        return [Set(set_id, "", self.values[set_id], set_id == self.active) for set_id in chosen]
+
+
 async def read(paths):
     """The Configuration of the component at each path; an errors.Error in the place of what failed."""
     return await tree.on_components(paths, of)

@@ -1,6 +1,6 @@
 """The names of properties of connections, as a user writes them."""
 
-from rtshell_lite import errors
+from rtshell_lite import errors, notes
 from rtshell_lite.text import closest, printable
 
 PREFIX = "dataport."
@@ -17,12 +17,37 @@ KNOWN = (
     "data_service.inport_ior data_service.inport_ref data_service.outport_ior data_service.outport_ref"
 ).split()
 
+VALUES = {
+    "publisher.push_policy": ("all", "fifo", "skip", "new"),
+    "buffer.write.full_policy": ("overwrite", "do_nothing", "block"),
+    "buffer.read.empty_policy": ("readback", "do_nothing", "block"),
+}
+
 
 def complete(given):
     """The properties of a dict with their full names: known ones may be written without `dataport.`; unknown
-    ones are the user's own. Raises BadValue for those that are a known one misspelt.
+    ones are the user's own. Raises BadValue for those that are a known one misspelt; notes what OpenRTM-aist
+    would not understand, as a component may know more.
     """
-    return {_full(key): value for key, value in given.items()}
+    full = {_full(key): value for key, value in given.items()}
+    for key, value in full.items():
+        _doubt(key, value)
+    return full
+
+
+def _doubt(key, value):
+    """Note a name that is only the end of known ones, and a value that a known one does not have."""
+    for name in SIDES:
+        key = key.replace(PREFIX + name, PREFIX)
+    rest = key[len(PREFIX) :] if key.startswith(PREFIX) else key
+    if rest not in KNOWN:
+        longer = [PREFIX + name for name in KNOWN if name.endswith("." + rest)]
+        if longer:
+            notes.note(f"{printable(key)}: OpenRTM-aist has no such property, but {' and '.join(longer)}")
+        return
+    values = VALUES.get(rest, ())
+    if values and value.strip().lower() not in values:
+        notes.note(f"{printable(key)}: OpenRTM-aist has no {printable(value)} (it has: {', '.join(values)})")
 
 
 def _full(key):

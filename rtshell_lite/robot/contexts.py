@@ -50,6 +50,15 @@ async def set_rate(node, index, rate):
     return f"{node.path}: {now:g} Hz"
 
 
+async def is_stopped(node, index):
+    """Whether a context is known to be stopped, as that of a member of a composite is."""
+    try:
+        ref = await component.context_ref(node, index)
+        return not await orb.call(str(node.path), ref, "is_running")
+    except errors.Error:
+        return False
+
+
 def same_rate(now, expected):
     """Whether a context has the rate that was asked of it: implementations round its period."""
     return abs(now - expected) <= 0.01 * expected

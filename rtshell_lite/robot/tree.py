@@ -34,6 +34,10 @@ WALK = 20  # times the timeout
 # of a walk of what did not end before, in a command that looks again and again
 FEW_WALKED = 1000
 SHORT_WALK = 2
+# where a name that is missing is looked for, so that an error names the path that was meant
+MOST_SEARCHED = 16  # directories
+MOST_MEANT = 3  # paths that an error names
+MOST_LOOKED_FOR = 3  # names a command: it may look for one again and again
 
 
 # ---- name servers ----
@@ -227,10 +231,37 @@ async def _why_not_found(path):
     """The error for a path that does not resolve, with a similar name if its directory has one."""
     try:
         above = await _directory(await resolve(path.parent()))
-        names = _by_id(name for name, _ in await bound(above))
+        entries = await bound(above)
     except (errors.NotFound, errors.WrongKind) as e:
         return e
-    return _near_miss(path, names)
+    deeper = await _deeper(above, path.names[-1], [name for name, is_context in entries if is_context])
+    if deeper:
+        return errors.Misspelt(str(path), " or ".join(deeper))
+    return _near_miss(path, _by_id(name for name, _ in entries))
+
+
+async def _deeper(above, name, directories):
+    """Paths from a directory to the objects of a name in these directories of it, as far as its own name
+    server has them: a component is often called by its name alone.
+    """
+    here = session.current()
+    if here.looked_for >= MOST_LOOKED_FOR or len(directories) > MOST_SEARCHED:
+        return []
+    here.looked_for += 1
+    sought = name if name.kind else Name(name.id, "rtc")
+
+    async def look(directory):
+        node = await _child((above.typed, above.path.child(directory), True))
+        if node.kind == "directory" and not await aliases.is_foreign(above, node):
+            await above.call("resolve", orb.naming_name([directory, sought]))
+            return f"{directory!s}/{sought!s}"
+        return None
+
+    answers = await session.each(
+        directories, look, lambda directory: (above.endpoint, above.path.child(directory))
+    )
+    meant = sorted(answer for answer in answers if isinstance(answer, str))
+    return meant if len(meant) <= MOST_MEANT else []
 
 
 def _by_id(names):

@@ -37,7 +37,9 @@ def unpack(directory, wheels):
         files.add_wheel(own)
     else:
         files.add_package(installation.PACKAGE)
-    start = _python() + installation.BEGINNING + FIND_LIBRARY + installation.STARTER
+    beginning = _python() + installation.BEGINNING + FIND_LIBRARY
+    files.add("bin/rtshell_lite", (beginning + installation.OVERALL_STARTER).encode("utf-8"), True)
+    start = beginning + installation.STARTER
     for name, path in sorted(installation.commands().items()):
         files.add("bin/" + name, start.format(name=name).encode("utf-8"), True)
         module = f"lib/rtshell_lite/commands/{name}.py"

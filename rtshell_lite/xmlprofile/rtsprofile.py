@@ -12,6 +12,7 @@ from rtshell_lite.text import printable
 
 XML = "xml"
 YAML = "yaml"
+EMPTY = "the file is empty"
 
 
 def load(data, name, form=None):
@@ -25,7 +26,7 @@ def load(data, name, form=None):
         except UnicodeEncodeError as e:
             raise errors.BadProfile(name, data.count("\n", 0, e.start) + 1, 1, "not text")
     if not data.strip():
-        raise errors.BadProfile(name, 1, 1, "the file is empty")
+        raise errors.BadProfile(name, 1, 1, EMPTY)
     if data.startswith(b"#!"):
         raise errors.BadProfile(
             name, 1, 1,
