@@ -12,6 +12,7 @@ An equal connection is as good. That is reported, with both ids, and the status 
   $ rtcheck -s Inactive robot.rtsys; rtcheck --json -s Inactive robot.rtsys
   Connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in has another id: mine, not one
   {"actual": "mine", "check": "connection id", "expected": "one", "message": "Connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in has another id: mine, not one", "path": "/localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in", "required": false}
+  $ rtcheck -q -s Inactive robot.rtsys
   $ rtcheck --extra -s Inactive robot.rtsys 2>&1 | grep Connection
   Connection between /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out and /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in has another id: mine, not one
   $ rtresurrect robot.rtsys; ctl connectors ConsoleIn0:out

@@ -16,6 +16,16 @@ world: these Mock:Mock0 ConsoleIn:ConsoleIn1 Motor
       dataport.outport.data_type      IDL:RTC/TimedLong:1.0
       dataport.inport.data_type       IDL:RTC/TimedLong:1.0
 
+What OpenRTM-aist does not know is passed on, as a component may, but noted:
+
+  $ rtcon --dry-run -p push_policy=new -p timeout=1 -p mine=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: push_policy: OpenRTM-aist has no such property, but dataport.publisher.push_policy
+  rtcon: timeout: OpenRTM-aist has no such property, but dataport.buffer.write.timeout and dataport.buffer.read.timeout
+  rtcon -p mine=2 -p push_policy=new -p timeout=1 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
+  $ rtcon --dry-run -p publisher.push_policy=newest -p inport.buffer.read.empty_policy=Block ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon: dataport.publisher.push_policy: OpenRTM-aist has no newest (it has: all, fifo, skip, new)
+  rtcon -p dataport.inport.buffer.read.empty_policy=Block -p dataport.publisher.push_policy=newest /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
+
 Data arrives:
 
   $ rtact ConsoleOut0.rtc

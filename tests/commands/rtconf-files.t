@@ -259,8 +259,16 @@ diff, status 1 when there are differences; the active sets are compared, too:
   rtconf: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [3]
   $ rtconf ConfigSample0.rtc dump 'as it was'; rtconf ConfigSample0.rtc diff 'as it was'
-  rtconf: as it was: a file; what differs from it, as commands: rtconf ConfigSample0.rtc load --dry-run 'as it was' (see --help)
-  [2]
+  $ rtconf ConfigSample0.rtc -s mode1 set int_param0 7; rtconf ConfigSample0.rtc diff 'as it was'
+  mode1  int_param0  7  -1
+  [1]
+  $ rtconf ConfigSample0.rtc diff 'as it was' --json
+  {"left": "7", "parameter": "int_param0", "right": "-1", "set": "mode1"}
+  [1]
+  $ rtconf ConfigSample0.rtc load 'as it was'; rtconf ConfigSample0.rtc diff 'as it was'
+  $ echo oops > broken; rtconf ConfigSample0.rtc diff broken
+  rtconf: broken:1: a value before the first [set]
+  [1]
   $ rtconf ConfigSample0.rtc diff .
   rtconf: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
   [3]

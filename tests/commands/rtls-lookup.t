@@ -48,6 +48,20 @@ Without the slash before it, a server is taken from the root, unless the working
   rtls: /localhost:*/test.host_cxt/ConsoleIn0.rtc:99: not a directory or component (it is a port; rtcat shows it) (glob)
   [3]
 
+A name alone, of what is in a directory of that one, or in several. A name server is asked, and no component:
+
+  $ rtcat /localhost:$PORT/ConsoleIn0.rtc
+  rtcat: /localhost:$PORT/ConsoleIn0.rtc: no such path; did you mean test.host_cxt/ConsoleIn0.rtc?
+  [3]
+  $ rtact /localhost:$PORT/arm.host_cxt/Mock1
+  rtact: /localhost:$PORT/arm.host_cxt/Mock1: no such path; did you mean right.host_cxt/Mock1.rtc?
+  [3]
+  $ rtcat /localhost:$PORT/arm.host_cxt/Mock0.rtc
+  rtcat: /localhost:$PORT/arm.host_cxt/Mock0.rtc: no such path; did you mean left.host_cxt/Mock0.rtc or right.host_cxt/Mock0.rtc?
+  [3]
+  $ rtcat /localhost:$PORT/Mock9.rtc /localhost:$PORT/Mock8.rtc /localhost:$PORT/Mock7.rtc /localhost:$PORT/ConsoleIn0.rtc 2>&1 | tail -1
+  rtcat: /localhost:$PORT/ConsoleIn0.rtc: no such path
+
 A star is any one directory, two are any number of them. One object has to fit:
 
   $ rtls "/localhost:$PORT/*/ConsoleIn0.rtc"

@@ -236,6 +236,9 @@ Files that are not profiles, reported with line and column:
   rtstodot: new.svg: no such file to draw; --svg prints the drawing: > new.svg (see --help)
   [2]
   $ rtstodot
+  rtstodot: stdin is empty; --live draws what is running
+  [1]
+  $ rtstodot -
   rtstodot: -:1:1: the file is empty
   [1]
   $ echo '<a/>' > bad.xml; rtstodot bad.xml

@@ -14,7 +14,10 @@ class Unpacked(Robot):
 
     def test_commands_run_without_omniorb(self):
         place = self.unpack()
-        self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), names("bin"))
+        self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), sorted(names("bin") + ["rtshell_lite"]))
+        overall = os.path.join(place, "bin", "rtshell_lite")
+        self.assertEqual(run([overall, "rtpwd"]), (0, "/\n", ""))
+        self.assertIn("  rtls         List the RTC Tree", run([overall])[1])
         self.check_without_omniorb(lambda name: [os.path.join(place, "bin", name)])
 
     def test_they_start_without_what_is_installed_beside_python_and_find_it_when_it_is_asked_for(self):

@@ -44,7 +44,7 @@ A context that claims more than it keeps: with --measure an out port of each act
   ok    here: this host's name, robot, means 10.0.0.1
   ok    here: RTCTREE_NAMESERVERS: robot
   ok    /robot: answers (name 0.0 ms, TCP 0.1 ms, CORBA 5.1 ms, naming 0.1 ms) at 10.0.0.1, this host
-  ok    /robot/many.host_cxt/A0.rtc: rate not measured: nothing is written to out
+  ok    /robot/many.host_cxt/A0.rtc: rate not measured: nothing was written to out in 1 s
   ok    /robot/many.host_cxt/A0.rtc: Active, claims 1000 Hz, 2 ports, 0 connections, at 10.0.0.1:$PORT
   ok    /robot/rates.host_cxt/Calm0.rtc: keeps 10.0 of 10 Hz (writes to out)
   ok    /robot/rates.host_cxt/Calm0.rtc: Active, claims 10 Hz, 1 port, 0 connections, at 10.0.0.1:$PORT
