@@ -54,6 +54,9 @@ Neighbourhoods, by connections, with the data or against it:
   $ rtstodot --live --around Nothing0.rtc
   rtstodot: nothing to draw: no component at or below /localhost:$PORT/test.host_cxt/Nothing0.rtc
   [1]
+  $ rtstodot --text --around /localhost:$PORT/Motor0.rtc robot.rtsys
+  rtstodot: nothing to draw: no component at or below /localhost:$PORT/Motor0.rtc; did you mean /localhost:$PORT/test.host_cxt/Motor0.rtc?
+  [1]
   $ rtstodot --hops -1 robot.rtsys
   rtstodot: --hops takes a number from 0 up (see --help)
   [2]

@@ -14,7 +14,8 @@ class Unpacked(Robot):
 
     def test_commands_run_without_omniorb(self):
         place = self.unpack()
-        self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), sorted(names("bin") + ["rtshell_lite"]))
+        programs = sorted(names("bin") + ["rtshell_lite"])
+        self.assertEqual(sorted(os.listdir(os.path.join(place, "bin"))), programs)
         overall = os.path.join(place, "bin", "rtshell_lite")
         self.assertEqual(run([overall, "rtpwd"]), (0, "/\n", ""))
         self.assertIn("  rtls         List the RTC Tree", run([overall])[1])
