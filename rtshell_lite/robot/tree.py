@@ -37,7 +37,7 @@ SHORT_WALK = 2
 # where a name that is missing is looked for, so that an error names the path that was meant
 MOST_SEARCHED = 16  # directories
 MOST_MEANT = 3  # paths that an error names
-MOST_LOOKED_FOR = 3  # names a command: it may look for one again and again
+MOST_LOOKED_FOR = 20  # names a command: it may look for one again and again
 
 
 # ---- name servers ----

@@ -267,7 +267,7 @@ diff, status 1 when there are differences; the active sets are compared, too:
   [1]
   $ rtconf ConfigSample0.rtc load 'as it was'; rtconf ConfigSample0.rtc diff 'as it was'
   $ echo oops > broken; rtconf ConfigSample0.rtc diff broken
-  rtconf: broken:1: a value before the first [set]
+  rtconf: broken:1: neither [set] nor name=value
   [1]
   $ rtconf ConfigSample0.rtc diff .
   rtconf: /localhost:$PORT/test.host_cxt: not a component (it is a directory)

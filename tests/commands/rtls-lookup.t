@@ -59,8 +59,6 @@ A name alone, of what is in a directory of that one, or in several. A name serve
   $ rtcat /localhost:$PORT/arm.host_cxt/Mock0.rtc
   rtcat: /localhost:$PORT/arm.host_cxt/Mock0.rtc: no such path; did you mean left.host_cxt/Mock0.rtc or right.host_cxt/Mock0.rtc?
   [3]
-  $ rtcat /localhost:$PORT/Mock9.rtc /localhost:$PORT/Mock8.rtc /localhost:$PORT/Mock7.rtc /localhost:$PORT/ConsoleIn0.rtc 2>&1 | tail -1
-  rtcat: /localhost:$PORT/ConsoleIn0.rtc: no such path
 
 A star is any one directory, two are any number of them. One object has to fit:
 
