@@ -50,11 +50,14 @@ async def set_rate(node, index, rate):
     return f"{node.path}: {now:g} Hz"
 
 
-async def is_stopped(node, index):
-    """Whether a context is known to be stopped, as that of a member of a composite is."""
+async def is_idle(node, index):
+    """Whether a context is stopped, and its component takes part in others, as members of composites do."""
     try:
         ref = await component.context_ref(node, index)
-        return not await orb.call(str(node.path), ref, "is_running")
+        if await orb.call(str(node.path), ref, "is_running"):
+            return False
+        _, participating = await component.context_refs(node)
+        return bool(participating)
     except errors.Error:
         return False
 

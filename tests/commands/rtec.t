@@ -74,8 +74,6 @@ A context that is stopped keeps its components as they are, and executes none of
   0  0  Periodic  0.5  Stopped  Inactive  ConsoleIn0  -
   $ rtec -v ConsoleIn0.rtc stop
   rtec: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: stopped
-  $ rtec ConsoleIn0.rtc rate 0.5; rtec -e 0 ConsoleIn0.rtc rate 0.5
-  rtec: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: this context is stopped, and executes nothing; -e N chooses another
   $ rtec -v ConsoleIn0.rtc start
   rtec: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: running
   $ rtec -v ConsoleIn0.rtc start

@@ -62,7 +62,7 @@ What is done to its components has an effect on them. A joint follows its target
   0  0  Periodic  10  Stopped  Active  Tip0  -
   $ rtec $A/Tip0.rtc start
   $ rtec $A/Elbow0.rtc rate 50
-  rtec: /127.0.0.1:*/arm.host_cxt/Elbow0.rtc: this context is stopped, and executes nothing; -e N chooses another (glob)
+  rtec: /127.0.0.1:*/arm.host_cxt/Elbow0.rtc: this context is stopped; rtec lists those that execute it, -e N chooses one (glob)
   $ rtec -e 1 $A/Elbow0.rtc rate 20; soon 'rtec --measure $A/Elbow0.rtc | grep "measured *[12][0-9]\.[0-9] Hz"' > nul
   $ rtec -e 1 $A/Elbow0.rtc rate 10
 

@@ -38,8 +38,8 @@ A rate that it does not reach is reported once, and what was refused is counted;
   $ rtec ConsoleOut0.rtc rate 20
   $ rtinject -c 7 -n 100 -r 400 ConsoleOut0.rtc:in
   ! rtinject: /robot/test.host_cxt/ConsoleOut0.rtc:in: values come faster than it reads them (19.9 Hz)
-  ! rtinject: /robot/test.host_cxt/ConsoleOut0.rtc:in: it refused 70 of 100 values: they came faster than it reads them (20.2 Hz)
-  [5] after 2.7 s
+  ! rtinject: /robot/test.host_cxt/ConsoleOut0.rtc:in: it refused 70 of 100 values: they came faster than it reads them (20.3 Hz)
+  [5] after 2.6 s
   $ ctl waiting ConsoleOut0:in
   0
 
@@ -73,6 +73,7 @@ Who is not going to read is sent nothing, without --anyway:
   ! rtinject: /robot/test.host_cxt/Mock0.rtc:in: it is in Error and would read the values at some later connection; rtreset /robot/test.host_cxt/Mock0.rtc, then rtact /robot/test.host_cxt/Mock0.rtc first, or --anyway
   [1]
   $ rtact Slow0.rtc
+  [0] after 0.1 s
   $ rtec Slow0.rtc stop
   $ rtinject -c 8 Slow0.rtc:in
   ! rtinject: /robot/test.host_cxt/Slow0.rtc:in: its execution context is stopped and would read the values at some later connection; rtec /robot/test.host_cxt/Slow0.rtc start first, or --anyway

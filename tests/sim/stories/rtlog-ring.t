@@ -134,5 +134,5 @@ Other files after some time; the last are kept:
   q-000003.mcap
   q-000004.mcap
   $ rtlog show q.mcap
-  rtlog: q.mcap: no such file; it was recorded as q-000001.mcap … q-000004.mcap
+  ! rtlog: q.mcap: no such file; it was recorded as q-000001.mcap … q-000004.mcap
   [1]
