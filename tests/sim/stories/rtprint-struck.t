@@ -108,7 +108,7 @@ One that hangs does not keep the others of its process connected:
   $ strike TERM rtprint
   $ wait rtprint
   ! rtprint: /robot/test.host_cxt/Hangs0.rtc:out: connection $UUID may stay, because the component does not answer; when it does again: rtdis -i $UUID /robot/test.host_cxt/Hangs0.rtc:out
-  [143] after 12.1 s
+  [143] after 11.1 s
   $ ctl @these connectors Lives0:out
   $ ctl @these reset
 
