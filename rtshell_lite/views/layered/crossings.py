@@ -7,35 +7,43 @@ import math
 
 _EFFORT = 40000  # items that are looked at, about
 _PATIENCE = 4  # sweeps that gain nothing
+_SMALL = 400  # items; with more it would take long to try another order when nothing is gained
 _EXCHANGES = 6  # most times that a layer is gone through
 _FAR = 1 << 20  # more than any height, pixels
 
 
 def sort(layers):
     """Order each layer, a list of item.Items, in place."""
-    _begin(layers)
     size = sum(map(len, layers))
     sweeps = max(3, min(24, _EFFORT // max(size, 1)))
-    best = [list(items) for items in layers]
-    fewest = crossings(layers)
-    idle = 0
-    for sweep in range(sweeps):
-        if not fewest or idle == _PATIENCE:
-            break
-        for items in layers[1:]:
-            _reorder(items, 0)
-        for items in reversed(layers[:-1]):
-            _reorder(items, 1)
-        _transpose(layers)
-        count = crossings(layers)
-        idle += 1
-        if count < fewest:
-            fewest = count
-            best = [list(items) for items in layers]
-            idle = 0
+    best, fewest = [], math.inf
+    is_small = size <= _SMALL
+    for way in (1, -1)[: 1 + is_small]:
+        _begin(layers[::way], way)
+        idle = 0
+        for sweep in range(sweeps + 1):
+            if sweep:
+                _sweep(layers, is_small and sweep % 2 == 0)
+            count = crossings(layers)
+            idle += 1
+            if count < fewest:
+                fewest = count
+                best = [list(items) for items in layers]
+                idle = 0
+            if not fewest or idle == _PATIENCE:
+                break
     for index, items in enumerate(best):
         layers[index][:] = items
         stack(items)
+
+
+def _sweep(layers, is_restless):
+    """Order all layers once more, to the right and back."""
+    for items in layers[1:]:
+        _reorder(items, 0)
+    for items in reversed(layers[:-1]):
+        _reorder(items, 1)
+    _transpose(layers, is_restless)
 
 
 def stack(items):
@@ -47,8 +55,10 @@ def stack(items):
         y += item.height + item.space
 
 
-def _begin(layers):
-    """The order in which a walk along the lines comes to the Items."""
+def _begin(layers, way):
+    """The order in which a walk along the lines comes to the Items, from the left or from the right (`way` is
+    1 or -1).
+    """
     for items in layers:
         stack(items)
     met = {}
@@ -60,7 +70,7 @@ def _begin(layers):
                 if item in met:
                     continue
                 met[item] = len(met)
-                for side in (0, 1):
+                for side in (0, 1)[::way]:
                     ends = sorted(item.ends[side], key=_height)
                     waiting += [end[1] for end in reversed(ends)]
     for items in layers:
@@ -77,6 +87,8 @@ def _height(end):
 
 def _reorder(items, side):
     """Order a layer by where its neighbours on a side are."""
+    if len(items) == 1:
+        return
     keys = {}
     turning = {}  # {Item: Items whose lines on this side lead to it, above or below it}
     for item in items:
@@ -106,27 +118,33 @@ def _reorder(items, side):
 # ---- turns ----
 
 
-def _transpose(layers):
-    """Exchange Items that are next to each other while fewer lines cross."""
+def _transpose(layers, is_restless):
+    """Exchange Items that are next to each other while fewer lines cross; where as many do, too, if
+    `is_restless`, as that may open a way to fewer (Gansner et al. 1993).
+    """
     active = set(range(len(layers)))
-    for _ in range(_EXCHANGES):
-        changed = [index for index in sorted(active) if _exchange(layers[index])]
+    for turn in range(_EXCHANGES):
+        least = 0 if is_restless and turn == 0 else 1
+        changed = [index for index in sorted(active) if _exchange(layers[index], least)]
         active = {index + step for index in changed for step in (-1, 0, 1)} & set(range(len(layers)))
     for items in layers:
         stack(items)
 
 
-def _exchange(items):
-    """Whether any Items of a layer are exchanged with the next one."""
+def _exchange(items, least):
+    """Exchange Items of a layer with the next one where that gains as much; returns whether any gain."""
+    if len(items) == 1:
+        return False
     levels = {item: (_opposite(item, 0), _opposite(item, 1)) for item in items}
-    is_changed = False
+    is_better = False
     for rank in range(len(items) - 1):
         upper, lower = items[rank], items[rank + 1]
-        if _gain(upper, lower, levels) > 0:
+        gain = _gain(upper, lower, levels)
+        if gain >= least:
             items[rank], items[rank + 1] = lower, upper
             upper.rank, lower.rank = rank + 1, rank
-            is_changed = True
-    return is_changed
+            is_better = is_better or gain > 0
+    return is_better
 
 
 def _opposite(item, side):

@@ -17,11 +17,13 @@ def settle(layers, chains):
     """
     for items in layers:
         crossings.stack(items)
-    for middle, sides in _SWEEPS:
-        for items in layers:
-            _fit(items, sides[0], middle)
-        for items in reversed(layers):
-            _fit(items, sides[1], middle)
+    depths = [_depths(items) for items in layers]
+    pulls = {sides: [[_pulls(item, sides) for item in items] for items in layers] for sides in _SIDES}
+    for middle, right, left in _SWEEPS:
+        for fitted in zip(layers, depths, pulls[right]):
+            _fit(*fitted, middle)
+        for fitted in reversed(list(zip(layers, depths, pulls[left]))):
+            _fit(*fitted, middle)
     for items in layers:
         _round(items)
     neighbours = {}
@@ -46,21 +48,31 @@ def _gap(upper, lower):
     return max(upper.space, lower.space)
 
 
-def _wants(item, sides):
-    """[(y at which one of its lines is level, weight)] of an Item."""
+def _depths(items):
+    """The least y of each Item of a layer, from that of the first one."""
+    depths = [0]
+    for upper, lower in zip(items, items[1:]):
+        depths.append(depths[-1] + upper.height + _gap(upper, lower))
+    return depths
+
+
+def _pulls(item, sides):
+    """[(the other Item, how far from its y one of the lines is level, weight)] of an Item."""
     return [
-        (other.y + there - here, weight)
+        (other, there - here, weight)
         for side in sides
         for here, other, other_side, there, weight in item.ends[side]
         if other_side != side
     ]
 
 
-def _median(wants):
-    """The weighted median of (y, weight)s; the mean of two where half of the weight is on either side."""
-    half = sum([weight for _, weight in wants]) / 2
+def _median(pulls):
+    """The weighted median of where pulls have an Item; the mean of two where half of the weight is on either
+    side.
+    """
+    half = sum([weight for _, _, weight in pulls]) / 2
     passed = 0
-    wants = sorted(wants)
+    wants = sorted([(other.y + step, weight) for other, step, weight in pulls])
     for index, (y, weight) in enumerate(wants):
         passed += weight
         if passed > half:
@@ -70,33 +82,36 @@ def _median(wants):
     return y
 
 
-def _mean(wants):
-    """The weighted mean of (y, weight)s."""
-    return math.fsum([y * weight for y, weight in wants]) / sum([weight for _, weight in wants])
+def _mean(pulls):
+    """The weighted mean of where pulls have an Item."""
+    total = sum([weight for _, _, weight in pulls])
+    return math.fsum([(other.y + step) * weight for other, step, weight in pulls]) / total
 
 
-# what of its lines an Item follows, and those on which sides: first together, so that no group floats away
-_SWEEPS = [(_mean, ((0,), (1,)))] * 4 + [(_mean, ((0, 1), (0, 1)))] * 3 + [(_median, ((0, 1), (0, 1)))] * 2
+# what of its lines an Item follows, and those on which sides as layers are gone through to the right and
+# back: first together, so that no group floats away
+_SIDES = _LEFT, _RIGHT, _BOTH = (0,), (1,), (0, 1)
+_SWEEPS = [(_mean, _LEFT, _RIGHT)] * 4 + [(_mean, _BOTH, _BOTH)] * 3 + [(_median, _BOTH, _BOTH)] * 2
 
 
-def _fit(items, sides, middle):
+def _fit(items, depths, pulls, middle):
     """Put a layer as near as possible to where lines on these sides of its Items are level, in the middle."""
     # [sum of weighted ys, sum of weights, count] of Items that touch; ys as if nothing had a height
     groups = []
-    depth = 0
-    depths = []
-    last = None
-    for item in items:
-        if last is not None:
-            depth += last.height + _gap(last, item)
-        last = item
-        depths.append(depth)
-        wants = _wants(item, sides)
-        if wants:
-            y, weight = middle(wants), sum([weight for _, weight in wants])
-        else:
+    unheld = 0  # the first Items of the layer, if nothing holds them
+    for item, depth, own in zip(items, depths, pulls):
+        if own:
+            y, weight = middle(own), sum([pull[2] for pull in own])
+        elif any(item.ends):
             y, weight = item.y, 0.01
-        groups.append([(y - depth) * weight, weight, 1])
+        elif groups:
+            groups[-1][2] += 1  # it stays below the one above
+            continue
+        else:
+            unheld += 1
+            continue
+        groups.append([(y - depth) * weight, weight, 1 + unheld])
+        unheld = 0
         while len(groups) > 1 and groups[-2][0] * groups[-1][1] > groups[-1][0] * groups[-2][1]:
             group = groups.pop()
             for index in range(3):
@@ -162,7 +177,7 @@ def _put_level(items, least, most):
 
 def _nudge(item, neighbours):
     """Move a box within its room so that its lines are as level as they can be."""
-    wants = _wants(item, (0, 1))
-    if wants:
+    pulls = _pulls(item, _BOTH)
+    if pulls:
         least, most = _room(item, neighbours)
-        item.y = int(min(max(_median(wants), least), most))
+        item.y = int(min(max(_median(pulls), least), most))

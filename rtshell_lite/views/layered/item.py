@@ -10,13 +10,13 @@ class Item:
 
     x, y    its upper left corner; width: that of its layer
     layer   index of its layer in its row; rank: its place in the layer, from 0 down
-    row     index of its row of layers
+    row     index of its row of layers; space: pixels that stay free below it
     ends    of each side, 0 for the left and 1 for the right one: (y on this Item, the other Item, its side,
             y on it, how much it counts that the line is level) of each line there; the other one is in the
             next layer, or in the same one, where a line turns around
     """
 
-    __slots__ = ("number", "width", "height", "x", "y", "layer", "rank", "row", "ends")
+    __slots__ = ("number", "width", "height", "x", "y", "layer", "rank", "row", "ends", "space")
 
     def __init__(self, number=None, width=0, height=0):
         self.number = number
@@ -24,11 +24,7 @@ class Item:
         self.height = height
         self.x = self.y = self.layer = self.rank = self.row = 0
         self.ends = ([], [])
-
-    @property
-    def space(self):
-        """Pixels that stay free below it."""
-        return PASSING if self.number is None else BELOW
+        self.space = PASSING if number is None else BELOW
 
 
 # how much it counts that a line is level: between boxes, between a box and a passing line, between two such

@@ -19,6 +19,10 @@ MARGIN = 20
 APART = 40  # between connected parts
 _FAR = 12  # layers; lines that pass more of them have a lane
 _WIDEST = 3  # times its height, before a part becomes several rows
+# times more at most, up to this width, by _CUT lines that would lead from one row to another, and cross many
+_WIDER = 2
+_WIDE = 6 * PAGE[0]
+_CUT = 4
 
 # A line: numbers of boxes, (y, 0 for the left side or 1 for the right one) of its ports on them, whether it
 # is of a service.
@@ -136,6 +140,9 @@ def _rows(columns, sizes, between):
         difference = max(2 * wider, -wider)  # that it is too wide is worse
         if best is None or difference < best[0]:
             best = difference, starts
+    cut = max(between[start] for start in best[1][1:])
+    if total <= min(_WIDE, (_WIDEST + min(cut / _CUT, _WIDER)) * max(tall)):
+        return [columns]
     return [columns[start:end] for start, end in zip(best[1], best[1][1:] + [len(columns)])]
 
 
