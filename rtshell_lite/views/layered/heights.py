@@ -20,10 +20,10 @@ def settle(layers, chains):
     depths = [_depths(items) for items in layers]
     pulls = {sides: [[_pulls(item, sides) for item in items] for items in layers] for sides in _SIDES}
     for middle, right, left in _SWEEPS:
-        for fitted in zip(layers, depths, pulls[right]):
-            _fit(*fitted, middle)
-        for fitted in reversed(list(zip(layers, depths, pulls[left]))):
-            _fit(*fitted, middle)
+        for items, own_depths, own_pulls in zip(layers, depths, pulls[right]):
+            _fit(items, own_depths, own_pulls, middle)
+        for items, own_depths, own_pulls in reversed(list(zip(layers, depths, pulls[left]))):
+            _fit(items, own_depths, own_pulls, middle)
     for items in layers:
         _round(items)
     neighbours = {}
