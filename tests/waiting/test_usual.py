@@ -1,9 +1,9 @@
 """Where a name server is, for people who do not know: `rtls` says so where none is named."""
 import os
+import socket
 import unittest
 from unittest import mock
 
-import processes
 import worlds
 from rtshell_lite.corba.session import Session
 from rtshell_lite.net import loop
@@ -17,10 +17,13 @@ class Advice(unittest.TestCase):
         cls.port = worlds.Server.port
         cls.world = worlds.World("manager")
         cls.manager = int(cls.world.ready.split()[-1])
-        cls.nobody = processes.nameserver.free_port()
+        cls.reserved = socket.socket()  # so that nobody comes to listen there
+        cls.reserved.bind(("127.0.0.1", 0))
+        cls.nobody = cls.reserved.getsockname()[1]
 
     @classmethod
     def tearDownClass(cls):
+        cls.reserved.close()
         cls.world.close()
         worlds.Server.stop()
 
