@@ -8,6 +8,7 @@ world: two
   $ rtcon -i two ConsoleIn0.rtc:out Arm.rtc:Sensor0.in
   $ rtconf ConfigSample0.rtc set str_param0=changed; rtec Motor0.rtc rate 250
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but changed does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtec: /localhost:$PORT/test.host_cxt/Motor0.rtc: this context is stopped; rtec lists those that execute it, -e N chooses one
   $ rtcryo --all > named.xml; grep -v -e '"MANAGER"' -e '"REFERENCE"' named.xml > a.xml
   $ grep -o 'name="MANAGER".*' named.xml | sort | uniq -c
         6 name="MANAGER" rtsExt:value="localhost:$PORT/test.host_cxt/manager.mgr"/>
@@ -51,6 +52,8 @@ The manager is given, and then does it; by hand with the commands of --dry-run, 
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: double_param0 is set, but 297992458 does not fit the component's constraint 0<=x<=100
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: int_param0 is set, but -999 does not fit the component's constraint 0<=x<=150
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: str_param0 is set, but changed does not fit the component's constraint (default,mode0,mode1,foo,bar,radio)
+  rtec: /localhost:$PORT/test.host_cxt/Motor0.rtc: this context is stopped; rtec lists those that execute it, -e N chooses one
+  rtec: /localhost:$PORT/test.host_cxt/Sensor0.rtc: this context is stopped; rtec lists those that execute it, -e N chooses one
   $ same; gone
   $ rtresurrect --create --manager manager.mgr -v a.xml
   rtresurrect: component /localhost:$PORT/test.host_cxt/Arm.rtc, created by /localhost:$PORT/test.host_cxt/manager.mgr: done
