@@ -58,8 +58,8 @@ class Session:
     looked_for   how many missing names were looked for in other directories
     checks       {(what, endpoint): answer} of what rtdoctor has tried of endpoints, for one examination
     on_end       functions(endpoint), called when a connection with a process has ended
-    on_late      functions(endpoint), called when it has answered a question that was given up, as what it
-                 waited for is over
+    on_late      functions(endpoint), called when an object there that was asked no more, as it owed answers,
+                 gives one: what it waited for is over
     memory       the Memory, for several commands where they run in one process
     """
 

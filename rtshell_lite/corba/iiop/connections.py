@@ -92,6 +92,7 @@ class TcpConnection:
         self._number = 0
         # replies to come that nobody waits for: {number: key of an object that may wait for others, or None}
         self._given_up = {}  # type: dict
+        self._spared = set()  # keys of objects that are asked no more, as they owe too many of these
         self._strays = 0
         self._memory = session.current().memory
         self._version = (1, self._memory.spoken.get(endpoint, 2))  # the latest GIOP to speak
@@ -289,9 +290,19 @@ class TcpConnection:
         """
         return list(self._given_up.values()).count(ref.address.key)
 
-    def is_owed(self, number):
-        """Whether a reply with this number is the answer to one of those."""
-        return self._given_up.get(number) is not None
+    def spare(self, ref):
+        """Note that an object is not asked, as it owes too many answers."""
+        self._spared.add(ref.address.key)
+
+    def ends_sparing(self, number):
+        """Whether a reply with this number is the first from an object that was not asked any more. Of others
+        that are late nothing is over: they may be late each time.
+        """
+        key = self._given_up.get(number)
+        if key not in self._spared:
+            return False
+        self._spared.discard(key)
+        return True
 
     def give_up_all(self):
         """Give up all requests that wait for replies, and return them."""

@@ -247,6 +247,7 @@ class Peers:
         peer = self.peer(request.endpoint)
         if request.asks_others and peer.connection is not None:
             if peer.connection.owed(request.ref) >= MOST_OWED:
+                peer.connection.spare(request.ref)
                 request.silent(f"no answer to {MOST_OWED} earlier questions")
                 return
         peer.add(request)
@@ -405,7 +406,7 @@ class Peers:
         self.session.has_answered(peer.endpoint, peer.heard)
         if number == next(iter(peer.connection.requests), None):
             peer.moved_on = peer.heard
-        if peer.connection.is_owed(number):
+        if peer.connection.ends_sparing(number):
             for tell in self.session.on_late:
                 tell(peer.endpoint)
         request = peer.connection.answered(number)
