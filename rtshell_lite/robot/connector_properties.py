@@ -37,16 +37,16 @@ def complete(given):
 
 def _doubt(key, value):
     """Note a name that is only the end of known ones, and a value that a known one does not have."""
-    for name in SIDES:
-        key = key.replace(PREFIX + name, PREFIX)
     rest = key[len(PREFIX) :] if key.startswith(PREFIX) else key
+    for name in SIDES:
+        rest = rest[len(name) :] if rest.startswith(name) else rest
     if rest not in KNOWN:
         longer = [PREFIX + name for name in KNOWN if name.endswith("." + rest)]
         if longer:
             notes.note(f"{printable(key)}: OpenRTM-aist has no such property, but {' and '.join(longer)}")
         return
     values = VALUES.get(rest, ())
-    if values and value.strip().lower() not in values:
+    if value and values and value.strip().lower() not in values:
         notes.note(f"{printable(key)}: OpenRTM-aist has no {printable(value)} (it has: {', '.join(values)})")
 
 

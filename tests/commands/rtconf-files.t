@@ -266,6 +266,11 @@ diff, status 1 when there are differences; the active sets are compared, too:
   {"left": "7", "parameter": "int_param0", "right": "-1", "set": "mode1"}
   [1]
   $ rtconf ConfigSample0.rtc load 'as it was'; rtconf ConfigSample0.rtc diff 'as it was'
+  $ rtconf ConfigSample0.rtc dump | rtconf ConfigSample0.rtc diff -
+  $ rtconf ConfigSample0.rtc diff /dev/null | head -1
+  default       double_param0  0.99                              -
+  $ cp 'as it was' ConsoleIn0.rtc; rtconf ConfigSample0.rtc diff ConsoleIn0.rtc | head -1; rm ConsoleIn0.rtc
+  default  double_param0  0.99                              -
   $ echo oops > broken; rtconf ConfigSample0.rtc diff broken
   rtconf: broken:1: neither [set] nor name=value
   [1]

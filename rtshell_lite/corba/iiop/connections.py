@@ -19,6 +19,10 @@ AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
 IN_FLIGHT = 4
 # of these, calls that may wait for other processes (failures.asks_others): the others show that it lives
 ASKING_OTHERS = 2
+# answers that an object may owe us until it is asked nothing more that waits for others: who follows a robot
+# for days beside a process that hangs would take thread after thread of its neighbours (docs/protocol.md 1.7)
+MOST_OWED = 3
+SPARED = 900.0  # seconds until it is asked once more all the same, as answers may have been lost
 MOST_STRAYS = 100  # replies of one connection that nobody waits for
 SWEEP = 10.0  # seconds between two looks for idle connections that the peer has closed
 
@@ -92,7 +96,7 @@ class TcpConnection:
         self._number = 0
         # replies to come that nobody waits for: {number: key of an object that may wait for others, or None}
         self._given_up = {}  # type: dict
-        self._spared = set()  # keys of objects that are asked no more, as they owe too many of these
+        self._spared = {}  # {key of an object that is not asked, as it owes too many of these: until when}
         self._strays = 0
         self._memory = session.current().memory
         self._version = (1, self._memory.spoken.get(endpoint, 2))  # the latest GIOP to speak
@@ -273,7 +277,16 @@ class TcpConnection:
             self._memory.of_one_reply.discard(self.endpoint)
         self.has_answered = True
         self._given_up.pop(number, None)
-        return self.requests.pop(number, None)
+        request = self.requests.pop(number, None)
+        if self._spared and request is not None:
+            self._forgive(request.ref.address.key)
+        return request
+
+    def _forgive(self, key):
+        """An object that was spared has answered in time: what it owes is lost."""
+        if self._spared.pop(key, None) is not None:
+            for number in [number for number, owing in self._given_up.items() if owing == key]:
+                self._given_up[number] = None
 
     def give_up(self, number):
         """The request with this number, whose reply is not to be waited for;
@@ -284,25 +297,24 @@ class TcpConnection:
             self._given_up[number] = request.ref.address.key if request.asks_others else None
         return request
 
-    def owed(self, ref):
-        """How many questions that were given up an object has still to answer, as it waits for others: each
-        may hold one of its threads.
+    def spares(self, ref):
+        """Whether an object that waits for others is not to be asked now, as it owes MOST_OWED answers to
+        questions that were given up.
         """
-        return list(self._given_up.values()).count(ref.address.key)
-
-    def spare(self, ref):
-        """Note that an object is not asked, as it owes too many answers."""
-        self._spared.add(ref.address.key)
+        key = ref.address.key
+        if list(self._given_up.values()).count(key) < MOST_OWED:
+            return False
+        now = loop.now()
+        if now < self._spared.setdefault(key, now + SPARED):
+            return True
+        self._spared[key] = now + SPARED
+        return False
 
     def ends_sparing(self, number):
         """Whether a reply with this number is the first from an object that was not asked any more. Of others
         that are late nothing is over: they may be late each time.
         """
-        key = self._given_up.get(number)
-        if key not in self._spared:
-            return False
-        self._spared.discard(key)
-        return True
+        return self._spared.pop(self._given_up.get(number), None) is not None
 
     def give_up_all(self):
         """Give up all requests that wait for replies, and return them."""

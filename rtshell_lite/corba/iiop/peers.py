@@ -19,9 +19,6 @@ from rtshell_lite.net import loop
 LOOK = 0.005  # seconds between looks at whether the address of a host has been found
 # times that a question is asked again as a connection was lost by which others were answered
 MOST_RETRIED = 2
-# answers that an object may owe us until it is asked nothing more that waits for others: who follows a robot
-# for days beside a process that hangs would take thread after thread of its neighbours (docs/protocol.md 1.7)
-MOST_OWED = 3
 NAMING = "IDL:omg.org/CosNaming/"  # interfaces of name servers begin so
 
 
@@ -245,11 +242,9 @@ class Peers:
 
     def submit(self, request):
         peer = self.peer(request.endpoint)
-        if request.asks_others and peer.connection is not None:
-            if peer.connection.owed(request.ref) >= MOST_OWED:
-                peer.connection.spare(request.ref)
-                request.silent(f"no answer to {MOST_OWED} earlier questions")
-                return
+        if request.asks_others and peer.connection is not None and peer.connection.spares(request.ref):
+            request.silent(f"no answer to {connections.MOST_OWED} earlier questions")
+            return
         peer.add(request)
         self._changed[peer] = True
 
