@@ -278,12 +278,12 @@ class TcpConnection:
         self.has_answered = True
         self._given_up.pop(number, None)
         request = self.requests.pop(number, None)
-        if self._spared and request is not None:
+        if self._spared and request is not None and request.asks_others:
             self._forgive(request.ref.address.key)
         return request
 
     def _forgive(self, key):
-        """An object that was spared has answered in time: what it owes is lost."""
+        """An object that was spared has answered such a question in time: what it owes is lost."""
         if self._spared.pop(key, None) is not None:
             for number in [number for number, owing in self._given_up.items() if owing == key]:
                 self._given_up[number] = None
