@@ -19,7 +19,7 @@ AT_A_TIME = 64  # pieces of one connection; then others have their turn, too
 IN_FLIGHT = 4
 # of these, calls that may wait for other processes (failures.asks_others): the others show that it lives
 ASKING_OTHERS = 2
-# answers that an object may owe us until it is asked nothing more that waits for others: who follows a robot
+# answers that an object may owe us until it is asked nothing more that waits for others: a command that runs
 # for days beside a process that hangs would take thread after thread of its neighbours (docs/protocol.md 1.7)
 MOST_OWED = 3
 SPARED = 900.0  # seconds until it is asked once more all the same, as answers may have been lost
@@ -311,8 +311,8 @@ class TcpConnection:
         return False
 
     def ends_sparing(self, number):
-        """Whether a reply with this number is the first from an object that was not asked any more. Of others
-        that are late nothing is over: they may be late each time.
+        """Whether a reply with this number is the first late one of an object that was not asked any more. A
+        late reply of another object shows nothing: it may be late each time.
         """
         return self._spared.pop(self._given_up.get(number), None) is not None
 
