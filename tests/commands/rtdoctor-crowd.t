@@ -7,8 +7,7 @@ world: many 25
   $ near=/localhost:$PORT/near.host_cxt; far=/localhost:$PORT/far.host_cxt
   $ well=/localhost:$PORT/test.host_cxt
   $ for n in 0 1 2 3; do rtcon $far/Out$n.rtc:out $near/In$n.rtc:in; done
-  $ rtact $near/In9.rtc
-  $ rtfind --wait 10 --state Error $near
+  $ rtact $near/In9.rtc 2> or-in-error; rtfind --wait 10 --state Error $near
   /localhost:$PORT/near.host_cxt/In9.rtc
   $ rtec $near/In8.rtc stop
   $ rtact $(for n in 0 1 2 3 4 5 6 7; do echo $near/In$n.rtc; done) $(rtfind $well -t c); hang these2

@@ -20,7 +20,8 @@ Fragile0 was connected to Peer0, whose process was killed, and does not survive 
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
   -         -    -    -    -    *Peer0.rtc
   Inactive  1/0  0/0  1/0  0/0  Slow0.rtc
-  $ rtact Err0.rtc Driver0.rtc MyServiceConsumer0.rtc; rtfind --wait -q --state error Err0.rtc
+  $ rtact Driver0.rtc MyServiceConsumer0.rtc
+  $ rtact Err0.rtc 2> or-in-error; rtfind --wait -q --state error Err0.rtc
   $ rtls -l | grep -v Inactive
   Error     1/0  0/0  1/0  0/0  Broken0.rtc
   Active    2/0  1/0  1/0  0/0  Driver0.rtc

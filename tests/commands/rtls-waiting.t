@@ -7,7 +7,7 @@ both: each ORB waits in its own way
 
   $ near=/localhost:$PORT/near.host_cxt; far=/localhost:$PORT/far.host_cxt
   $ for n in 0 1 2 3; do rtcon $far/Out0.rtc:out $near/In$n.rtc:in; done
-  $ rtact $near/In9.rtc; rtfind --wait 10 --state Error $near
+  $ rtact $near/In9.rtc 2> or-in-error; rtfind --wait 10 --state Error $near
   /localhost:$PORT/near.host_cxt/In9.rtc
   $ hang these2
 
