@@ -194,19 +194,18 @@ async def capture(
     component for everything, see `ask`; `shows`: how far it is, see notes.Work.
     """
     nodes, managers, failures, notes = await search.components(tops)
-    if with_managers:
-        holders = await _holders(managers, notes)
-    else:
-        holders = {}
+    if not with_managers:
+        managers = []
     answers = []
     silent = {}
     lost = {}
     question = functools.partial(ask, brief=not with_snapshots, states=with_states, everything=with_snapshots)
     if shows:
         with Work("components", len(nodes)) as work:
-            asked = await session.each(nodes, work.counting(question))
+            asked = await _ask_all(nodes, managers, work.counting(question))
     else:
-        asked = await session.each(nodes, question)
+        asked = await _ask_all(nodes, managers, question)
+    holders = _holders(zip(managers, asked[len(nodes) :]), notes)
     for node, answer in zip(nodes, asked):
         if not isinstance(answer, errors.Error):
             answers.append(answer)
@@ -262,14 +261,25 @@ def _profile(answers, connectors, holders, notes):
     return profile
 
 
-async def _holders(managers, notes):
-    """{identity of a component: path of the manager that lists it, as an RtsProfile has it};
-    one that is dead lists none.
+async def _ask_all(nodes, managers, question):
+    """The answers of component nodes to `question`, and what manager nodes list; at once, so that one that is
+    late does not take its time after the others.
+    """
+
+    async def ask_one(node):
+        if node.kind == "manager":
+            return await node.call("get_components")
+        return await question(node)
+
+    return await session.each(nodes + managers, ask_one)
+
+
+def _holders(answers, notes):
+    """{identity of a component: path of the manager that lists it, as an RtsProfile has it}, from the
+    (node, answer) of managers; one that is dead lists none.
     """
     holders = {}
-    for node, answer in zip(
-        managers, await session.each(managers, lambda node: node.call("get_components"))
-    ):
+    for node, answer in answers:
         if isinstance(answer, (errors.Gone, errors.ConnectionRefused)):
             continue
         if isinstance(answer, errors.Error):

@@ -8,10 +8,11 @@ import tracemalloc
 import unittest
 from unittest import mock
 
-from giop_client import block, fragments, request
+from giop_client import Port, block, fragments, request
 from served import CLOSE, ERROR, LIMIT, Served, result
 from rtshell_lite.corba.iiop import server
 from rtshell_lite.giop import messages, requests
+from rtshell_lite.net import loop
 
 whole = messages.whole
 
@@ -224,6 +225,17 @@ class Hostile(Served):
             with mock.patch.object(server, "IDLE", 0.5):
                 self.assertEqual(idle.last_words(), CLOSE)
         self.still_served()
+
+    def test_who_waits_for_an_answer_is_not_idle(self):
+        class Late(Port):
+            async def put(port, data):
+                self.server.sweep()
+                await loop.sleep(0)
+                return Port.put(port, data)
+
+        key, _ = self.serve(Late())
+        with mock.patch.object(server, "IDLE", -1.0):  # every connection, but for this reason
+            self.assertEqual(self.ask(key, "put", block(b"x")), self.ask(self.key, "put", block(b"x")))
 
     def test_out_of_files(self):
         """Somebody who is idle gives way, and the thread does not end."""

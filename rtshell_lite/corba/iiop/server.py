@@ -115,7 +115,8 @@ class Caller:
         self.end = 0
         self.fragments = messages.Fragments()
         self.out = bytearray()
-        self.since = loop.now()  # when the last message was complete
+        self.awaited = 0  # answers that servants still wait for
+        self.since = loop.now()  # when the last message was complete, or the last such answer was there
 
     def held(self):
         """How much memory its messages take."""
@@ -342,7 +343,12 @@ class Server:
         self.loop.call_later(SWEEP, self.sweep)
         now = loop.now()
         for caller in list(self.callers):
-            limit = UNFINISHED if caller.is_unfinished() else IDLE
+            if caller.is_unfinished():
+                limit = UNFINISHED
+            elif caller.awaited:
+                continue
+            else:
+                limit = IDLE
             if now - caller.since > limit:
                 self.close(caller)
 
@@ -424,6 +430,7 @@ class Server:
             result.close()
             return requests.failed(request, "NO_RESOURCES")
         caller.kept.clear()  # the task keeps the request
+        caller.awaited += 1
         self.tasks.add(
             loop.Task(self.loop, self._answer_later(caller, request, interface, writers, result), self, None)
         )
@@ -435,6 +442,9 @@ class Server:
             answer = _written(request, writers, await coroutine)
         except Exception as e:
             answer = _raised(request, interface, e)
+        finally:
+            caller.awaited -= 1
+        caller.since = loop.now()
         if caller not in self.callers or not request.is_answered:
             return
         try:
