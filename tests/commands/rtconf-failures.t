@@ -120,6 +120,9 @@ Dead and silent peers:
   $ within 0.4-1.4 rtconf --timeout 0.5 Hung0.rtc -l
   rtconf: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
   [4]
+  $ rtconf ConfigSample0.rtc dump Dead0.rtc; rtconf ConfigSample0.rtc diff Dead0.rtc  # a component comes before a file
+  rtconf: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
+  [4]
   $ interrupt 0.5 rtconf Hung0.rtc set int_param0 1
   [130]
   $ ctl fail get_configuration_sets 1 COMM_FAILURE; rtconf ConfigSample0.rtc | head -1  # a question is asked again
