@@ -1,5 +1,5 @@
-"""What groups and components are called on a page: without what all names begin with, and with directories
-where names are equal.
+"""What groups and components are called in drawings and on a page: without what all names begin with, and
+with directories where names are equal.
 """
 
 import collections
@@ -15,11 +15,23 @@ def of_groups(picture, groups, numbers):
     """What page_groups.Groups that are in one with these numbers of boxes are called, in their order."""
     common = _common_directory(picture, numbers)
     names = [_name(picture, group, len(common)) for group in groups]
+    are_processes = [part.KINDS[group.kind] == "process" for group in groups]
+    return _distinct(names, [group.key for group in groups], are_processes)
+
+
+def of_processes(picture):
+    """{host:port: what it is called} of the processes of a picture, as `part.members` has them."""
+    processes = part.members(picture, "process")
+    names = [_of_process([picture.boxes[number] for number in numbers]) for numbers in processes.values()]
+    return dict(zip(processes, _distinct(names, processes, len(processes) * [True])))
+
+
+def _distinct(names, keys, are_processes):
+    """The names, with their keys where several processes have one."""
     counts = collections.Counter(names)
-    kinds = part.KINDS
     return [
-        f"{name} ({group.key})" if counts[name] > 1 and kinds[group.kind] == "process" else name
-        for name, group in zip(names, groups)
+        f"{name} ({key})" if counts[name] > 1 and is_process else name
+        for name, key, is_process in zip(names, keys, are_processes)
     ]
 
 

@@ -84,13 +84,14 @@ def neighbours(picture, numbers, hops=1, upstream=True, downstream=True):
 # ---- groups ----
 
 
-def fold(picture, kind, opened=(), alone=()):
+def fold(picture, kind, opened=(), alone=(), labels=None):
     """The graph.Graph with groups of this kind (of KINDS) as one box each, but for those named in `opened`;
-    the boxes with numbers in `alone` are in none.
+    the boxes with numbers in `alone` are in none. `labels`: {name of a group: what its box is called}, where
+    that is not its name.
 
     A group of one component is that component. Parallel connections are one, labelled with their number.
     """
-    groups = _groups(picture, kind, alone)
+    groups = members(picture, kind, alone)
     boxes = []
     new_numbers = {}
     singles = {}
@@ -99,15 +100,16 @@ def fold(picture, kind, opened=(), alone=()):
         if number in new_numbers:
             continue
         name = group_name(picture, number, kind)
-        members = groups.get(name, ())
-        if len(members) < 2 or name in opened or number in alone:
+        inside = groups.get(name, ())
+        if len(inside) < 2 or name in opened or number in alone:
             new_numbers[number] = singles[number] = len(boxes)
             boxes.append(picture.boxes[number])
             continue
-        for member in members:
+        for member in inside:
             new_numbers[member] = len(boxes)
         folded.add(len(boxes))
-        boxes.append(_folded(name, [picture.boxes[member] for member in members]))
+        label = (labels or {}).get(name, name)
+        boxes.append(_folded(label, [picture.boxes[member] for member in inside]))
     for number, box in enumerate(boxes):
         if number not in folded:
             boxes[number] = _copy(box, singles)
@@ -127,18 +129,19 @@ def preference(picture):
     """KINDS in the order in which they are tried: directories, which have names, before processes if they
     divide a system about as well.
     """
-    directory_count = len(_groups(picture, "directory", ()))
-    if directory_count < 2 or 2 * directory_count < len(_groups(picture, "process", ())):
+    directory_count = len(members(picture, "directory"))
+    if directory_count < 2 or 2 * directory_count < len(members(picture, "process")):
         return KINDS
     return ("none", "directory", "composite", "process", "host")
 
 
 def groups(picture, kind, alone=()):
     """Names of the groups of this kind that are folded, sorted; see `fold`."""
-    return sorted(name for name, members in _groups(picture, kind, alone).items() if len(members) > 1)
+    return sorted(name for name, members in members(picture, kind, alone).items() if len(members) > 1)
 
 
-def _groups(picture, kind, alone):
+def members(picture, kind, alone=()):
+    """{name of a group of this kind: numbers of its boxes}, without those in `alone`."""
     groups = collections.defaultdict(list)
     for number in range(len(picture.boxes)):
         name = group_name(picture, number, kind)

@@ -158,10 +158,15 @@ drawing apart:
   | in                     |<|-+
   |                    out +-+
   +------------------------+
-  $ rtstodot --live --group process | grep label | sed 's/1:[0-9]*/1:PORT/g'
-    "127_dot_0_dot_0_dot_1:PORT" [label="{{}|127.0.0.1:PORT\ \ 5\ components\ \ 3\ Inactive,\ 1\ Active,\ 1\ Error|{}}", style=filled, fillcolor=salmon];
+  $ rtstodot --live --group process | grep label
+    "Controller0 + 4" [label="{{}|Controller0\ +\ 4\ \ 5\ components\ \ 3\ Inactive,\ 1\ Active,\ 1\ Error|{}}", style=filled, fillcolor=salmon];
+  $ rtstodot --live --group process --open 'Controller0 + 4' | grep -c label
+  5
+  $ endpoint=$(rtcat -ll Motor0.rtc | awk '$1 == "corba.endpoints" {print $2}')
+  $ rtstodot --live --group process --open "$endpoint" | grep -c label
+  5
   $ rtstodot --live --group process --open nobody
-  rtstodot: --open: no such group by process: nobody (127.0.0.1:*) (glob)
+  rtstodot: --open: no such group by process: nobody (Controller0 + 4)
   [3]
   $ rtstodot --group kind robot.rtsys
   rtstodot: argument --group: not one of none, composite, process, directory, host: kind (see --help)
