@@ -20,6 +20,8 @@ COMPOSITE = "PeriodicECSharedComposite"
 # parameter of a composite's set `default`: a comma-separated list of INSTANCE.port
 EXPORTED = "exported_ports"
 
+JOINING = 2.0  # seconds within which a context knows a new member: few are slower than 0.5 Hz
+
 
 # ---- asking ----
 
@@ -237,11 +239,31 @@ async def add(node, organisation, members):
         refs = [m.node.typed for m in new]
         if not await orb.call(node.path, organisation.ref, "add_members", refs):
             raise errors.Refused(str(node.path), "does not take members")
+        await _be_known(node, new)
         lines += [f"added component {m.node.path!s}" for m in new]
     for m in members:
         if m not in new:
             lines.append(f"component {m.node.path!s} is a member already")
     return lines
+
+
+async def _be_known(node, members):
+    """Wait until the contexts of a composite know its new Members, JOINING seconds at most. One of C++ 2.x
+    takes them in its next cycle (docs/protocol.md 2.6); activated before that, it leaves them Inactive.
+    """
+
+    async def are_known():
+        for context in contexts:
+            for m in members:
+                if await component.state_in(m.node, context) == "Created":
+                    return False
+        return True
+
+    try:
+        contexts = await component.owned_context_refs(node)
+        await component.until(are_known, JOINING)
+    except errors.Error:
+        return  # they have been taken
 
 
 async def remove(node, organisation, members):

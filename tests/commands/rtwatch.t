@@ -148,10 +148,10 @@ Whatever ends it, nothing is left behind in any component, and stdin is not need
   [130]
   $ ctl observers ConsoleIn0
   $ for signal in TERM HUP; do
-  >     timeout -s $signal --foreground 1 rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul <&-; echo $?
+  >     interrupt 1:$signal rtwatch ConsoleIn0.rtc ConsoleOut0.rtc > nul <&-; echo $?
   > done
-  124
-  124
+  143
+  129
   $ rtwatch ConsoleIn0.rtc ConsoleOut0.rtc | head -1 | plain | cut -d' ' -f2
   T]
   $ (rtwatch -f RTC_STATUS ConsoleIn0.rtc; echo $? >&2) | true

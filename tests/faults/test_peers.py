@@ -183,18 +183,21 @@ def control(_):
     return running.run(["rtteardown", "--dry-run", healthy], around.top).seconds
 
 
+def run_all(chosen, parallel=running.PARALLEL):
+    """Run Cases, and the control after every fifth of them; `start_up` is the longest that it took."""
+    global start_up
+    jobs = [
+        job for number, case in enumerate(chosen) for job in ([case, None] if number % 5 == 0 else [case])
+    ]
+    done = running.together(lambda case: case.run() if case else control(case), jobs, parallel)
+    start_up = max(each for each in done if isinstance(each, float))
+    return [each for each in done if isinstance(each, Case)]
+
+
 class Peers(unittest.TestCase):
     def test_every_command_against_every_peer(self):
-        global start_up
-        chosen = running.sample(cases(), SHORT)
-        jobs = [
-            each
-            for number, case in enumerate(chosen)
-            for each in ([case, None] if number % 10 == 0 else [case])
-        ]
-        done = running.together(lambda case: case.run() if case else control(case), jobs)
-        start_up = max(each for each in done if isinstance(each, float))
-        ran = [each.ran for each in done if isinstance(each, Case)]
+        done = run_all(running.sample(cases(), SHORT))
+        ran = [case.ran for case in done]
         print(
             "figures: %d runs against %d kinds of peers; longest %.2f s with a timeout of %g s (start-up "
             "%.2f s), most memory %d kB"
@@ -208,22 +211,20 @@ class Peers(unittest.TestCase):
             )
         )
         for case in done:
-            if isinstance(case, Case):
-                with self.subTest(str(case)):
-                    self.assertEqual(case.found, [], case.ran)
-                    self.assertLessEqual(case.ran.seconds, case.limit(), case.ran)
+            with self.subTest(str(case)):
+                self.assertEqual(case.found, [], case.ran)
+                self.assertLessEqual(case.ran.seconds, case.limit(), case.ran)
 
     def test_long_lists(self):
         """What one component can list, such as 5,000 contexts, is not asked one by one."""
-        global start_up
-        start_up = control(None)
         lines = ["rtwatch -t 1 A", "rtcat -l A", "rtls -l A", "rtec A", "rtact A", "rtdoctor A"]
         chosen = [Case(number, line.split()[0], line.partition(" ")[2], mode, "component")
                   for number, (line, mode) in enumerate((line, mode) for line in lines for mode in LISTS)]
-        for case in running.together(Case.run, chosen, 2):
+        for case in run_all(chosen, 2):
             with self.subTest(str(case)):
                 self.assertEqual(case.found, [], case.ran)
-                self.assertLessEqual(case.ran.seconds, case.usual_limit(), case.ran)
+                # a thousand of them are looked up and shown meanwhile, which takes a processor as long again
+                self.assertLessEqual(case.ran.seconds, case.usual_limit() + 2 * start_up, case.ran)
                 if case.command == "rtcat":
                     self.assertIn(b"are left out", case.ran.err)
 

@@ -47,6 +47,7 @@ COMMANDS = [
     ["rtdel", "--dry-run", "-z", DIRECTORY],
 ]
 TIMEOUT = 0.3  # seconds that a command waits for an answer
+PATIENCE = 10.0  # the same for the robot as it was recorded, which answers, but only when it has a processor
 # seconds for a whole command: several questions may be asked one after the other, and machines are shared
 LIMIT = 4.0
 MEMORY = 64 << 20  # bytes that a child may grow to on top of what it began with
@@ -145,12 +146,15 @@ class Replies(fuzz.Target):
         self.recorded = load()
         self.child = None
         self._counts = {}
+        self.timeout = PATIENCE
         for words in COMMANDS:  # which replies a command gets, so that no change is in vain
             robot = Robot(self.recorded, {})
             said = self._run(words, robot)
             if not robot.counts:
                 raise AssertionError("%s: %s" % (words, said))
             self._counts[" ".join(words)] = sorted(robot.counts.items())
+        self._end()
+        self.timeout = TIMEOUT
 
     def done(self):
         self._end()
@@ -223,7 +227,9 @@ class Replies(fuzz.Target):
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
-                env=dict(os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(TIMEOUT), RTSHELL_ORB=self.orb),
+                env=dict(
+                    os.environ, RTSHELL_DEBUG="1", RTSHELL_TIMEOUT=str(self.timeout), RTSHELL_ORB=self.orb
+                ),
             )
         watch = tools.Stopwatch(self.child.pid)
         # faulthandler says where it hangs

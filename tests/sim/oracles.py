@@ -149,7 +149,7 @@ def is_polite(play, command):
         is_in_doubt = NETWORK & troubles or not _was_well(play, name, command)
         if command.name in STAYING and command.status and command.interrupted is None:
             limit += IN_FLIGHT  # it has failed, gives its questions up, and takes back what it has lent
-        if command.name in ("rtkeep", "rtmount") and is_in_doubt:
+        if command.name in ("rtkeep", "rtmount") and is_in_doubt and command.is_over:
             limit += PROBES * (command.ended - command.begun)  # it asks whether it answers again
         if most > limit and name != "omniNames":
             return f"{most} requests to {name} at a time"
@@ -164,7 +164,7 @@ def _was_well(play, process, command):
     if process not in play.robot.processes:
         return True
     *_, members = play.robot.processes[process]
-    return play.robot.was_well(members[0], command.begun, command.ended)
+    return command.is_over and play.robot.was_well(members[0], command.begun, command.ended)
 
 
 def lists_the_truth(play, command):

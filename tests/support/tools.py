@@ -127,23 +127,24 @@ def play_within(words):
 
 
 def play_interrupt(words):
-    """interrupt SECONDS COMMAND...: press Ctrl-C after that long; the command must be gone soon, long before
-    the timeout.
+    """interrupt SECONDS[:SIGNAL] COMMAND...: press Ctrl-C after that long, or send SIGNAL; the command must
+    be gone soon, long before the timeout.
 
     What it was ready to run and was not let does not count: Python would be interrupted while it starts.
     """
     begun = time.monotonic()
     process = spawn(words[1:])
+    seconds, _, name = words[0].partition(":")
     while state_of(process) != "gone":
-        if time.monotonic() - begun - waited_for_processor(process) >= float(words[0]):
-            os.kill(process, signal.SIGINT)
+        if time.monotonic() - begun - waited_for_processor(process) >= float(seconds):
+            os.kill(process, signal.Signals["SIG" + (name or "INT")])
             if not reaches(process, "gone", UNWINDING):
-                sys.stdout.write("still there %g s after Ctrl-C\n" % UNWINDING)
+                sys.stdout.write("still there %g s after it\n" % UNWINDING)
                 os.kill(process, signal.SIGKILL)
             break
         time.sleep(0.01)
     else:
-        sys.stdout.write("ended before Ctrl-C\n")
+        sys.stdout.write("ended before it\n")
     return shell_status(os.waitpid(process, 0)[1])
 
 
