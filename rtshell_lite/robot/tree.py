@@ -241,27 +241,56 @@ async def _why_not_found(path):
 
 
 async def _deeper(above, name, directories):
-    """Paths from a directory to the objects of a name in these directories of it, as far as its own name
-    server has them: a component is often called by its name alone.
+    """Paths from a directory to the nearest objects of a name below it, as far as its own name server has
+    them: a component is often called by its name alone.
     """
     here = session.current()
-    if here.looked_for >= MOST_LOOKED_FOR or len(directories) > MOST_SEARCHED:
+    if here.looked_for >= MOST_LOOKED_FOR:
         return []
     here.looked_for += 1
     sought = name if name.kind else Name(name.id, "rtc")
+    searched = 0
+    level = [(above, directory) for directory in directories]
+    while level and searched + len(level) <= MOST_SEARCHED:
+        searched += len(level)
+        nodes = await _own_directories(level)
+        objects = await _of_directories(nodes, lambda node: _leads_to(node, sought))
+        if objects:
+            depth = len(above.path.names)
+            meant = sorted("/".join(str(step) for step in path.names[depth:]) for path in objects)
+            return meant if len(meant) <= MOST_MEANT else []
+        level = await _of_directories(nodes, _directories_in)
+    return []
 
-    async def look(directory):
+
+async def _own_directories(entries):
+    """Those of (Node, name of a directory in it) that are directories of the same name server, as Nodes."""
+
+    async def look(entry):
+        above, directory = entry
         node = await _child((above.typed, above.path.child(directory), True))
-        if node.kind == "directory" and not await aliases.is_foreign(above, node):
-            await above.call("resolve", orb.naming_name([directory, sought]))
-            return f"{directory!s}/{sought!s}"
-        return None
+        is_own = node.kind == "directory" and not await aliases.is_foreign(above, node)
+        return node if is_own else None
 
     answers = await session.each(
-        directories, look, lambda directory: (above.endpoint, above.path.child(directory))
+        entries, look, lambda entry: (entry[0].endpoint, entry[0].path.child(entry[1]))
     )
-    meant = sorted(answer for answer in answers if isinstance(answer, str))
-    return meant if len(meant) <= MOST_MEANT else []
+    return [answer for answer in answers if isinstance(answer, Node)]
+
+
+async def _of_directories(nodes, function):
+    """All that `function` lists for directories; nothing for one that cannot be asked."""
+    answers = await session.each(nodes, function, lambda node: (node.endpoint, node.path))
+    return [item for answer in answers if isinstance(answer, list) for item in answer]
+
+
+async def _leads_to(node, name):
+    await node.call("resolve", orb.naming_name([name]))
+    return [node.path.child(name)]
+
+
+async def _directories_in(node):
+    return [(node, name) for name, is_context in await bound(node) if is_context]
 
 
 def _by_id(names):

@@ -48,7 +48,8 @@ Without the slash before it, a server is taken from the root, unless the working
   rtls: /localhost:*/test.host_cxt/ConsoleIn0.rtc:99: not a directory or component (it is a port; rtcat shows it) (glob)
   [3]
 
-A name alone, of what is in a directory of that one, or in several. A name server is asked, and no component:
+A name alone, of what is in a directory of that one, or in several, or deeper. A name server is asked, and no
+component:
 
   $ rtcat /localhost:$PORT/ConsoleIn0.rtc
   rtcat: /localhost:$PORT/ConsoleIn0.rtc: no such path; did you mean test.host_cxt/ConsoleIn0.rtc?
@@ -58,6 +59,12 @@ A name alone, of what is in a directory of that one, or in several. A name serve
   [3]
   $ rtcat /localhost:$PORT/arm.host_cxt/Mock0.rtc
   rtcat: /localhost:$PORT/arm.host_cxt/Mock0.rtc: no such path; did you mean left.host_cxt/Mock0.rtc or right.host_cxt/Mock0.rtc?
+  [3]
+  $ rtcat /localhost:$PORT/Mock1.rtc
+  rtcat: /localhost:$PORT/Mock1.rtc: no such path; did you mean arm.host_cxt/right.host_cxt/Mock1.rtc?
+  [3]
+  $ rtcat /localhost:$PORT/Nosuch0.rtc
+  rtcat: /localhost:$PORT/Nosuch0.rtc: no such path
   [3]
 
 A star is any one directory, two are any number of them. One object has to fit:
