@@ -21,6 +21,7 @@ Call = record("Call", "name positional keywords")
 Word = record("Word", "name")  # RTC.GRIPPER_STATE_OPEN
 
 DEEPEST = 100  # values inside values
+MOST_LISTED = 20  # members of a struct, items of an enum that an error names
 NUMBERS = {"NaN": float("nan"), "Infinity": float("inf"), "-Infinity": float("-inf")}  # not numbers in JSON
 
 
@@ -164,8 +165,8 @@ class _Builder(Visitor):
         is_number = isinstance(name, int) and not isinstance(name, bool)
         if is_number and 0 <= name < len(enumerators):
             return enumerators[name]
-        listed = ", ".join(item._n for item in enumerators[:20])
-        if len(enumerators) > 20:
+        listed = ", ".join(item._n for item in enumerators[:MOST_LISTED])
+        if len(enumerators) > MOST_LISTED:
             listed += ", …"
         shown = f"{_shown(written)} (they are {listed})"
         raise errors.BadValue(where, f"no {words(descriptor)}: {shown}")
@@ -223,7 +224,7 @@ class _Builder(Visitor):
         if given is None and is_time(descriptor):
             _unfit(descriptor, written, where, "; {time} is the present")
         if given is None:
-            _unfit(descriptor, written, where)
+            _unfit(descriptor, written, where, _members(descriptor))
         values = []
         for name, inner in members(descriptor):
             if name == "tm" and name not in given and is_time(inner):
@@ -251,7 +252,7 @@ class _Builder(Visitor):
         unknown = sorted(str(name) for name in given if name not in names)
         if unknown:
             raise errors.BadValue(
-                where, f"no member {printable(unknown[0])} (its members: {', '.join(names)})"
+                where, f"no member {printable(unknown[0])}{_members(descriptor)}"
             )
         return given
 
@@ -363,6 +364,14 @@ def _member(names, name):
 
 def _unfit(descriptor, written, where, hint=""):
     raise errors.BadValue(where, f"not {_a(descriptor)}: {_shown(written)}{hint}")
+
+
+def _members(descriptor):
+    names = [name for name, _ in members(descriptor)]
+    listed = ", ".join(names[:MOST_LISTED])
+    if len(names) > MOST_LISTED:
+        listed += ", …"
+    return f" (its members: {printable(listed)})"
 
 
 def _a(descriptor):

@@ -5,6 +5,7 @@ from rtshell_lite.text import closest, printable
 
 PREFIX = "dataport."
 SIDES = ("inport.", "outport.")
+OWN = ("buffer.", "publisher.")  # what only OpenRTM-aist reads; others are of transports and components
 NEAR = 0.8  # how alike a misspelt name and a known one are, of 1
 
 # What OpenRTM-aist reads, after the prefix, which may be followed by a side.
@@ -36,14 +37,16 @@ def complete(given):
 
 
 def _doubt(key, value):
-    """Note a name that is only the end of known ones, and a value that a known one does not have."""
-    rest = key[len(PREFIX) :] if key.startswith(PREFIX) else key
-    for name in SIDES:
-        rest = rest[len(name) :] if rest.startswith(name) else rest
+    """Note a name that is only the end of known ones, or stands where OpenRTM-aist has its own, and a value
+    that a known one does not have.
+    """
+    side, rest = _parted(key)
     if rest not in KNOWN:
-        longer = [PREFIX + name for name in KNOWN if name.endswith("." + rest)]
+        longer = [PREFIX + side + name for name in KNOWN if name.endswith("." + rest)]
         if longer:
             notes.note(f"{printable(key)}: OpenRTM-aist has no such property, but {' and '.join(longer)}")
+        elif side or rest.startswith(OWN):
+            notes.note(f"{printable(key)}: OpenRTM-aist has no such property; rtcon --help -v names some")
         return
     values = VALUES.get(rest, ())
     if value and values and value.strip().lower() not in values:
@@ -51,15 +54,19 @@ def _doubt(key, value):
 
 
 def _full(key):
-    side, rest = "", key
-    if rest.startswith(PREFIX):
-        rest = rest[len(PREFIX) :]
-    for word in SIDES:
-        if rest.startswith(word):
-            side, rest = word, rest[len(word) :]
+    side, rest = _parted(key)
     if rest in KNOWN:
         return PREFIX + side + rest
     meant = closest(rest.lower(), KNOWN, NEAR)
     if meant is None:
         return key
     raise errors.BadValue(printable(key), f"no such property; did you mean {PREFIX}{side}{meant}?")
+
+
+def _parted(key):
+    """(the side of the connection, with its dot, or "", the rest of a name without its prefix)"""
+    rest = key[len(PREFIX) :] if key.startswith(PREFIX) else key
+    for side in SIDES:
+        if rest.startswith(side):
+            return side, rest[len(side) :]
+    return "", rest

@@ -234,6 +234,9 @@ What cannot be; both spellings have the same messages:
   $ rtlog record
   rtlog: nothing to record: no port specified; rtlog show prints what is in a log (see --help)
   [2]
+  $ rtlog record -f - Source0.rtc:number
+  rtlog: -f -: a log is a file, which is not written to stdout; rtprint prints values (./- is a file) (see --help)
+  [2]
   $ rtlog record a.mcap
   rtlog: a.mcap: a log; show, play and export read it, -f names what is recorded to (see --help)
   [2]

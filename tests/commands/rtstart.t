@@ -132,6 +132,10 @@ Nothing starts unless every required component is there and the one that is mean
   rtstart: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   rtstart: /localhost:$PORT/test.host_cxt/Sensor0.rtc: not a component named Sensor1 (it is a component named Sensor0)
   [3]
+  $ sed 's/Motor0.rtc/Gone0.rtc/' a.xml > gone.xml; rtstart --wait 15 gone.xml
+  rtstart: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
+  rtstart: to wait for what is absent: rtkeep --once --within 15 gone.xml
+  [3]
   $ sed 's/Motor0.rtc/Gone0.rtc/' a.xml | rtstart --json | tail -2
   rtstart: /localhost:$PORT/test.host_cxt/Gone0.rtc: no such path
   {"action": "activate", "context": "0", "error": "/localhost:$PORT/test.host_cxt/Gone0.rtc: no such path", "number": 4, "path": "/localhost:$PORT/test.host_cxt/Gone0.rtc", "required": true, "result": "failed"}

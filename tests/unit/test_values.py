@@ -339,9 +339,16 @@ class Written(unittest.TestCase):
             ("RTC.TimedLong({time}, tm={time})", "RTC.TimedLong: tm is given twice"),
             ("RTC.TimedLong(dat=1)", "RTC.TimedLong: no member dat (its members: tm, data)"),
             ("RTC.TimedLong(5, 1)", "RTC.TimedLong: tm: not a Time: 5; {time} is the present"),
+            (
+                "RTC.TimedPose2D({time}, 1)",
+                "RTC.TimedPose2D: data: not a Pose2D: 1 (its members: position, heading)",
+            ),
             ("RTC.TimedLong({time}, {time})", "RTC.TimedLong: data: not a long: {time}"),
             ("RTC.TimedLong({time}, os.getpid())", "RTC.TimedLong: data: not a long: os.getpid"),
-            ("RTC.LimbState({time}, 1, LIMB)", "RTC.LimbState: oapMatrix: not an OAP: 1"),
+            (
+                "RTC.LimbState({time}, 1, LIMB)",
+                "RTC.LimbState: oapMatrix: not an OAP: 1 (its members: orientation, approach, position)",
+            ),
             (
                 "RTC.GripperState({time}, OPEN)",
                 "RTC.GripperState: status: no GripperStatus: OPEN "
