@@ -174,10 +174,12 @@ def count_words(box):
     return words
 
 
-def heads(graph, number):
-    """The lines at the top of a box: name, state and composites around it; its members."""
+def heads(graph, number, labels=None):
+    """The lines at the top of a box: name, state and composites around it; its members. `labels`, {number:
+    label}, tell boxes of the same name apart.
+    """
     box = graph.boxes[number]
-    words = [printable(box.name)]
+    words = [name_of(graph, number, labels or {})]
     if box.missing:
         words.append("(not in the profile)")
     if box.state is not None and box.counts is None:
@@ -188,3 +190,8 @@ def heads(graph, number):
     if box.members:
         lines.append("made of " + ", ".join(printable(graph.boxes[member].name) for member in box.members))
     return lines
+
+
+def name_of(graph, number, labels):
+    """What a drawing calls a box."""
+    return labels.get(number) or printable(graph.boxes[number].name)

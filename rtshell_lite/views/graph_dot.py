@@ -3,7 +3,7 @@
 import re
 
 from rtshell_lite.text import printable
-from rtshell_lite.views import graph
+from rtshell_lite.views import graph, group_names
 
 INDENTED = 50  # levels: nobody reads more
 _KEYWORDS = {"node", "edge", "graph", "digraph", "subgraph", "strict"}
@@ -18,12 +18,14 @@ def lines(picture):
     yield "  rankdir=LR;"
     yield "  node [shape=Mrecord];"
     ports = []
-    for name, box in zip(names, picture.boxes):
+    labels = group_names.of_boxes(picture)
+    for number, (name, box) in enumerate(zip(names, picture.boxes)):
         ids = _port_ids(box)
         ports.append(ids)
         if not box.members or box.left or box.right:
-            yield f"  {_node_id(name)} [{', '.join(_attributes(box, ids))}];"
-    yield from _clusters(picture, names)
+            attributes = _attributes(box, ids, graph.name_of(picture, number, labels))
+            yield f"  {_node_id(name)} [{', '.join(attributes)}];"
+    yield from _clusters(picture, names, labels)
     for service in (False, True):
         for source, out, target, into, is_service in picture.edges:
             if is_service == service:
@@ -35,12 +37,12 @@ def lines(picture):
     yield "}"
 
 
-def _attributes(box, ids):
+def _attributes(box, ids, box_name):
     cells = [
         "|".join(f"<{ids[port]}>{_label(box.port_words(port))}" for port in side)
         for side in (box.left, box.right)
     ]
-    name = _label("  ".join([box.name] + graph.count_words(box)))
+    name = _quoted("  ".join([box_name] + graph.count_words(box)))
     attributes = ['label="{{%s}|%s|{%s}}"' % (cells[0], name, cells[1])]
     if box.missing:
         attributes.append("style=dashed")
@@ -49,7 +51,7 @@ def _attributes(box, ids):
     return attributes
 
 
-def _clusters(picture, names):
+def _clusters(picture, names, labels):
     """Composites around their members, however deep; one with ports of its own is inside, too."""
     levels = [(None, iter(picture.tops))]  # composites around this place, and the rest of each
     while levels:
@@ -66,7 +68,7 @@ def _clusters(picture, names):
             box = picture.boxes[number]
             yield "%ssubgraph %s {" % (_indent(levels), _node_id("cluster_" + names[number]))
             levels.append((number, iter([number] * bool(box.left or box.right) + box.members)))
-            yield f'{_indent(levels)}label="{_label(box.name)}";'
+            yield f'{_indent(levels)}label="{_quoted(graph.name_of(picture, number, labels))}";'
             if box.state is not None:
                 yield f"{_indent(levels)}bgcolor={graph.COLOURS.get(box.state, 'lightgrey')};"
 
@@ -123,6 +125,10 @@ def _port_ids(box):
 
 
 def _label(name):
-    """`name` for a record label, where brackets, bars, blanks and entities have a meaning."""
-    spelt = printable(name).replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')
+    return _quoted(printable(name))
+
+
+def _quoted(words):
+    """What can be printed, for a record label, where brackets, bars, blanks and entities have a meaning."""
+    spelt = words.replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')
     return re.sub(r"([{}|<> ])", r"\\\1", spelt)

@@ -1,7 +1,7 @@
 """A system as SVG: boxes in columns as the data flows, from left to right, and lines between their ports."""
 
 from rtshell_lite.text import cells, printable
-from rtshell_lite.views import graph
+from rtshell_lite.views import graph, group_names
 from rtshell_lite.views.layered import sheet
 
 # pixels: width of a character, height of a line of text
@@ -23,7 +23,8 @@ _HEAD = (
 
 def lines(picture):
     """The lines of an SVG file that shows a graph.Graph; boxes are coloured by their states."""
-    heads = [graph.heads(picture, number) for number in range(len(picture.boxes))]
+    labels = group_names.of_boxes(picture)
+    heads = [graph.heads(picture, number, labels) for number in range(len(picture.boxes))]
     sizes = [_size(box, words) for box, words in zip(picture.boxes, heads)]
     arranged = arrange(picture, sizes, heads)
     yield _HEAD % (arranged.width, arranged.height)
@@ -31,7 +32,7 @@ def lines(picture):
     for box, words, corner, width, (_, height) in boxes:
         yield from _drawn(box, words, corner, (width, height))
     for edge, way in zip(picture.edges, arranged.ways):
-        yield _line(_path(way), edge[4], _name(picture, edge))
+        yield _line(_path(way), edge[4], _name(picture, edge, labels))
     yield "</svg>"
 
 
@@ -120,11 +121,11 @@ def _escaped(text):
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
-def _name(picture, edge):
+def _name(picture, edge, labels):
     """What a line connects; a browser shows it when the mouse points at the line."""
     source, out, target, into, _ = edge
-    ends = picture.boxes[source].name, out, picture.boxes[target].name, into
-    return "%s:%s to %s:%s" % tuple(map(printable, ends))
+    names = [graph.name_of(picture, number, labels) for number in (source, target)]
+    return f"{names[0]}:{printable(out)} to {names[1]}:{printable(into)}"
 
 
 def _path(points):

@@ -16,6 +16,7 @@ import collections
 import heapq
 
 from rtshell_lite.text import cells, printable
+from rtshell_lite.views import group_names
 from rtshell_lite.views.graph import heads
 from rtshell_lite.views.layered import sheet
 
@@ -74,6 +75,7 @@ def _stack(picture):
     rows = []
     row_of = {}
     names = [box.name for box in picture.boxes]
+    labels = group_names.of_boxes(picture)
     lines = [
         sheet.Line(source, target, (0, 1), (0, 0), service) for source, _, target, _, service in picture.edges
     ]
@@ -83,7 +85,7 @@ def _stack(picture):
             rows.append(Row("├", "", "┤"))
         else:
             rows.append(Row("┌", "", "┐"))
-        for head in heads(picture, number):
+        for head in heads(picture, number, labels):
             rows.append(Row("│", f" {head} ", "│"))
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:

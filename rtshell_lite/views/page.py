@@ -149,8 +149,12 @@ def _box(box, label, rows):
 
 
 def _without_defaults(fields):
-    """A dict without what is empty, which the script adds again."""
-    return {name: value for name, value in fields.items() if value not in (None, False, [])}
+    """A dict without what is empty, which the script adds again; 0 is the number of a box."""
+    kept = {}
+    for name, value in fields.items():
+        if value is not None and value is not False and value != []:
+            kept[name] = value
+    return kept
 
 
 def _connections(picture, profile, rows):

@@ -137,7 +137,12 @@ class Dot(unittest.TestCase):
         profile = model.RtsProfile(
             components=[component("A", path="h1/A.rtc"), component("A", path="h2/A.rtc")]
         )
-        self.assertEqual(self.check(profile)[3:5], ['  A [label="{{}|A|{}}"];', '  A_2 [label="{{}|A|{}}"];'])
+        drawn = self.check(profile)
+        self.assertEqual(drawn[3:5], ['  A [label="{{}|h1/A|{}}"];', '  A_2 [label="{{}|h2/A|{}}"];'])
+        picture = graph.of(profile)
+        self.assertEqual([line[2:-2] for line in graph_text.lines(picture) if "A" in line], ["h1/A", "h2/A"])
+        heads = [line for line in graph_svg.lines(picture) if line.endswith("/A</text>")]
+        self.assertEqual([re.sub("<[^>]*>", "", line) for line in heads], ["h1/A", "h2/A"])
 
     def test_more_than_two_ends(self):
         profile = model.RtsProfile(components=[component(name) for name in "ABC"],

@@ -13,9 +13,11 @@ from unittest import mock
 import large_robots
 import robot_maps
 import random_profiles
+import test_graph
 from rtshell_lite import path
 from rtshell_lite.system import page_file
 from rtshell_lite.views import graph, page, page_groups, part
+from rtshell_lite.xmlprofile import model
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WEB = os.path.join(ROOT, "rtshell_lite", "views", "web")
@@ -95,6 +97,13 @@ class Data(unittest.TestCase):
                 [port for _, port in made["ends"]], [end.port_name.split(".")[1] for end in connector.ends]
             )
             self.assertIn(["dataport.buffer.length", "8"], data["rows"][made["rows"]])
+
+    def test_members_of_the_first_box(self):
+        """Its number is 0, which is no default that the script adds."""
+        profile = model.RtsProfile(
+            components=[test_graph.component("Arm", ["Joint"]), test_graph.component("Joint")]
+        )
+        self.assertEqual([box.get("composite") for box in data_of(page_of(profile))["boxes"]], [None, 0])
 
     def test_order(self):
         """Of groups, of what is in each, and of what is in none: a loop of control flows to the right."""
