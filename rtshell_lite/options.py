@@ -12,6 +12,7 @@ REST = 6  # of them after the options: those that all commands have, an example,
 NARROWEST = 10  # columns that its words have at least, on however narrow a terminal
 ENDING = ("--version", "--help", "-h")  # options that end the program
 DIGITS = frozenset("0123456789.")
+FILES = ("FILE", "OUT")  # words of a help for a value that is no option: few want a file called -q
 # how many words an option or argument takes at least and at most, by its `nargs`
 COUNTS = {None: (1, 1), "?": (0, 1), "*": (0, FOREVER), "+": (1, FOREVER)}
 # `nargs` by whether a value may be left out, and repeated
@@ -166,10 +167,11 @@ class Words:
             self.error(why or "unrecognized arguments: " + text.printable(word))
         return self._option_string_actions[name]
 
-    @staticmethod
-    def _with_value(word, action, rest, glue):
+    def _with_value(self, word, action, rest, glue):
         if not rest or action.nargs == 0:
             return [word]
+        if getattr(action, "metavar", None) in FILES and rest[0] in self._option_string_actions:
+            self.error(f"argument {word}: a file is expected before {rest[0]} (./{rest[0]} is one)")
         # --wait PATH, --shell PATH: a word that cannot be the option's value is left alone
         if action.nargs == "?":
             if action.choices:

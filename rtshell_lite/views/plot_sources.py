@@ -6,6 +6,7 @@ from rtshell_lite.datalog import gaps, records, schemas
 from rtshell_lite.text import printable
 from rtshell_lite.views import plot
 
+MOST_MEANT = 4  # channels of a component that an error names
 PANELS = 8  # of a log without names of channels
 WINDOWS = 100  # spans of a log for which rates are counted, at most
 FEWEST = 3  # of them
@@ -116,7 +117,13 @@ def channel(log, word):
             raise errors.Ambiguous(printable(name), f"is one of {len(numbers)} channels: {candidates}")
         if numbers:
             return numbers[0], plot.Field(word[cut:].lstrip("."))
-    raise errors.NoSuch(log.where, "channel", printable(word) + text.candidates(word, names))
+    component = word.partition(".")[0]
+    close = [printable(name) for name in names if f"/{component}." in name]
+    if 0 < len(close) <= MOST_MEANT:
+        meant = f"; did you mean {' or '.join(close)}?"
+    else:
+        meant = text.candidates(word, names)
+    raise errors.NoSuch(log.where, "channel", printable(word) + meant)
 
 
 def _parts(log, words, shown, since):

@@ -275,5 +275,5 @@ diff, status 1 when there are differences; the active sets are compared, too:
   rtconf: broken:1: neither [set] nor name=value
   [1]
   $ rtconf ConfigSample0.rtc diff .
-  rtconf: /localhost:$PORT/test.host_cxt: not a component (it is a directory)
+  rtconf: /localhost:$PORT/test.host_cxt: not a component (it is a directory; rtfind /localhost:$PORT/test.host_cxt -t c prints the components in it)
   [3]

@@ -250,13 +250,13 @@ Wrong usage:
   rtconf: no such command: erase (there are: list, get, set, act, dump, load, diff) (see --help)
   [2]
   $ rtconf ConfigSample0.rtc get
-  rtconf: get: too few arguments (see --help)
+  rtconf: get: too few arguments: which parameter? (see --help)
   [2]
   $ rtconf ConfigSample0.rtc get a b
   rtconf: get: too many arguments (see --help)
   [2]
   $ rtconf ConfigSample0.rtc set
-  rtconf: set: too few arguments (see --help)
+  rtconf: set: too few arguments: set PARAM VALUE, or PARAM=VALUE … (see --help)
   [2]
   $ rtconf ConfigSample0.rtc set int_param0
   rtconf: set: not PARAM=VALUE: int_param0 (see --help)
@@ -280,7 +280,7 @@ Wrong usage:
   rtconf: act: too many arguments (see --help)
   [2]
   $ rtconf ConfigSample0.rtc diff
-  rtconf: diff: too few arguments (see --help)
+  rtconf: diff: too few arguments: the PATH of another component, or a FILE of dump (see --help)
   [2]
   $ rtconf ConfigSample0.rtc get int_param0 -s
   rtconf: argument -s/--set: expected one argument (see --help)

@@ -159,6 +159,7 @@ For others it is made whole in a copy, or in place:
 
   $ rtlog --mend torn.mcap
   rtlog: torn.mcap: the last 48 octets are not a whole record and are left out
+  rtlog: the copy is torn-mended.mcap
   $ rtlog -d --json -f torn-mended.mcap | grep -o '"closed.*damaged": 0\|"entries": [0-9]*, "file'
   "closed": true, "damaged": 0
   "entries": 7, "file

@@ -104,6 +104,7 @@ show, export, mend:
   $ head -c 700 a.mcap > cut.mcap
   $ rtlog mend cut.mcap
   rtlog: cut.mcap: the last 110 octets are not a whole record and are left out
+  rtlog: the copy is cut-mended.mcap
   $ rtlog mend cut.mcap -f out.mcap
   rtlog: cut.mcap: the last 110 octets are not a whole record and are left out
   $ rtlog mend cut.mcap --in-place
@@ -197,6 +198,15 @@ What cannot be; both spellings have the same messages:
   [2]
   $ rtlog export a.mcap tables --json
   rtlog: not a DIRECTORY for --csv, which writes a table for each channel: tables (see --help)
+  [2]
+  $ rtlog export --csv tables a.mcap
+  rtlog: the log comes first: rtlog export --csv a.mcap tables (see --help)
+  [2]
+  $ rtlog export a.mcap Source0.rtc:number
+  rtlog: not a DIRECTORY for --csv, which writes a table for each channel: Source0.rtc:number; of one channel: rtlog export --json LOG | grep Source0.rtc:number (see --help)
+  [2]
+  $ rtlog record -f -t 5 Source0.rtc:number
+  rtlog: argument -f: a file is expected before -t (./-t is one) (see --help)
   [2]
   $ rtlog export a.mcap --csv --attachment x
   rtlog: --attachment takes only the log (see --help)

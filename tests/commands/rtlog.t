@@ -209,7 +209,7 @@ Wrong usage:
   rtlog: not KEY=VALUE: x (see --help)
   [2]
   $ rtlog Source0.rtc:number --json -f x
-  rtlog: not a DIRECTORY for --csv, which writes a table for each channel: Source0.rtc:number (see --help)
+  rtlog: not a DIRECTORY for --csv, which writes a table for each channel: Source0.rtc:number; of one channel: rtlog export --json LOG | grep Source0.rtc:number (see --help)
   [2]
   $ rtlog -q Source0.rtc:number -i -t 0.1 -f x
   $ rtlog Source0.rtc:number -i -t 0.1 -f x

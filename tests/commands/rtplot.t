@@ -133,6 +133,12 @@ What is not there:
   $ rtplot -f other.mcap nothing
   rtplot: other.mcap: no such channel: nothing (there are: /numbers, /state)
   [3]
+  $ rtlog -q -f whole.mcap -t 1 --only '*:number' /localhost:$PORT/test.host_cxt/Source0.rtc; rtplot -f whole.mcap Source0.numbers
+  rtplot: whole.mcap: no such channel: Source0.numbers; did you mean /localhost:$PORT/test.host_cxt/Source0.rtc:number?
+  [3]
+  $ rtplot --svg -f other.mcap numbers
+  rtplot: argument --svg: a file is expected before -f (./-f is one) (see --help)
+  [2]
   $ rtplot -f other.mcap 'numbers.data['
   rtplot: data[: not a field; one is written data.joints[0:3]
   [2]

@@ -325,6 +325,49 @@ for _name in FAULTS:
     setattr(Following, "test_" + re.sub(r"\W", "_", _name), _test(_name))
 
 
+# ---- what a message asks whether it was meant ----
+
+MISSPELT = (
+    "rtcat {}/test.host_cxt/Moto0.rtc",
+    "rtcat {}/Motor0.rtc",
+    "rtconf {}/test.host_cxt/Motor0.rtc get motor_i",
+    "rtconf {}/test.host_cxt/Motor0.rtc lst",
+    "rtcon --dry-run -p buffer.lenght=2 {0}/test.host_cxt/Sensor0.rtc:out {0}/test.host_cxt/Motor0.rtc:in",
+)
+MEANT = re.compile(
+    r"rt\w+: (?:(\S+): no such path|(?:\S+: )?(?:no such [a-z ]+: )?(\S+?)(?:: no such property)?)"
+    r"; did you mean (\S+)\?"
+)
+
+
+class Misspelt(unittest.TestCase):
+    def test_what_is_meant_is_there(self):
+        """The word is put in the place of the wrong one, and the line no longer fails by it."""
+        worlds.processes.nameserver.binary() or self.skipTest("needs omniNames")
+        around = running.Surroundings()
+        self.addCleanup(around.close)
+        server = around.name_server("misspelt")
+        around.world(server, "robot")
+        for line in MISSPELT:
+            with self.subTest(line):
+                words = line.format(server).split()
+                found = MEANT.match(self.said(around, words))
+                self.assertTrue(found, "nothing is meant")
+                path, wrong, meant = found.groups()
+                if path:
+                    wrong, meant = path, path.rpartition("/")[0] + "/" + meant
+                corrected = " ".join(words).replace(wrong, meant).split()
+                self.assertNotIn("no such", self.said(around, corrected))
+
+    def said(self, around, words):
+        """What a command says on stderr."""
+        program = [sys.executable, os.path.join(worlds.COMMANDS, words[0])]
+        done = subprocess.run(program + words[1:], cwd=around.top, env=running.environment(),
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              timeout=running.LIMIT)
+        return done.stderr.decode()
+
+
 class Table(unittest.TestCase):
     def test_every_command_is_the_remedy_of_a_fault(self):
         self.assertEqual(
