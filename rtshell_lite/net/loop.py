@@ -479,7 +479,7 @@ class Bell:
 
 async def pass_by(seconds):
     """Let some seconds pass, and say how far that is."""
-    with notes.Work("s", round(seconds)) as work:
+    with notes.Work("s", round(seconds), even=False) as work:
         begun = now()
         while now() < begun + seconds:
             await sleep(min(SHOWN, begun + seconds - now()))
