@@ -22,7 +22,8 @@ What OpenRTM-aist does not know is passed on, as a component may, but noted:
   rtcon: push_policy: OpenRTM-aist has no such property, but dataport.publisher.push_policy
   rtcon: timeout: OpenRTM-aist has no such property, but dataport.buffer.write.timeout and dataport.buffer.read.timeout
   rtcon -p mine=2 -p push_policy=new -p timeout=1 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
-  $ rtcon --dry-run -p inport.length=4 -p outport.buffer.size=3 -p mine.length=2 ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  $ rtcon --dry-run -p inport.length=4 -p outport.buffer.size=3 -p mine.length=2 \
+  >     ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: inport.length: OpenRTM-aist has no such property, but dataport.inport.buffer.length
   rtcon: outport.buffer.size: OpenRTM-aist has no such property; rtcon --help -v names some
   rtcon -p inport.length=4 -p mine.length=2 -p outport.buffer.size=3 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in

@@ -133,7 +133,8 @@ What is not there:
   $ rtplot -f other.mcap nothing
   rtplot: other.mcap: no such channel: nothing (there are: /numbers, /state)
   [3]
-  $ rtlog -q -f whole.mcap -t 1 --only '*:number' /localhost:$PORT/test.host_cxt/Source0.rtc; rtplot -f whole.mcap Source0.numbers
+  $ rtlog -q -f whole.mcap -t 1 --only '*:number' /localhost:$PORT/test.host_cxt/Source0.rtc
+  $ rtplot -f whole.mcap Source0.numbers
   rtplot: whole.mcap: no such channel: Source0.numbers; did you mean /localhost:$PORT/test.host_cxt/Source0.rtc:number?
   [3]
   $ rtplot --svg -f other.mcap numbers
