@@ -12,7 +12,9 @@ both: each ORB receives and sends values in its own way
   $ rtprint --pull Source0.rtc:number | head -n 2 | wc -l
   2
   $ for signal in INT TERM; do for command in "rtprint --pull" "rtlog -q -f a.rtlog --pull"; do
-  >   interrupt 1:$signal $command Source0.rtc:number > nul && echo "ended by itself"; cat nul | grep " it$"; done; done
+  >   interrupt 1:$signal $command Source0.rtc:number > nul && echo "ended by itself"
+  >   grep " it$" nul
+  > done; done
   [1]
 
 Where a fetch is not answered, the connector stays; the command that is printed removes it later:
