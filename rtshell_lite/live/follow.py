@@ -31,10 +31,14 @@ class Followed:
     shown  its snapshot.Snapshot, None while it is absent; who follows it fills it
     seen   the ask.Seen of what it is asked for, None while that is nothing
     error  why it is absent, or None
+    leaders  the hear.Leaders that say who sends heartbeats, or None: each does
     """
 
+    observed = KINDS  # the kinds of Events that its observer reports
+    more = ()  # type: tuple  # further properties of that
+
     # as they are at first, here: an object with few attributes of its own takes a third of the memory
-    shown = seen = subscription = error = None
+    shown = seen = subscription = error = leaders = None
     is_hung = is_ending = False
     is_sought = True  # where it is absent
     beat = times.BEAT  # seconds between the heartbeats of its observer
@@ -91,17 +95,31 @@ class Followed:
     def lives(self):
         """It has answered when asked whether it lives."""
 
-    async def observe(self):
-        """Lend it an observer, if it takes one, by the profile in `shown`. Raises Unreachable."""
-        kind = observer.preferred(dict(self.shown.profile.properties))
+    async def observe(self, properties):
+        """Lend it an observer, if it takes one, by these properties of its profile. Raises Unreachable."""
+        kind = observer.preferred(properties)
         if kind is None:
             return
         if self.subscription is None:
-            self.subscription = observer.observer(self.node, kind, KINDS, self.hear, self.beat)
+            self.subscription = observer.observer(
+                self.node, kind, self.observed, self.hear, self.beat, self.more
+            )
+        if self.leaders is not None:
+            self.leaders.take(self)
         try:
             await self.subscription.attach()
         except errors.Refused:
             self.forget()
+
+    async def attach_again(self):
+        """Lend it its observer again, as it may have lost it after a failed call: whether it takes it."""
+        if self.subscription is None or self.is_hung:
+            return True
+        try:
+            await self.subscription.attach()
+        except errors.Error:
+            return False
+        return True
 
     def wait_no_more(self):
         """It has answered about its connections, or what held it up may be over."""
@@ -121,6 +139,16 @@ class Followed:
         patience = self.patience if shows == "PORT_EVENT" else self.in_vain
         return patience is None or now >= patience.until
 
+    @property
+    def is_led(self):
+        """Whether another one of its process sends heartbeats in its place."""
+        return self.subscription is not None and self.subscription.is_led
+
+    def lead(self):
+        """It is to send heartbeats from the next `attach` on, in the place of another one."""
+        self.subscription.is_led = False
+        self.lived = loop.now()
+
     def forget(self):
         """It has no observer of ours any more."""
         if self.subscription is not None:
@@ -130,7 +158,7 @@ class Followed:
     @property
     def late_at(self):
         """When it should have called us, or have answered a question: never where it need not."""
-        if self.shown is None or self.subscription is None:
+        if self.shown is None or self.subscription is None or self.is_led:
             return math.inf
         return max(self.heard, self.lived) + times.BEATS_LATE * self.beat
 
@@ -221,10 +249,7 @@ class Presence:
         self._group.start(work, place)
 
     async def _detach_all(self):
-        lent = [entry for entry in self.followed if entry.subscription is not None]
-        await hear.take_back([entry.subscription for entry in lent], times.HURRY)
-        for entry in lent:
-            entry.forget()
+        await hear.take_all_back(self.followed)
 
     async def still_absent(self, absent):
         """These have been looked for, in vain."""
@@ -390,10 +415,7 @@ class Presence:
     async def _lend_again(entry):
         if entry.subscription is None:
             return
-        try:
-            await entry.subscription.attach()
-        except errors.Error:
-            pass  # whether it lives is asked elsewhere
+        await entry.attach_again()  # whether it lives is asked elsewhere
         entry.missed("RTC_STATUS")
         entry.missed("PORT_EVENT")
 

@@ -1,117 +1,88 @@
-"""Observers that are lent, and taken back. rttop lends them to the components of a large system: these report
-what changes, and need not be asked for it.
+"""Which components send heartbeats to the observers that they are lent, and how these are taken back.
 
-One component of each process sends heartbeats: while these come, the others can report, too. A component of
-C++ that sends them answers late when its observer is taken back (docs/protocol.md 5).
+A component of C++ that sends heartbeats answers late when its observer is taken back (docs/protocol.md 5).
 """
-
 
 from rtshell_lite import errors
 from rtshell_lite.corba import session
-from rtshell_lite.live import observer, times
+from rtshell_lite.live import times
 from rtshell_lite.net import loop
-from rtshell_lite.robot import component
-
-KINDS = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT")
-NEVER = float("-inf")
 
 
-class _Process:
-    """What is known of a process that has observers of ours."""
+class Leaders:
+    """Which component sends heartbeats in the place of the others of its process: these show whether the
+    process runs, and whether its calls reach us. A policy for who follows many follow.Followed, and shows
+    nobody their heartbeats.
 
-    def __init__(self):
-        self.heard = NEVER  # when one of its components last called, by loop.now()
-        self.beating = None  # the Subscription of the one that sends heartbeats
-        self.asked = NEVER  # when that was asked to send them
-        self.is_deaf = False  # whether its components cannot call us
+    An observer that a component drops after a failed call, though those of its neighbours succeed, is lent
+    again in its turn: one of each process every BEAT.
+    """
 
+    def __init__(self, of_process):
+        """`of_process(endpoint)`: those that are there in a process."""
+        self._of_process = of_process
+        self._leaders = {}  # {endpoint: the follow.Followed that sends heartbeats}
+        self._turn = 0  # how many of each process were lent their observers again
+        self._turn_at = 0.0  # when the next are
 
-class Hearing:
-    """The observers that are lent to model.Entries, `subscription` of each."""
+    def take(self, entry):
+        """One is about to be lent its `subscription`."""
+        leader = self._leaders.setdefault(entry.endpoint, entry)
+        entry.subscription.is_led = leader is not entry
+        entry.lived = loop.now()
 
-    def __init__(self):
-        self._lent = set()
-        self._processes = {}  # by endpoint
+    def led(self, endpoint):
+        """Those of a process that are led."""
+        return [entry for entry in self._of_process(endpoint) if entry.is_led]
 
-    def reports(self, entry):
-        """Whether a component would have reported what has changed."""
-        if entry.subscription is None:
-            return False
-        return self._processes[entry.node.endpoint].heard > loop.now() - times.LATE
+    def hears(self, endpoint):
+        """Whether a process sends us heartbeats."""
+        leader = self._leaders.get(endpoint)
+        return leader is not None and leader.heard > max(0.0, loop.now() - times.LATE)
 
-    async def lend(self, entry):
-        """Lend a component an observer, if it takes one, or again if it may have lost it. Its ports have just
-        been asked (docs/protocol.md 1.1). Raises Unreachable, Refused.
+    def late(self, now):
+        """The leaders that should have called us."""
+        return [leader for leader in self._leaders.values() if leader.late_at < now]
+
+    def look(self, now):
+        """Have another one lead where a leader has ended, hangs or is late; returns those that are to be lent
+        their observers again.
         """
-        if entry.takes_none:
-            return
-        process = self._processes.setdefault(entry.node.endpoint, _Process())
-        now = loop.now()
-        is_late = max(process.heard, process.asked) < now - times.LATE
-        if process.is_deaf or entry.subscription is not None and not is_late and not entry.is_in_doubt:
-            return
-        entry.is_in_doubt = False
-        if is_late and process.beating is not None and process.heard == NEVER:
-            process.is_deaf = True
-            await self.take_back([lent for lent in self._lent if lent.node.endpoint == entry.node.endpoint])
-            return
-        if entry.subscription is None:
-            await self._make(entry, process)
-        if entry.takes_none:
-            return
-        beat = None
-        if is_late:
-            beat = times.BEAT
-            process.asked = now
-            process.beating = entry.subscription
-        entry.subscription.properties = observer.requested(
-            entry.subscription.interface, KINDS, beat, observer.NO_VALUES
-        )
-        try:
-            await entry.subscription.attach()
-        except errors.Refused:
-            entry.takes_none = True
-            self.forget(entry)
+        again = []
+        is_turn = now >= self._turn_at
+        if is_turn:
+            self._turn += 1
+            self._turn_at = now + times.BEAT
+        for endpoint, leader in list(self._leaders.items()):
+            is_there = leader.subscription is not None and leader.endpoint == endpoint
+            leads = is_there and not leader.is_hung and leader.late_at >= now
+            if leads and not is_turn:
+                continue
+            led = [entry for entry in self.led(endpoint) if not entry.is_hung]
+            if not leads and not led and is_there and not leader.is_hung:
+                led = [leader]
+            if not leads and is_there and led:
+                leader.subscription.is_led = True
+            elif not is_there:
+                del self._leaders[endpoint]
+            if led:
+                following = led[self._turn % len(led)]
+                again.append(following)
+                if not leads:
+                    self._leaders[endpoint] = following
+                    following.lead()
+        return again
 
-    async def _make(self, entry, process):
-        kind = observer.preferred(dict((await component.profile(entry.node)).properties))
-        if kind is None:
-            entry.takes_none = True
-            return
 
-        def hear(event):
-            process.heard = loop.now()
-            entry.hear(event)
-
-        entry.subscription = observer.Subscription(entry.node, kind, (), hear)
-        self._lent.add(entry)
-
-    def forget(self, entry):
-        """A component is gone, with its observer."""
-        if entry.subscription is None:
-            return
-        process = self._processes[entry.node.endpoint]
-        if process.beating is entry.subscription:
-            process.asked = process.heard = NEVER
-            process.beating = None
-        entry.subscription.forget()
-        entry.subscription = None
-        self._lent.discard(entry)
-
-    async def take_all_back(self):
-        """Take all observers back, for a few seconds at most."""
-        await self.take_back(self._lent)
-
-    async def take_back(self, entries):
-        """Take the observers of some components back, for a few seconds at most."""
-        entries = [entry for entry in entries if entry.subscription is not None]
-        beating = {process.beating for process in self._processes.values()}
-        quiet = [entry.subscription for entry in entries if entry.subscription not in beating]
-        others = [entry.subscription for entry in entries if entry.subscription in beating]
-        await take_back(quiet, times.FAREWELL)
-        await take_back(others, times.HURRY)
-        for entry in entries:
-            self.forget(entry)
+async def take_all_back(lent):
+    """Have follow.Followed forget the observers that they have been lent, in a few seconds at most: first
+    those that send no heartbeats.
+    """
+    lent = [entry for entry in lent if entry.subscription is not None]
+    for is_led, seconds in ((True, times.FAREWELL), (False, times.HURRY)):
+        await take_back([entry.subscription for entry in lent if entry.is_led is is_led], seconds)
+    for entry in lent:
+        entry.forget()
 
 
 async def take_back(subscriptions, seconds=None):

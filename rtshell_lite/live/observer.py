@@ -107,13 +107,15 @@ class Subscription:
     """A service of ours that a component calls, from `attach` until `detach`."""
 
     remark = ""  # what the user has to know about it
+    is_led = False  # whether another component of its process sends heartbeats in its place
 
-    def __init__(self, node, interface, properties, heard):
-        """`heard` is called with an Event or a Record."""
+    def __init__(self, node, interface, properties, heard, beats=()):
+        """`heard` is called with an Event or a Record; `beats`: the properties that ask for heartbeats."""
         self.node = node
         self.where = str(node.path)
         self.interface = interface
         self.properties = properties
+        self.beats = list(beats)
         self.id = _new_id()
         self.reference = None  # by which the component calls us; None while it cannot have it
         self._served = servants.Served(_Listener(interface, heard))
@@ -127,8 +129,9 @@ class Subscription:
             self._configuration = await self.node.call("get_configuration")
         text = await self._served.ior(self.node.endpoint)
         self.reference = orb.narrow(orb.from_text(self.where, text), "SDOPackage.SDOService")
+        properties = self.properties if self.is_led else self.properties + self.beats
         profile = orb.struct("SDOPackage.ServiceProfile")(
-            self.id, self.interface, orb.nvlist(self.properties), self.reference
+            self.id, self.interface, orb.nvlist(properties), self.reference
         )
         if not await orb.call(self.where, self._configuration, "add_service_profile", profile):
             raise errors.Refused(self.where, f"does not take {self.interface}")
@@ -167,21 +170,15 @@ def observer(node, interface, kinds, heard, beat=times.BEAT_SHOWN, more=()):
     """A Subscription of an observer of the kind `interface` to events of these `kinds` (of KINDS),
     and to the component's end; it beats every `beat` seconds. `more` are further (property, value).
     """
-    return Subscription(node, interface, requested(interface, kinds, beat, more), heard)
-
-
-def requested(interface, kinds, beat, more):
-    """The properties, [(name, value)], of an `observer`; with None for `beat` it never beats."""
     statuses = "ALL" if len(kinds) == len(KINDS) else ",".join(_statuses(interface, kinds))
     beats = {
         OBSERVER: ["heartbeat"],
         FSM_OBSERVER: ["rtc_heartbeat"] + ["ec_heartbeat"] * ("HEARTBEAT" in kinds),
     }[interface]
-    properties = [("observed_status", statuses), *more]
-    if beat is not None:
-        for name in beats:
-            properties += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]
-    return properties
+    intervals = []
+    for name in beats:
+        intervals += [(name + ".enable", "YES"), (name + ".interval", f"{beat:g}")]
+    return Subscription(node, interface, [("observed_status", statuses), *more], heard, intervals)
 
 
 def _statuses(interface, kinds):

@@ -567,7 +567,8 @@ class _Limit:
     def takes(self, node):
         """Count a Node; False where it exceeds the limit."""
         self._names -= 1
-        self._characters -= len(str(node.path))
+        # not spelt: that takes most of the time of a walk
+        self._characters -= sum([len(name.id) + len(name.kind) + 2 for name in node.path.names])
         return self._names >= 0 and self._characters >= 0
 
     async def pass_by(self):

@@ -218,7 +218,7 @@ class Keeper(follow.Presence):
         if WHOLE in parts:
             await shown.ask(ports=BRIEF, profile=FULL)
             if self.options.watch and kept.shown is shown:
-                await kept.observe()
+                await kept.observe(dict(shown.profile.properties))
             shown.profile = shown.profile._replace(properties=[])
             parts = PARTS
         for part, how in PARTS.items():

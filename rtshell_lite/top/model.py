@@ -10,10 +10,10 @@ import collections
 
 from rtshell_lite import errors, path as paths
 from rtshell_lite.corba import orb, session
-from rtshell_lite.live import ask, hear, times
+from rtshell_lite.live import ask, follow, hear, observer, times
 from rtshell_lite.net import loop
 from rtshell_lite.data import rates
-from rtshell_lite.robot import places, ports, transitions, tree
+from rtshell_lite.robot import component, places, ports, snapshot, transitions, tree
 from rtshell_lite.text import safe
 from rtshell_lite.top.rows import Row, natural
 from rtshell_lite.views import describe
@@ -40,20 +40,24 @@ NEVER = float("-inf")
 _STATES = {"zombie": "-", "unasked": "~"}  # of entries, by kind; ? for what does not answer
 
 
-class Entry:
+class Entry(follow.Followed):
     """A component that the task of its group looks at."""
 
+    observed = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT")
+    more = observer.NO_VALUES
     may_report = False  # whether it is to be lent an observer
-    subscription = None  # the observer.Subscription that it has been lent
     takes_none = False  # whether it takes no observers
-    is_in_doubt = False  # whether it may have lost its observer
 
-    def __init__(self, node, hearing, hurried):
-        """`hearing`: the hear.Hearing that lends observers; `hurried`: groups to be looked at now."""
-        self.node = node
+    def __init__(self, node, leaders, hurried, changed):
+        """`leaders`: the hear.Leaders; `hurried`: groups to be looked at now; `changed`: Entries whose rows
+        may be others than before.
+        """
+        super().__init__(node.path)
+        self.shown = snapshot.Snapshot(node)
+        self.leaders = leaders
         self.name = node.name
-        self._hearing = hearing
         self._hurried = hurried
+        self._changed = changed
         self.group = node.endpoint
         self.kind = "component"
         self.state = None
@@ -64,12 +68,10 @@ class Entry:
         self.silenced = 0.0  # when it was silent last
         self.since = None  # when its state changed last, by loop.now()
         self.event = ""  # the last change, in words
-        self.path = str(node.path)
         self.is_shown = True
         self.flow = {}  # {port: values that are written a second}, as measured
         self._flow_until = 0.0
         self.again = 0.0  # when it may be asked again
-        self._row = None  # the last one, as long as nothing has changed
         # when its state, contexts and connections were asked for
         self.asked = self._contexts_asked = self._ports_asked = NEVER
 
@@ -90,16 +92,21 @@ class Entry:
         return self.flow
 
     @property
-    def answered(self):
+    def has_answered(self):
         """Whether it has answered when it was last asked."""
         return self.looked and self.kind == "component"
 
     def keep_measured(self, flow):
         """Keep what was measured, for a while."""
         self.flow = flow
+        self._changed.add(self)
         self._flow_until = loop.now() + KEPT
 
-    def hear(self, event):
+    @property
+    def reports(self):
+        return self.subscription is not None and self.leaders.hears(self.endpoint)
+
+    def reported(self, event):
         """It has reported an observer.Event: look at what that is about."""
         self._hurried.add(self.group)
         if event.kind == "RTC_STATUS":
@@ -113,7 +120,7 @@ class Entry:
         """How long to wait after a question: `seconds`, or longer while nobody sees the answer, or while it
         reports what changes.
         """
-        if self._hearing.reports(self):
+        if self.reports:
             return SLOWEST * seconds
         if self.is_shown:
             return seconds
@@ -124,7 +131,7 @@ class Entry:
         if self.asked == NEVER:
             return self.again
         pause = 0.0
-        if self._hearing.reports(self):
+        if self.reports:
             pause = SELDOM
             if not self.is_shown:
                 pause = REPORTED * SELDOM
@@ -149,7 +156,7 @@ class Entry:
             else:
                 self.fail(node.kind, node.error or e)
         finally:
-            self._row = None
+            self._changed.add(self)
 
     async def _look(self, now):
         was_told = self.asked == NEVER
@@ -161,8 +168,8 @@ class Entry:
         await self.seen.look([ask.states])
         self._become("component", self.seen.state, None)
         if self.subscription is not None and self.state != before and not was_told:
-            self.is_in_doubt = True
             self._ports_asked = NEVER
+            await self.attach_again()
         if now >= self._ports_asked + self._pause(PORTS):
             self._ports_asked = now
             await self._look_at_ports()
@@ -187,28 +194,37 @@ class Entry:
                 self._ports_asked = loop.now() + PORTS_SILENT - PORTS
 
     async def _be_heard(self):
+        """Lend it an observer, if it takes one. Its ports have just been asked (docs/protocol.md 1.1)."""
+        if self.subscription is not None or self.takes_none:
+            return
         try:
-            await self._hearing.lend(self)
+            await self.observe(dict((await component.profile(self.node)).properties))
+            self.takes_none = self.subscription is None
         except errors.Error:
-            pass  # it is asked as others are
+            self.forget()  # it is asked as others are
+
+    async def attach_again(self):
+        takes_it = await super().attach_again()
+        if not takes_it:
+            self.forget()
+        return takes_it
 
     def give_up(self):
         """Note that it has not been looked at as the time is over."""
         if self.asked == NEVER:
-            self.fail("unasked", errors.NoTime(self.path, session.NO_TIME))
+            self.fail("unasked", errors.NoTime(self.where, session.NO_TIME))
         else:
-            self.fail("silent", errors.Silent(self.path, "no answer in time"))
+            self.fail("silent", errors.Silent(self.where, "no answer in time"))
 
     def fail(self, kind, failure):
         """Note that it is dead, does not answer or was not asked, and forget what was known of it."""
         self._become(kind, _STATES.get(kind, "?"), failure)
         self.ports = self.links = None
         if kind == "zombie":
-            self._hearing.forget(self)
+            self.forget()
         self.seen = self._unseen()
         self.asked = self._contexts_asked = self._ports_asked = NEVER
         self.looked = True
-        self._row = None
 
     def _become(self, kind, state, failure):
         """Note its state, and whether that is another one than before."""
@@ -217,9 +233,10 @@ class Entry:
             words = {"-": "dead", "?": "silent", "~": "not asked"}
             self.event = f"{words.get(self.state, self.state)} to {words.get(state, state)}"
         self.kind = kind
+        self.is_hung = kind != "component"
         self.state = state
         self.failure = failure
-        self._row = None
+        self._changed.add(self)
 
     def _connect(self, links):
         if self.links is not None and len(links) != len(self.links):
@@ -227,9 +244,7 @@ class Entry:
         self.links = links
 
     def row(self, path, name):
-        """Its Row; the same one, as long as nothing has changed."""
-        if self._row is not None and (self._row.path, self._row.name) == (path, name) and not self.flow:
-            return self._row
+        """Its Row."""
         contexts = [context for context in self.seen.contexts if not context.silent_until]
         running = None
         first = None
@@ -240,11 +255,12 @@ class Entry:
         links = None
         if self.links is not None:
             links = len(self.links)
-        self._row = Row(
+        if self.measured():
+            self._changed.add(self)  # it will be over
+        return Row(
             path, name, self.kind, self.state, first and first.rate, running, self.ports, links, self.failure,
-            self.since, self.event, self.measured(),
+            self.since, self.event, self.flow,
         )
-        return self._row
 
 
 # ---- the system ----
@@ -291,7 +307,7 @@ class Top:
     def __init__(self, tops, delay, is_live=False):
         self.delay = delay
         self._is_live = is_live
-        self._hearing = hear.Hearing()
+        self._leaders = hear.Leaders(self._of_process)
         self.bell = loop.Bell()  # rings when there are news
         self._tops = list(collections.OrderedDict.fromkeys(_each_server(tops)))
         self._found = {}  # by top: {path: identity of a component}
@@ -300,7 +316,9 @@ class Top:
         self._groups = {}  # {endpoint of a process, or identity of a component that hangs: Entries}
         self._looked_after = set()  # groups that have a task
         self._hurried = set()  # those in which something is to be looked at before it is due
-        self._listed = None  # (path, name, Entry) of each component, sorted, until the next walk
+        self._changed = set()  # Entries whose rows may be others than those in `_rows`
+        self._listed = None  # (path, name, Entry) of each component, sorted, until another one is found
+        self._rows = []  # the Rows of these
         self._doubtful = Slots(DOUBTFUL)
         self._news = []
         self._marks = {}  # by path: what an rtkeep says of a component
@@ -314,6 +332,7 @@ class Top:
             told.append(self._suspect)
         self._tasks = loop.Group()
         self._tasks.start(self._follow_keepers())
+        self._tasks.start(self._keep_observers())
         for top in self._tops:
             self._tasks.start(self._follow(top))
         return self
@@ -326,20 +345,40 @@ class Top:
         try:
             await self._tasks.__aexit__(*exception)
         finally:
-            await self._hearing.take_all_back()
+            await hear.take_all_back(self._entries.values())
 
     def _suspect(self, endpoint):
         """A connection with a process has ended, or what held it up: look at its components."""
-        for entry in self._entries.values():
-            if entry.node.endpoint == endpoint:
-                entry.hurry()
+        for entry in self._of_process(endpoint):
+            entry.hurry()
+
+    def _of_process(self, endpoint):
+        return [entry for entry in self._entries.values() if entry.node.endpoint == endpoint]
+
+    async def _keep_observers(self):
+        """See to it that one component of each process sends heartbeats. Where its calls do not reach us,
+        nobody there is lent an observer.
+        """
+        while True:
+            await loop.sleep(SELDOM)
+            for leader in self._leaders.late(loop.now()):
+                here = self._of_process(leader.endpoint)
+                if not any(entry.heard for entry in here):
+                    for entry in here:
+                        entry.takes_none = True
+                    await hear.take_all_back(here)
+            for entry in self._leaders.look(loop.now()):
+                self._tasks.start(entry.attach_again(), entry.endpoint)
 
     async def _follow_keepers(self):
         """Ask the rtkeeps of this user for their marks, again and again."""
         from rtshell_lite.system import steering
 
         while True:
-            self._marks = await steering.marks()
+            marks = await steering.marks()
+            if marks != self._marks:
+                self._marks = marks
+                self._changed.update(self._entries.values())
             await loop.sleep(WALK)
 
     # ---- what is bound ----
@@ -351,25 +390,32 @@ class Top:
             if number % times.WHOLE == 0 or len(self._entries) <= FEW:
                 bound = {}
             else:
-                bound = {entry.path: entry.node for entry in self._entries.values() if entry.answered}
+                bound = {entry.where: entry.node for entry in self._entries.values() if entry.has_answered}
             number += 1
+            spelt = {node: where for where, node in bound.items()}  # to spell many takes time
             nodes, failed = await _walk(top, bound)
             lost = any(isinstance(error, errors.Unreachable) for error in failed.values())
             # without their name server, they may still live
             identities = dict(self._found.get(top, {})) if lost else {}
             for node in nodes:
                 identity = orb.identity(node.ref)
-                identities[str(node.path)] = identity
+                identities[spelt.get(node) or str(node.path)] = identity
                 if identity not in self._entries:
-                    self._entries[identity] = Entry(node, self._hearing, self._hurried)
-            self._found[top], self._failed[top] = identities, failed
-            identified = {identity for listed in self._found.values() for identity in listed.values()}
-            unbound = [self._entries[identity] for identity in set(self._entries) - identified]
-            self._tasks.start(self._hearing.take_back(unbound))
-            self._entries = {identity: self._entries[identity] for identity in identified}
-            self._listed = None
-            self._look_after_all()
+                    self._entries[identity] = Entry(node, self._leaders, self._hurried, self._changed)
+            self._failed[top] = failed
+            if identities != self._found.get(top):
+                self._take(top, identities)
             await loop.sleep(WALK)
+
+    def _take(self, top, identities):
+        """Take what has been found below a Path, {path: identity}."""
+        self._found[top] = identities
+        identified = {identity for listed in self._found.values() for identity in listed.values()}
+        unbound = [self._entries[identity] for identity in set(self._entries) - identified]
+        self._tasks.start(hear.take_all_back(unbound))
+        self._entries = {identity: self._entries[identity] for identity in identified}
+        self._listed = None
+        self._look_after_all()
 
     # ---- looking ----
 
@@ -380,42 +426,60 @@ class Top:
         self._groups = collections.defaultdict(list)
         for entry in self._entries.values():
             self._groups[entry.group].append(entry)
-        self._hurried.update(self._groups)
+        self._hurried.update(self._groups)  # as others may be in them
         for group in set(self._groups) - self._looked_after:
             self._looked_after.add(group)
             self._tasks.start(self._look_after(group), self._groups[group][0].node.endpoint)
 
     async def _look_after(self, group):
         trusted = False
-        due = 0.0
         shown = None
+        until = NEVER
         while group in self._groups:
+            now = loop.now()
             # to look through many costs more than to ask those few that are due
-            if loop.now() >= due or group in self._hurried or self.shown is not shown:
+            if now >= until or group in self._hurried or self.shown is not shown:
                 self._hurried.discard(group)
                 shown = self.shown
-                trusted = await self._look_at_group(self._groups[group], trusted)
-                due = min([loop.now() + SELDOM, *(entry.due() for entry in self._groups.get(group, ()))])
+                until = now + SELDOM
+                soon = self._due_until(until, self._groups[group])
+            due = [entry for entry, due_at in soon.items() if due_at <= now]
+            trusted = await self._look_at_group(due, self._groups[group], trusted)
+            if not trusted:
+                until = NEVER
+            soon.update({entry: entry.due() for entry in due})
             await loop.sleep(self.delay if trusted else times.REST)
         self._looked_after.discard(group)
         self._hurried.discard(group)
 
-    async def _look_at_group(self, entries, trusted):
+    def _due_until(self, until, entries):
+        """{Entry: when it is to be asked} of those in a group that are to be asked until then. One of them is
+        at least every SELDOM seconds, as the process may hang.
+        """
         is_large = len(self._entries) > FEW
         for entry in entries:
-            entry.is_shown = self.shown is None or not is_large or entry.path in self.shown
+            entry.is_shown = self.shown is None or not is_large or entry.where in self.shown
             entry.may_report = self._is_live and is_large
-        if trusted:
-            return await self._look(entries)
-        async with self._doubtful:
-            return await self._look(entries)
+        due_at = {entry: entry.due() for entry in entries}
+        soon = {entry: due_at[entry] for entry in entries if due_at[entry] < until}
+        look_at = max(entry.asked for entry in entries) + SELDOM
+        if look_at < min(soon.values(), default=until):
+            soon.update(dict.fromkeys(_rested(entries)[:1], look_at))
+        return soon
 
-    async def _look(self, entries):
-        """Look at components of one process, one call at a time; False when it did not answer.
+    async def _look_at_group(self, due, entries, trusted):
+        if trusted or not due:
+            return await self._look(due, entries)
+        async with self._doubtful:
+            return await self._look(due, entries)
+
+    async def _look(self, due, entries):
+        """Look at those components of one process that are due, one call at a time; False when it did not
+        answer.
 
         If two are silent, or the only one, the process hangs: the rest is not asked.
         """
-        heard, silent = await self._ask(_due(entries))
+        heard, silent = await self._ask(sorted(due, key=lambda entry: entry.silenced))
         if len(silent) == 1 and not heard:  # is it the process that hangs?
             others = [entry for entry in _rested(entries) if entry not in silent]
             heard, more = await self._ask(others[:1])
@@ -427,7 +491,7 @@ class Top:
         elif silent:
             for entry in entries:
                 if entry not in silent:
-                    entry.fail("unasked", errors.NotAsked(entry.path, "its process did not answer others"))
+                    entry.fail("unasked", errors.NotAsked(entry.where, "its process did not answer others"))
         return heard or not silent
 
     async def _ask(self, entries):
@@ -488,18 +552,31 @@ class Top:
 
     def rows(self):
         """A Row for each component, and for each part of the tree that cannot be listed, sorted by name."""
-        if self._listed is None:
-            self._listed = self._list()
-        rows = [
-            _marked(entry.row(path, name), self._marks.get(path)) for path, name, entry in self._listed
-        ]
-        rows += [
+        self._make_rows()
+        if not self.failures():
+            return self._rows
+        unknown = [
             Row(path, path, "unknown", "?", None, None, None, None, failure, None, "", {})
             for path, failure in self.failures().items()
         ]
-        if self.failures():
-            rows.sort(key=lambda row: (natural(row.name), row.path))
-        return rows
+        return sorted(self._rows + unknown, key=lambda row: (natural(row.name), row.path))
+
+    def _make_rows(self):
+        """Make the rows again that may be others now; the list is the same one, as long as no row is."""
+        if self._listed is None:
+            self._listed = self._list()
+            self._rows = [None] * len(self._listed)
+            self._changed.update(self._entries.values())
+        if not self._changed:
+            return
+        changed = set(self._changed)
+        self._changed.clear()  # those whose rows are about to change come again
+        rows = list(self._rows)
+        for number, (path, name, entry) in enumerate(self._listed):
+            if entry in changed:
+                rows[number] = _marked(entry.row(path, name), self._marks.get(path))
+        if rows != self._rows:
+            self._rows = rows
 
     def _list(self):
         entries = self.entries()
@@ -592,17 +669,6 @@ def _marked(row, mark):
     if mark is None:
         return row
     return row._replace(event="; ".join(filter(None, ("rtkeep: " + mark, row.event))))
-
-
-def _due(entries):
-    """Those of a process that are to be asked now, those first that were never silent; one of them at least
-    every SELDOM seconds, as the process may hang.
-    """
-    now = loop.now()
-    due = [entry for entry in entries if entry.due() <= now]
-    if not due and now >= max(entry.asked for entry in entries) + SELDOM:
-        due = _rested(entries)[:1]
-    return sorted(due, key=lambda entry: entry.silenced)
 
 
 def _rested(entries):

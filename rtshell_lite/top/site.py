@@ -153,11 +153,15 @@ class Site:
     # ---- states ----
 
     async def _keep_states(self):
+        noted = None
         while True:
-            for row in self._looking.rows():
-                if row.kind != "unknown":
-                    self._note(row)
-            self._ring()
+            shown = self._looking.rows()
+            if shown is not noted:
+                for row in shown:
+                    if row.kind != "unknown":
+                        self._note(row)
+                noted = shown
+                self._ring()
             await loop.sleep(self._looking.delay)
 
     def _note(self, row):

@@ -19,7 +19,7 @@ class Component(follow.Followed):
 
     def __init__(self):
         super().__init__(path.parse("/a/b.rtc"))
-        self.shown = self.subscription = "it"
+        self.shown = self.subscription = mock.Mock(is_led=False)
         self.looked = 0
 
     @property
@@ -69,7 +69,7 @@ class Late(unittest.TestCase):
         self.component.heard = self.now
         self.component.subscription = None
         self.look(10.0, is_heard=False)
-        self.component.subscription = "it"
+        self.component.subscription = mock.Mock(is_led=False)
         since = self.component.lived = self.now
         self.look(3, is_heard=False)
         self.assertAlmostEqual(self.suspected[0], since + 1.5, delta=0.11)

@@ -186,7 +186,7 @@ class Meanwhile(unittest.TestCase):
 
     def test_one_that_is_slow_to_take_an_observer_is_not_late_with_heartbeats(self):
         async def play(watching, arm):
-            arm.subscription = mock.Mock(interface=observer.OBSERVER, reference=None)
+            arm.subscription = mock.Mock(interface=observer.OBSERVER, reference=None, is_led=False)
             arm.lives()
             self.assertEqual(watching.taken(), [])
             arm.is_begun = True
@@ -249,7 +249,7 @@ class Meanwhile(unittest.TestCase):
 
         async def play(watching, *arms):
             for arm in arms:
-                arm.subscription = mock.Mock(reference=None)
+                arm.subscription = mock.Mock(reference=None, is_led=False)
             watching.suspect(("h", 1))
             await loop.sleep(0)
             self.assertEqual(len(asked), len(arms))

@@ -5,7 +5,7 @@ from unittest import mock
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.live import observer
+from rtshell_lite.live import observer, times
 from rtshell_lite.net import loop
 from rtshell_lite.top import model
 
@@ -30,9 +30,11 @@ class Rest(unittest.TestCase):
         patch = mock.patch.object(orb, "identity", lambda ref: ref)
         patch.start()
         self.addCleanup(patch.stop)
-        node = types.SimpleNamespace(path="/a:1/x.rtc", ref="x", name="x.rtc", endpoint=("a", 2))
+        node = types.SimpleNamespace(path=path.parse("/a:1/x.rtc"), ref="x", name="x.rtc", endpoint=("a", 2))
         self.looking = model.Top([], 0.5)
-        self.entry = model.Entry(node, self.looking._hearing, self.looking._hurried)
+        self.entry = model.Entry(
+            node, self.looking._leaders, self.looking._hurried, self.looking._changed
+        )
         self.looking._found, self.looking._failed = {"top": {"/a:1/x.rtc": "x"}}, {"top": {}}
         self.looking._entries = {"x": self.entry}
 
@@ -53,9 +55,9 @@ class Rest(unittest.TestCase):
             pauses.append(seconds)
             await sleep(0)
 
-        async def look(entries):
-            looked.append(loop.now())
-            for entry in entries:
+        async def look(due, entries):
+            looked.extend(due)
+            for entry in due:
                 entry.asked = loop.now()
             return True
 
@@ -74,6 +76,34 @@ class Rest(unittest.TestCase):
             return before, len(looked)
         with mock.patch.object(loop, "sleep", pause):
             self.assertEqual(loop.run(main()), (1, 2))
+
+    def test_who_cannot_call_us_loses_its_observer(self):
+        sleep = loop.sleep
+        now = loop.now()
+
+        async def pause(seconds):
+            nonlocal now
+            now += seconds
+            await sleep(0)
+
+        async def answer():
+            """It does as it is told."""
+
+        async def main(is_heard):
+            self.looking._tasks = loop.Group()
+            self.entry.subscription = mock.Mock(attach=answer, detach=answer, is_led=False)
+            self.entry.takes_none = False
+            self.looking._leaders.take(self.entry)
+            self.entry.heard = float(is_heard)
+            async with self.looking._tasks, loop.background(self.looking._keep_observers()):
+                begun = now
+                while now < begun + 2 * times.LATE:
+                    await sleep(0)
+                self.looking._tasks.cancel()
+            return self.entry.takes_none, self.entry.subscription is None
+        with mock.patch.object(loop, "sleep", pause), mock.patch.object(loop, "now", lambda: now):
+            for is_heard in (True, False):
+                self.assertEqual(loop.run(main(is_heard)), (not is_heard, not is_heard))
 
 
 if __name__ == "__main__":
