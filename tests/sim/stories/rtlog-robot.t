@@ -89,7 +89,7 @@ A directory with events. A component that dies and comes back goes on in its cha
   ! rtplot: a.mcap: no such channel: Nobody0.rtc (there are: /robot/test.host_cxt/ConsoleIn0.rtc:out, /robot/test.host_cxt/Mock0.rtc:out, /robot/test.host_cxt/Motor0.rtc:out, /robot/test.host_cxt/Source0.rtc:number, /robot/test.host_cxt/Source0.rtc:block, /events, /logs)
   [3]
   $ rtplot -f a.mcap --rate ConsoleIn0.rtc
-  ! rtplot: a.mcap: no such channel: ConsoleIn0.rtc (there are: /robot/test.host_cxt/ConsoleIn0.rtc:out, /robot/test.host_cxt/Mock0.rtc:out, /robot/test.host_cxt/Motor0.rtc:out, /robot/test.host_cxt/Source0.rtc:number, /robot/test.host_cxt/Source0.rtc:block, /events, /logs)
+  ! rtplot: a.mcap: no such channel: ConsoleIn0.rtc; did you mean /robot/test.host_cxt/ConsoleIn0.rtc:out?
   [3]
   $ ctl @senders2 connectors Source0:number
   $ ctl observers ConsoleIn0
