@@ -171,6 +171,8 @@ class Words:
         if not rest or action.nargs == 0:
             return [word]
         if getattr(action, "metavar", None) in FILES and rest[0] in self._option_string_actions:
+            if rest[0] in ENDING:
+                return []
             self.error(f"argument {word}: a file is expected before {rest[0]} (./{rest[0]} is one)")
         # --wait PATH, --shell PATH: a word that cannot be the option's value is left alone
         if action.nargs == "?":

@@ -45,7 +45,7 @@ def _doubt(key, value):
         longer = [PREFIX + side + name for name in KNOWN if name.endswith("." + rest)]
         if longer:
             notes.note(f"{printable(key)}: OpenRTM-aist has no such property, but {' and '.join(longer)}")
-        elif side or rest.startswith(OWN):
+        elif rest.startswith(OWN):
             notes.note(f"{printable(key)}: OpenRTM-aist has no such property; rtcon --help -v names some")
         return
     values = VALUES.get(rest, ())

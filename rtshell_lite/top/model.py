@@ -45,6 +45,7 @@ class Entry(follow.Followed):
 
     observed = ("RTC_STATUS", "EC_EVENT", "PORT_EVENT")
     more = observer.NO_VALUES
+    is_bound = True  # whether a name leads to it
     may_report = False  # whether it is to be lent an observer
     takes_none = False  # whether it takes no observers
 
@@ -195,7 +196,7 @@ class Entry(follow.Followed):
 
     async def _be_heard(self):
         """Lend it an observer, if it takes one. Its ports have just been asked (docs/protocol.md 1.1)."""
-        if self.subscription is not None or self.takes_none:
+        if self.subscription is not None or self.takes_none or not self.is_bound:
             return
         try:
             await self.observe(dict((await component.profile(self.node)).properties))
@@ -313,6 +314,7 @@ class Top:
         self._found = {}  # by top: {path: identity of a component}
         self._failed = {}  # by top: {path: errors.Error} of what cannot be listed
         self._entries = {}  # by identity
+        self._unbound = set()  # Entries that no name leads to any more, and that may still have an observer
         self._groups = {}  # {endpoint of a process, or identity of a component that hangs: Entries}
         self._looked_after = set()  # groups that have a task
         self._hurried = set()  # those in which something is to be looked at before it is due
@@ -345,7 +347,7 @@ class Top:
         try:
             await self._tasks.__aexit__(*exception)
         finally:
-            await hear.take_all_back(self._entries.values())
+            await hear.take_all_back([*self._entries.values(), *self._unbound])
 
     def _suspect(self, endpoint):
         """A connection with a process has ended, or what held it up: look at its components."""
@@ -411,11 +413,21 @@ class Top:
         """Take what has been found below a Path, {path: identity}."""
         self._found[top] = identities
         identified = {identity for listed in self._found.values() for identity in listed.values()}
-        unbound = [self._entries[identity] for identity in set(self._entries) - identified]
-        self._tasks.start(hear.take_all_back(unbound))
+        for identity in set(self._entries) - identified:
+            self._unbound.add(self._entries[identity])
+            self._entries[identity].is_bound = False
+        self._tasks.start(self._take_back_unbound())
         self._entries = {identity: self._entries[identity] for identity in identified}
         self._listed = None
         self._look_after_all()
+
+    async def _take_back_unbound(self):
+        """Take back what was lent to components that no name leads to any more; one may just be lent it."""
+        await hear.take_all_back(self._unbound)
+        recent = loop.now() - KEPT
+        self._unbound = {
+            entry for entry in self._unbound if entry.subscription is not None or entry.asked > recent
+        }
 
     # ---- looking ----
 

@@ -36,7 +36,7 @@ Wrong arguments are one line each, before anything is sent:
   rtcall: none.json: No such file or directory
   [1]
   $ rtcall Robot0.rtc:svc move_to 3 0
-  rtcall: move_to: goal: not a Point: 3
+  rtcall: move_to: goal: not a Point: 3 (its members: x, y)
   [2]
   $ rtcall Robot0.rtc:svc move_to '{"x": 1}' 0
   rtcall: move_to: goal: y is missing

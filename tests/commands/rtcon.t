@@ -27,6 +27,8 @@ What OpenRTM-aist does not know is passed on, as a component may, but noted:
   rtcon: inport.length: OpenRTM-aist has no such property, but dataport.inport.buffer.length
   rtcon: outport.buffer.size: OpenRTM-aist has no such property; rtcon --help -v names some
   rtcon -p inport.length=4 -p mine.length=2 -p outport.buffer.size=3 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
+  $ rtcon --dry-run -p dataport.outport.fast-rtps.topic=x ConsoleIn0.rtc:out ConsoleOut0.rtc:in
+  rtcon -p dataport.outport.fast-rtps.topic=x /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in
   $ rtcon --dry-run -p publisher.push_policy=newest -p inport.buffer.read.empty_policy=Block ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   rtcon: dataport.publisher.push_policy: OpenRTM-aist has no newest (it has: all, fifo, skip, new)
   rtcon -p dataport.inport.buffer.read.empty_policy=Block -p dataport.publisher.push_policy=newest /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in

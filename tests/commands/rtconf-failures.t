@@ -99,10 +99,10 @@ Not a component, no such component:
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc:port: not a component (it is a port)
   [3]
   $ rtconf ..
-  rtconf: /localhost:$PORT: not a component (it is a name server)
+  rtconf: /localhost:$PORT: not a component (it is a name server; rtfind /localhost:$PORT -t c prints the components in it)
   [3]
   $ rtconf /
-  rtconf: /: not a component (it is a root directory)
+  rtconf: /: not a component (it is a root directory; rtfind / -t c prints the components in it)
   [3]
   $ rtconf ConfigSample0.rtc/
   rtconf: /localhost:$PORT/test.host_cxt/ConfigSample0.rtc: not a directory (it is a component)

@@ -271,6 +271,8 @@ diff, status 1 when there are differences; the active sets are compared, too:
   default       double_param0  0.99                              -
   $ cp 'as it was' ConsoleIn0.rtc; rtconf ConfigSample0.rtc diff ConsoleIn0.rtc | head -1; rm ConsoleIn0.rtc
   default  double_param0  0.99                              -
+  $ mkdir conf; cp 'as it was' conf/dump; rtconf ConfigSample0.rtc diff conf/dump
+  $ for cwd in / ''; do RTCSH_CWD=$cwd rtconf "$here/ConfigSample0.rtc" diff conf/dump; done
   $ echo oops > broken; rtconf ConfigSample0.rtc diff broken
   rtconf: broken:1: neither [set] nor name=value
   [1]

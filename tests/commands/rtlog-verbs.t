@@ -208,6 +208,9 @@ What cannot be; both spellings have the same messages:
   $ rtlog record -f -t 5 Source0.rtc:number
   rtlog: argument -f: a file is expected before -t (./-t is one) (see --help)
   [2]
+  $ rtlog mend a.mcap -f -
+  rtlog: -f -: the copy is a file, which is not written to stdout (./- is a file) (see --help)
+  [2]
   $ rtlog export a.mcap --csv --attachment x
   rtlog: --attachment takes only the log (see --help)
   [2]

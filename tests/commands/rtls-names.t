@@ -154,7 +154,7 @@ A context that is bound inside itself is entered once; below it, paths work as d
   ./empty.cxt:
   ./many.cxt:
   $ rtls loop.cxt/loop.cxt/loop.cxt/Deep0.rtc
-  rtls: /localhost:$PORT/test.host_cxt/loop.cxt/loop.cxt/loop.cxt/Deep0.rtc: no such path
+  rtls: /localhost:$PORT/test.host_cxt/loop.cxt/loop.cxt/loop.cxt/Deep0.rtc: no such path; did you mean a.cxt/b.cxt/c.cxt/Deep0.rtc?
   [3]
   $ rtls loop.cxt/loop.cxt/a.cxt
   Same0.rtc

@@ -140,6 +140,8 @@ What is not there:
   $ rtplot --svg -f other.mcap numbers
   rtplot: argument --svg: a file is expected before -f (./-f is one) (see --help)
   [2]
+  $ rtplot --svg --help | head -1
+  usage: rtplot [OPTION ...] [PATH:PORT[.FIELD] ...]
   $ rtplot -f other.mcap 'numbers.data['
   rtplot: data[: not a field; one is written data.joints[0:3]
   [2]

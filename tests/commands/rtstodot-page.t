@@ -7,7 +7,8 @@ world: hostile --context h.host_cxt/%n.rtc
 Of what is running, connected or not, with what rtcat -ll shows, and configuration sets:
 
   $ rtact ConsoleIn0.rtc
-  $ rtstodot --live --html page.html .
+  $ rtstodot --live --html page.html .; grep -o '<title>[^<]*' page.html
+  <title>/localhost:$PORT/test.host_cxt
   $ has page.html '"name":"ConsoleIn0"' '"state":"Active"' '"name":"ConfigSample0"' '"Owner","ConsoleIn0"' \
   >     'Configuration set mode1 (active)'
   $ has page.html '"port.port_type","DataOutPort"' '"dataport.interface_type","corba_cdr"' \

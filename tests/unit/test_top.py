@@ -105,6 +105,27 @@ class Rest(unittest.TestCase):
             for is_heard in (True, False):
                 self.assertEqual(loop.run(main(is_heard)), (not is_heard, not is_heard))
 
+    def test_what_no_name_leads_to_any_more_keeps_no_observer(self):
+        """Also where it is just being lent one."""
+        taken_back = []
+
+        async def take_back(entries):
+            taken_back.extend(entries)
+
+        async def main():
+            self.looking._tasks = loop.Group()
+            async with self.looking._tasks:
+                self.entry.asked = loop.now()
+                self.looking._take("top", {})
+                await self.entry._be_heard()
+                await loop.sleep(0)
+                self.entry.subscription = "that was on its way"
+            await self.looking._take_back_unbound()
+        with mock.patch.object(model.hear, "take_all_back", take_back):
+            loop.run(main())
+        self.assertEqual(taken_back, [self.entry, self.entry])
+        self.assertEqual(self.looking._entries, {})
+
 
 if __name__ == "__main__":
     unittest.main()
