@@ -13,33 +13,38 @@ _LEAST = 3  # letters of a name that is common to components
 
 def of_groups(picture, groups, numbers):
     """What page_groups.Groups that are in one with these numbers of boxes are called, in their order."""
-    common = _common_directory(picture, numbers)
-    names = [_name(picture, group, len(common)) for group in groups]
-    are_processes = [part.KINDS[group.kind] == "process" for group in groups]
-    return _distinct(names, [group.key for group in groups], are_processes)
+    depth = len(_common_directory(picture, numbers))
+    processes = {group.key: group.numbers for group in groups if part.KINDS[group.kind] == "process"}
+    names = _of_processes(picture, processes, depth)
+    return [names.get(group.key) or _name(picture, group, depth) for group in groups]
 
 
 def of_processes(picture):
     """{host:port: what it is called} of the processes of a picture, as `part.members` has them."""
-    processes = part.members(picture, "process")
-    names = [_of_process([picture.boxes[number] for number in numbers]) for numbers in processes.values()]
-    return dict(zip(processes, _distinct(names, processes, len(processes) * [True])))
+    depth = len(_common_directory(picture, range(len(picture.boxes))))
+    return _of_processes(picture, part.members(picture, "process"), depth)
 
 
-def _distinct(names, keys, are_processes):
-    """The names, with their keys where several processes have one."""
-    counts = collections.Counter(names)
-    return [
-        f"{name} ({key})" if counts[name] > 1 and is_process else name
-        for name, key, is_process in zip(names, keys, are_processes)
-    ]
+def _of_processes(picture, processes, depth):
+    """{host:port: what it is called} of processes, {host:port: numbers of its boxes}."""
+    alike = collections.defaultdict(list)
+    for key, numbers in processes.items():
+        alike[_of_process([picture.boxes[number] for number in numbers])].append(key)
+    names = {}
+    for name, keys in alike.items():
+        directories = ["/".join(_common_directory(picture, processes[key])[depth:]) for key in keys]
+        if len(keys) == 1:
+            names[keys[0]] = name
+        elif all(directories) and len(set(directories)) == len(keys):
+            names.update({key: f"{directory}/{name}" for key, directory in zip(keys, directories)})
+        else:
+            names.update({key: f"{name} ({key})" for key in keys})
+    return names
 
 
 def _name(picture, group, depth):
-    """The name of a group; of a directory without as many directories above it."""
+    """The name of a group that is no process; of a directory without as many directories above it."""
     kind = part.KINDS[group.kind]
-    if kind == "process":
-        return _of_process([picture.boxes[number] for number in group.numbers])
     if kind == "directory":
         return "/".join(_common_directory(picture, group.numbers)[depth:]) or group.key
     return group.key

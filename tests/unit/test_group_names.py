@@ -37,6 +37,8 @@ class Groups(unittest.TestCase):
     def test_equal_ones_are_told_apart(self):
         self.assertEqual(self.of_processes(["Motor0", "Motor1"], ["Motor2", "Motor3"]),
                          ["Motor (h:1)", "Motor (h:2)"])
+        self.assertEqual(self.of_processes(["left/Motor0", "left/Motor1"], ["right/Motor0", "right/Motor1"]),
+                         ["left/Motor", "right/Motor"])
 
     def test_directories_without_what_is_common_to_all(self):
         picture = test_part.picture([
