@@ -234,6 +234,8 @@ class Entry(follow.Followed):
             words = {"-": "dead", "?": "silent", "~": "not asked"}
             self.event = f"{words.get(self.state, self.state)} to {words.get(state, state)}"
         self.kind = kind
+        if self.is_hung and kind == "component":
+            self.lived = loop.now()  # it could not call us meanwhile
         self.is_hung = kind != "component"
         self.state = state
         self.failure = failure
@@ -365,7 +367,7 @@ class Top:
             await loop.sleep(SELDOM)
             for leader in self._leaders.late(loop.now()):
                 here = self._of_process(leader.endpoint)
-                if not any(entry.heard for entry in here):
+                if not any(entry.heard or entry.is_hung for entry in here):
                     for entry in here:
                         entry.takes_none = True
                     await hear.take_all_back(here)

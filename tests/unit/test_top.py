@@ -89,21 +89,31 @@ class Rest(unittest.TestCase):
         async def answer():
             """It does as it is told."""
 
-        async def main(is_heard):
+        async def wait(seconds):
+            begun = now
+            while now < begun + seconds:
+                await sleep(0)
+
+        async def main(is_heard, is_stopped):
             self.looking._tasks = loop.Group()
             self.entry.subscription = mock.Mock(attach=answer, detach=answer, is_led=False)
             self.entry.takes_none = False
             self.looking._leaders.take(self.entry)
             self.entry.heard = float(is_heard)
             async with self.looking._tasks, loop.background(self.looking._keep_observers()):
-                begun = now
-                while now < begun + 2 * times.LATE:
-                    await sleep(0)
+                if is_stopped:  # and goes on before a heartbeat is due
+                    self.entry.fail("silent", errors.Silent("x", "no answer"))
+                    await wait(2 * times.LATE)
+                    self.entry._become("component", "INACTIVE", None)
+                    await wait(times.BEAT)
+                else:
+                    await wait(2 * times.LATE)
                 self.looking._tasks.cancel()
             return self.entry.takes_none, self.entry.subscription is None
         with mock.patch.object(loop, "sleep", pause), mock.patch.object(loop, "now", lambda: now):
-            for is_heard in (True, False):
-                self.assertEqual(loop.run(main(is_heard)), (not is_heard, not is_heard))
+            for is_heard, is_stopped in ((True, False), (False, False), (False, True)):
+                is_lost = not is_heard and not is_stopped
+                self.assertEqual(loop.run(main(is_heard, is_stopped)), (is_lost, is_lost))
 
     def test_what_no_name_leads_to_any_more_keeps_no_observer(self):
         """Also where it is just being lent one."""
