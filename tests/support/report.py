@@ -51,7 +51,7 @@ def is_meant(name, patterns):
 
 def main():
     _, (module, *patterns) = jobs.begin()
-    sys.path.append(os.path.join(TESTS, "unit"))  # has peers that modules of waiting/ use, too
+    sys.path += [os.path.join(TESTS, folder) for folder in ("unit", "sim")]  # whose peers others use, too
     place, name = os.path.split(os.path.join(TESTS, module))
     found = unittest.defaultTestLoader.discover(place, name + ".py", place)
     outcomes = Outcomes()

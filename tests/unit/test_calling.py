@@ -1,11 +1,10 @@
 """An operation of a user's IDL is sent once, whatever its provider does; what is not known is not claimed."""
-import socket
 import struct
 import unittest
 from unittest import mock
 
 from giop_client import answer
-from giop_peers import CLOSE, Calls, Peer
+from peers import CLOSE, Calls, forward
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb
 from rtshell_lite.corba.iiop import client
@@ -70,9 +69,8 @@ class Once(Calls):
     """Calls of a provider that misbehaves; it counts what it is asked."""
 
     def provider(self, *answers):
-        peer = Peer(*answers)
-        self.addCleanup(peer.close)
-        return peer, client.from_url("w", "corbaloc::127.0.0.1:%d/x" % peer.port)
+        peer = self.peer(*answers)
+        return peer, peer.ref
 
     def failure(self, *answers, schema=MOVE, seconds=30.0):
         """(the errors.Error of a call, how often the provider was asked)"""
@@ -148,10 +146,7 @@ class Once(Calls):
 
     def test_it_goes_to_whom_it_is_forwarded(self):
         other, there = self.provider(answer(1, LONG))
-        forward = struct.pack("<I", 1) + b"\0" * 4 + struct.pack("<I", 1)
-        tag, profile = there.profiles[0]
-        forward += struct.pack("<II", tag, len(profile)) + profile
-        peer, ref = self.provider(answer(1, forward, messages.FORWARD))
+        peer, ref = self.provider(forward(there, 1))
         self.assertEqual(self.wait_for(orb.call("w", ref, MOVE, 1.5, seconds=2)), 42)
         self.assertEqual((peer.asked, other.asked), (1, 1))
 
@@ -173,11 +168,9 @@ class Once(Calls):
             self.assertEqual(flags, 0, minor)
 
     def test_oneway_to_nobody(self):
-        with socket.socket() as nobody:
-            nobody.bind(("127.0.0.1", 0))  # and does not listen
-            ref = client.from_url("w", "corbaloc::127.0.0.1:%d/x" % nobody.getsockname()[1])
-            with self.assertRaises(errors.ConnectionRefused):
-                self.wait_for(orb.call("w", ref, STOP, "now", seconds=2))
+        ref = client.from_url("w", "corbaloc::127.0.0.1:1/x")
+        with self.assertRaises(errors.ConnectionRefused):
+            self.wait_for(orb.call("w", ref, STOP, "now", seconds=2))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,13 @@
 """Our own ORB beside omniORB: the same answers of the same components."""
 import unittest
+from unittest import mock
 
 import worlds
-import giop_peers
 from rtshell_lite import errors
-from rtshell_lite.corba import orb
+from rtshell_lite.corba import orb, session
 from rtshell_lite.corba.iiop import client
 from rtshell_lite.giop import idl, references
+from rtshell_lite.net import loop
 
 try:
     import omniORB
@@ -16,7 +17,7 @@ except ImportError:
 
 
 @unittest.skipIf(omniORB is None, "needs omniORBpy")
-class Beside(giop_peers.Calls):
+class Beside(unittest.TestCase):
     """The same answers of mocks by both ORBs."""
 
     @classmethod
@@ -27,12 +28,20 @@ class Beside(giop_peers.Calls):
     def tearDownClass(cls):
         worlds.Server.stop()
 
+    def setUp(self):
+        patched = mock.patch.object(orb, "_orb", client)
+        patched.start()
+        self.addCleanup(patched.stop)
+
+    def call(self, ref, operation, *args):
+        return loop.run(orb.call("w", ref, operation, *args), session=session.Session())
+
     def test_profiles(self):
         world = worlds.World("two")
         self.addCleanup(world.close)
         ref = references.from_text(worlds.Server.orb.object_to_string(world.component("ConsoleIn0")))
         component = client.narrow(ref, "OpenRTM.DataFlowComponent")
-        ours = self.wait_for(orb.call("w", component, "get_component_profile"))
+        ours = self.call(component, "get_component_profile")
         theirs = world.component("ConsoleIn0").get_component_profile()
         for name in ("instance_name", "type_name", "vendor", "category"):
             self.assertEqual(getattr(ours, name), getattr(theirs, name))
@@ -52,7 +61,7 @@ class Beside(giop_peers.Calls):
         )
         name = [idl.struct("CosNaming.NameComponent")("nobody", "")]
         with self.assertRaises(errors.Refused) as caught:
-            self.wait_for(orb.call("w", root, "resolve", name))
+            self.call(root, "resolve", name)
         self.assertEqual(caught.exception.name, "NotFound")
 
 

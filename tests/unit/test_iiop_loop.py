@@ -1,22 +1,18 @@
 """Our own ORB, many calls at once on one thread: each gets its own answer, whatever becomes of the others."""
 import functools
 import gc
-import socket
 import struct
-import threading
-import time
 import tracemalloc
 import unittest
-from unittest import mock
 
 from giop_client import answer
-from giop_peers import CLOSE, Calls, Peer
-import tools
+from peers import CLOSE, Calls, compute
+from world import Blocked
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.corba.iiop import calls, client, connections
 from rtshell_lite.giop import descriptors, messages, operations
-from rtshell_lite.net import real
+from rtshell_lite.net import loop
 
 
 class Loop(Calls):
@@ -102,7 +98,7 @@ class Loop(Calls):
         self.addCleanup(tracemalloc.stop)
         found = self.outcomes(replies, *[("RTC.RTObject", "_non_existent")] * 3)
         self.assertEqual(found, [False, "garbled answer (more than 4194304 octets)", True])
-        joined = sum(map(len, replies))  # by the peer, which is in this process
+        joined = 2 * sum(map(len, replies))  # by the peer, which is in this process, and by the network
         self.assertLess(tracemalloc.get_traced_memory()[1], joined + 4 * messages.LARGE)
 
     def test_a_long_answer_of_data_beside_one_that_is_too_long(self):
@@ -166,29 +162,26 @@ class Loop(Calls):
             return peer
 
         slow = self.script(
-            lambda pending: time.sleep(0.5) or b"".join(answer(pending.pop()[0]) for _ in pending[:]) or None
+            lambda pending: compute(0.5) or b"".join(answer(pending.pop()[0]) for _ in pending[:]) or None
         )
         for octets in (CLOSE, b"HTTP/1.1 400 Bad", b"GIOP\1\2\1\7" + bytes(4)):
             peer = before(octets)
-            watch = tools.Stopwatch()
+            begun = self.world.time
             ended = []
 
             async def ask():
                 try:
                     return await orb.call("w", client.narrow(peer.ref, "RTC.RTObject"), "exit")
                 finally:
-                    ended.append(watch.seconds())
+                    ended.append(self.world.time - begun)
 
             self.run_tasks((peer.ref, ask), (peer.ref, ask), self.asking(slow.ref))
-            self.assertLess(max(ended), 0.4, octets)
+            self.assertLess(max(ended), 0.1, octets)
 
     def test_octets_of_ended_connections_are_freed(self):
         """It goes at once, without a collection."""
         half = answer(1)[:8] + struct.pack("<I", 1 << 20) + bytes(1 << 19) + CLOSE
-        peers = [Peer(half) for _ in range(20)]
-        for peer in peers:
-            self.addCleanup(peer.close)
-        refs = [client.from_url("w", f"corbaloc::127.0.0.1:{peer.port}/x") for peer in peers]
+        refs = [self.peer(half).ref for _ in range(20)]
         gc.disable()
         self.addCleanup(gc.enable)
         tracemalloc.start()
@@ -304,21 +297,30 @@ class Loop(Calls):
         self.assertEqual((len(asked), len(peer.connections)), (4, 2))
 
     def test_requests_given_up_before_there_was_a_connection_are_not_sent(self):
-        connection = connections.TcpConnection(("127.0.0.1", self.script_of(answer).ref.address.port))
-        request = calls.Request(
-            orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None), None, 3
-        )
-        connection.send(request)
-        connection.give_up(1)
-        connection.send(request)
-        while connection.waits_for:
-            connection.go_on()
-        connection.flush()
-        replies = []
-        while not replies:
-            replies = connection.replies(True)
-        self.assertEqual([messages.number(reply) for reply in replies], [2])
-        connection.close()
+        port = self.script_of(answer).port
+
+        async def exchange():
+            connection = connections.TcpConnection(("127.0.0.1", port))
+            request = calls.Request(
+                orb.Call("w", client.from_url("w", "corbaloc::127.0.0.1:1/x"), "_non_existent", (), None),
+                None,
+                3,
+            )
+            connection.send(request)
+            connection.give_up(1)
+            connection.send(request)
+            while connection.waits_for:
+                await loop.sleep(0.01)
+                connection.go_on()
+            connection.flush()
+            replies = []
+            while not replies:
+                await loop.sleep(0.01)
+                replies = connection.replies(True)
+            connection.close()
+            return [messages.number(reply) for reply in replies]
+
+        self.assertEqual(self.wait_for(exchange()), [2])
 
     def test_an_unsendable_request_costs_only_itself(self):
         peer = self.script(lambda pending: answer(pending.pop(0)[0]) if pending else None)
@@ -363,29 +365,16 @@ class Loop(Calls):
     def test_names_of_hosts(self):
         """They are looked up by a thread; one that takes long costs only itself."""
         peer = self.script(lambda pending: answer(pending[-1][0]) if pending else None)
-        go_on = threading.Event()
+        self.world.host("slow", "10.0.0.2")
 
-        def look_up(host, port=None, family=0, flags=0):
-            if host == b"slow.example":
-                if not flags:  # it is not only asked whether it is an address
-                    go_on.wait(10)
-                raise socket.gaierror(0, "late")
-            return resolve(host, port, family, flags)
+        def hang(name):
+            raise Blocked
 
-        resolve = real.resolve
-        patch = mock.patch.object(real, "resolve", look_up)
-        patch.start()
-        self.addCleanup(patch.stop)
+        self.host.look_up = hang
         slow, here = [
-            client.from_url("w", f"corbaloc::{host}:{peer.ref.address.port}/x")
-            for host in ("slow.example", "localhost")
+            client.from_url("w", f"corbaloc::{host}:{peer.port}/x") for host in ("slow", "localhost")
         ]
-
-        async def ask(ref):
-            return await orb.call("w", ref, "_non_existent")
-
-        values = self.run_tasks((slow, lambda: ask(slow)), (here, lambda: ask(here)))
-        go_on.set()
+        values = self.run_tasks(self.asking(slow), self.asking(here))
         self.assertIsInstance(values[0], errors.Silent)
         self.assertIs(values[1], False)
 
