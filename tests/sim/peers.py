@@ -158,12 +158,12 @@ class Caller:
         while True:
             while not self._jobs:
                 self._program.wait(ABSENT)
-            coroutine = self._jobs.pop()
-            if coroutine is None:
+            job = self._jobs.pop()
+            if job is None:
                 return
             try:
-                self._outcome = loop.run(coroutine, session=self.session), None
-            except Exception as e:
+                self._outcome = loop.run(*job, self.session), None
+            except (Exception, KeyboardInterrupt) as e:
                 self._outcome = None, e
 
     def close(self):
@@ -171,9 +171,9 @@ class Caller:
         self._jobs.append(None)
         self._program.wake()
 
-    def run(self, coroutine):
-        """Its result, or what it raises."""
-        self._jobs.append(coroutine)
+    def run(self, coroutine, signals=None):
+        """Its result, or what it raises; `signals` as of loop.run."""
+        self._jobs.append((coroutine, signals))
         self._outcome = None
         self._program.wake()
         here = self._program.world
@@ -213,9 +213,9 @@ class Calls(unittest.TestCase):
         self._processes.append(process)
         return process
 
-    def wait_for(self, coroutine):
-        """The result of a coroutine, or what it raises."""
-        return self._caller.run(coroutine)
+    def wait_for(self, coroutine, signals=None):
+        """The result of a coroutine, or what it raises; `signals` as of loop.run."""
+        return self._caller.run(coroutine, signals)
 
     def seconds(self, coroutine):
         """How long it takes, and its result."""

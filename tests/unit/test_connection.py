@@ -2,15 +2,13 @@
 the wrong status.
 """
 import collections
-import os
 import signal
-import time
 import unittest
 from unittest import mock
 
+from peers import Calls
 from rtshell_lite import cli, errors, path
 from rtshell_lite.corba import servants
-from rtshell_lite.corba.session import Session
 from rtshell_lite.data import port_arguments, rates, reading, sender, watcher, writing
 from rtshell_lite.data.connection import Connections
 from rtshell_lite.data.inbox import EACH, Inbox
@@ -18,6 +16,7 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import ports
 
 LIMIT = 10.0  # seconds that anything may take
+ENDS = {signal.SIGINT: KeyboardInterrupt}
 
 
 def idle_reader():
@@ -48,7 +47,7 @@ class Connection:
 
     async def strike(self, step):
         if step in self.strikes:
-            os.kill(os.getpid(), signal.SIGINT)
+            loop.current().strike(signal.SIGINT)
         await loop.sleep(0.05)
 
     async def open(self):
@@ -81,7 +80,7 @@ class Connection:
         """It never stays."""
 
 
-class Struck(unittest.TestCase):
+class Struck(Calls):
     """Signals at the worst of moments leave no connection in a robot."""
 
     def test_none_is_left_whenever_ctrl_c_comes(self):
@@ -100,11 +99,11 @@ class Struck(unittest.TestCase):
                     async def main():
                         async with Connections(every):
                             await loop.sleep(0 if strikes[0].startswith("close") else LIMIT)
-                    begun = time.monotonic()
+                    begun = self.world.time
                     with self.assertRaises(KeyboardInterrupt):
-                        loop.run(main(), {signal.SIGINT: KeyboardInterrupt}, Session())
+                        self.wait_for(main(), ENDS)
                     self.assertEqual([each.connector for each in every], [None] * len(every))
-                    self.assertLess(time.monotonic() - begun, LIMIT / 2)
+                    self.assertLess(self.world.time - begun, LIMIT / 10)
 
     def test_a_connector_that_we_removed_is_no_failure(self):
         connection = Connection()
@@ -113,7 +112,7 @@ class Struck(unittest.TestCase):
             with mock.patch("rtshell_lite.data.connection.LOOK", 0.01):
                 async with Connections([connection]):
                     await connection.is_looking.wait(LIMIT)
-        loop.run(main(), None, Session())
+        self.wait_for(main())
         self.assertEqual((connection.failure, connection.connector), (None, None))
 
     def test_one_that_was_silent_when_it_was_to_connect_is_not_connected(self):
@@ -131,11 +130,11 @@ class Struck(unittest.TestCase):
         writer.unanswered = False
 
         async def put(data):
-            os.kill(os.getpid(), signal.SIGINT)
+            loop.current().strike(signal.SIGINT)
             await loop.sleep(0.05)
             taken.append(data)
         with mock.patch.object(writer, "_put", put), self.assertRaises(KeyboardInterrupt):
-            loop.run(writer.put(b"data"), {signal.SIGINT: KeyboardInterrupt}, Session())
+            self.wait_for(writer.put(b"data"), ENDS)
         self.assertEqual(taken, [b"data"])
 
 
@@ -158,51 +157,50 @@ class Bounded(unittest.TestCase):
         self.assertEqual(len(box.waiting), 1)
 
 
-class Closing(unittest.TestCase):
-    def rest(self, *readers):
-        """How long these readers wait, together, until their connectors can be removed."""
+class Closing(Calls):
+    def rest(self, count, take=lambda reader: None):
+        """How long so many readers that are stopped wait, together, until their connectors can be removed;
+        `take` is called with each before.
+        """
         async def main():
-            begun = time.monotonic()
-            self.assertEqual(await loop.each(readers, reading.Reader.is_at_rest), [True] * len(readers))
-            return time.monotonic() - begun
+            readers = [idle_reader() for _ in range(count)]
+            for reader in readers:
+                reader.early = []
+                reader.stop()
+                take(reader)
+            self.assertEqual(await loop.each(readers, reading.Reader.is_at_rest), [True] * count)
         with mock.patch.object(reading.orb, "answers_at_once", lambda: True):
-            return loop.run(main())
+            spent, _ = self.seconds(main())
+            return spent
 
     def test_ports_that_send_nothing_are_waited_for_together(self):
-        readers = [idle_reader() for _ in range(100)]
-        for reader in readers:
-            reader.stop()
-        self.assertLess(self.rest(*readers), 100 * reading.QUIET / 2)
+        self.assertLess(self.rest(100), 1.5 * reading.QUIET)
 
     def test_a_value_that_came_long_ago_is_no_sign(self):
         """A value that came while others were closed does not count; the next one is waited for, up to a
         limit.
         """
-        reader = idle_reader()
-        reader.early = []
-        reader.stop()
-        reader._take(0, b"")
-        self.assertGreater(self.rest(reader), reading.QUIET)
+        self.assertGreater(self.rest(1, lambda reader: reader._take(0, b"")), reading.QUIET)
 
     def test_a_connector_is_removed_right_after_a_value(self):
         """While its answer is on its way the publisher does not use the connector; a moment later it may
         again.
         """
-        reader = idle_reader()
         turns = []
-        reader.stop()
-
-        def take():
-            reader._take(0, b"")
-            loop.current().before_waiting.append(lambda: turns.append("another turn of the loop"))
 
         async def main():
+            def take():
+                reader._take(0, b"")
+                loop.current().before_waiting.append(lambda: turns.append("another turn of the loop"))
+
+            reader = idle_reader()
+            reader.stop()
             loop.current().call_later(0.02, take)
             await reader.is_at_rest()
         with mock.patch.object(reading, "QUIET", LIMIT), mock.patch.object(
             reading.orb, "answers_at_once", lambda: True
         ):
-            loop.run(main())
+            self.wait_for(main())
         self.assertEqual(turns, [])
 
 
