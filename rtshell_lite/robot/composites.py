@@ -271,6 +271,8 @@ async def remove(node, organisation, members):
 
     Raises what `_remove` raises, and Failed for one that has died since `check`.
     """
+    if not members:
+        return []
     going = [m for m in members if not m.ports]
     hidden = [f"{m.instance}.{port}" for m in members for port in m.ports]
     lines = await _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
@@ -377,6 +379,9 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
 async def _new(holder, name):
     """The composite just created; deleted again if its type makes it a component of another kind."""
     composite = await _of_manager(holder, name)
+    if composite is None:
+        why = f"has created {printable(name)}, and does not list it: whether it is there is not known"
+        raise errors.Failed(str(holder.path), why)
     try:
         await first_organisation(composite)
     except errors.WrongKind:

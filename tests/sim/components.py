@@ -1,6 +1,7 @@
 """Programs of a simulated robot: its name server, and processes with mocks as components."""
 
 import carrier
+import slaves  # noqa: F401: before what starts some
 import world as worlds
 
 from mock_components import components, composite, flavour, fsm, manager, naming, rtc as component, stage

@@ -243,6 +243,7 @@ class Program:
         self.lag = 0.0  # seconds that its answers take longer
         self.spoil = None  # function(octets) that spoils its answers
         self.closes_often = False  # whether it closes connections that have been used
+        self.strikes = None  # function(socket, octets) of what comes; True where nobody is to read it
         self.at_end = None  # function, called when it ends
         # of one that another has started, and of one that has started others
         self.group = None  # the process group, but of those that people start
@@ -910,6 +911,8 @@ class Socket:
                 self._travel(self.peer.break_off)
             return
         if self.is_closing:
+            return
+        if self.program.strikes is not None and self.program.strikes(self, data):
             return
         if self.program.closes_often and self._closes(data):
             self.is_closing = True
