@@ -48,10 +48,7 @@ def _chosen():
 
 def _setting_unknown_to(client):
     """The first setting in RTCTREE_ORB_ARGS that our own ORB does not obey; '' if it obeys all."""
-    words = []
-    for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";"):
-        if word:
-            words.append(word)
+    words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
     options = words[::2]
     unknown = [
         word for word in options if not (word.startswith("-ORB") and word[len("-ORB") :] in client.HEEDED)

@@ -175,10 +175,7 @@ async def check(node, organisation, joining, leaving):
     A dead member cannot leave: the composite calls it, and does not survive that (C++ 2.1: its process ends,
     at once or when it is activated; Python: its execution context stops for good). Its ports can be hidden.
     """
-    members = {}
-    for name, ref in organisation.members:
-        if not isinstance(name, errors.Error):
-            members[name] = ref
+    members = {name: ref for name, ref in organisation.members if not isinstance(name, errors.Error)}
     for m in joining:
         if orb.same(m.node.ref, node.ref):
             raise errors.Failed(str(node.path), "cannot be a member of itself")
@@ -310,14 +307,8 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
     """Change the list of exported ports and activate it; lines that say what was done."""
     sets = await configuration.of(node)
     within = sets.set("default")
-    now = []
-    for name in within.values.get(EXPORTED, "").split(","):
-        if name.strip():
-            now.append(name.strip())
-    kept = []
-    for name in now:
-        if name not in hide and name.rpartition(".")[0] not in hide_all_of:
-            kept.append(name)
+    now = [name.strip() for name in within.values.get(EXPORTED, "").split(",") if name.strip()]
+    kept = [name for name in now if name not in hide and name.rpartition(".")[0] not in hide_all_of]
     exported = kept + [name for name in add_ports if name not in kept]
     if exported != now:
         await sets.store({EXPORTED: ",".join(exported)}, within)

@@ -180,10 +180,7 @@ def command(where, set_id, *words):
 
 
 def _changed(within, values):
-    changed = {}
-    for name, value in values.items():
-        if within.values.get(name) != value:
-            changed[name] = value
+    changed = {name: value for name, value in values.items() if within.values.get(name) != value}
     return changed
 
 
@@ -279,9 +276,7 @@ def differences(left, right, with_hidden=False):
     The row of the active sets has None for the first two.
     """
     rows = []
-    sets = []
-    for side in (left, right):
-        sets.append({present.id: present.values for present in side.sets(with_hidden)})
+    sets = [{present.id: present.values for present in side.sets(with_hidden)} for side in (left, right)]
     for set_id in sorted(set(sets[0]) | set(sets[1])):
         values = [side.get(set_id, {}) for side in sets]
         for name in sorted(set(values[0]) | set(values[1])):

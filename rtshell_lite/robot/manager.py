@@ -238,10 +238,7 @@ async def _end_empty_slaves(node, before):
     those that it had not `before`, references, and that have nothing, after a while in which others may have
     something made there.
     """
-    new = []
-    for slave in await _slaves(node):
-        if not any(orb.same(slave.ref, ref) for ref in before):
-            new.append(slave)
+    new = [slave for slave in await _slaves(node) if not any(orb.same(slave.ref, ref) for ref in before)]
     if new:
         await loop.sleep(PAUSE)
     for slave in new:
@@ -341,10 +338,7 @@ async def delete(node, instance):
 
     Raises NoSuch, Refused, Unreachable.
     """
-    matching = []
-    for name, child in await components(node):
-        if name == instance:
-            matching.append(child)
+    matching = [child for name, child in await components(node) if name == instance]
     if not matching:
         raise errors.NoSuch(str(node.path), "component", printable(instance))
     if len(matching) > 1:

@@ -104,10 +104,7 @@ async def ask(refs, joining):
             raise errors.NoTime(orb.at_address(ref), session.NO_TIME)
         port = await ports.port(tree.Node(orb.at_address(ref), "component", ref), ref)
         ids = joining[orb.identity(ref)]
-        joined = {}
-        for connector in reversed(port.connectors):
-            if connector.id in ids:
-                joined[connector.id] = connector
+        joined = {connector.id: connector for connector in reversed(port.connectors) if connector.id in ids}
         return port._replace(connectors=list(joined.values()))
 
     return iter(await session.each(refs, one_port, orb.at_object))

@@ -188,15 +188,9 @@ async def find(paths):
 def named(path, listed):
     """The one of these Ports that `path` names, or the error NoSuch."""
     instance = path.instance
-    exact = []
-    for port in listed:
-        if port.name in (path.port, instance + "." + path.port):
-            exact.append(port)
+    exact = [port for port in listed if port.name in (path.port, instance + "." + path.port)]
     # the instance name may differ from the bound one
-    same_end = []
-    for port in listed:
-        if port.name.endswith("." + path.port):
-            same_end.append(port)
+    same_end = [port for port in listed if port.name.endswith("." + path.port)]
     if exact or len(same_end) == 1:  # several: of members of a composite
         return (exact or same_end)[0]
     there = ", ".join(printable(short_name(port.name, instance)) for port in listed) or "none"
@@ -364,10 +358,7 @@ def _choices(port, key):
 
 def _chosen(ends, key, preferred):
     """The preferred value when all ports allow it, else the first that they have in common, else ''."""
-    lists = []
-    for choices in (_choices(port, key) for port in ends):
-        if choices is not None:
-            lists.append(choices)
+    lists = [choices for choices in (_choices(port, key) for port in ends) if choices is not None]
     if not lists or all(preferred in choices for choices in lists):
         return preferred
     for value in lists[0]:

@@ -45,10 +45,7 @@ async def find(paths, criteria):
     parts, failures = errors.split(answers)
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
-    named = []
-    for node in nodes:
-        if not criteria.names or _matches(node.name, criteria.names):
-            named.append(node)
+    named = [node for node in nodes if not criteria.names or _matches(node.name, criteria.names)]
     close = []
     if not named:
         for node in nodes:
@@ -91,10 +88,7 @@ async def components(tops=()):
     sure = dict(zip(unsure, await tree.check_alive(unsure)))
     walked = [sure.get(node, node) for node in walked]
     walked.sort(key=lambda node: str(node.path))
-    managers = []
-    for node in walked:
-        if node.kind == "manager" and node.alias is None:
-            managers.append(node)
+    managers = [node for node in walked if node.kind == "manager" and node.alias is None]
     nodes = []
     notes = []
     seen = {}

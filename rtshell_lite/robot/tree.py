@@ -45,10 +45,7 @@ MOST_LOOKED_FOR = 20  # names a command: it may look for one again and again
 
 def servers():
     """Addresses of the name servers of RTCTREE_NAMESERVERS (separated by semicolons), else localhost."""
-    listed = []
-    for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";"):
-        if address.strip():
-            listed.append(address)
+    listed = [address for address in os.environ.get("RTCTREE_NAMESERVERS", "").split(";") if address.strip()]
     return list(dict.fromkeys(address.strip() for address in listed or ["localhost"]))
 
 
@@ -204,10 +201,7 @@ async def _descend(node, names):
     """The Node below a manager that `names` lead to."""
     for name in names:
         below = await children(await _directory(node))
-        matching = []
-        for child in below:
-            if child.path.names[-1] == name:
-                matching.append(child)
+        matching = [child for child in below if child.path.names[-1] == name]
         if len(matching) > 1:  # of several slaves
             raise errors.Ambiguous(
                 str(node.path.child(name)), f"{node.path} has {len(matching)} of that name"

@@ -41,10 +41,7 @@ def _arguments(operation, word, before):
     """The values of the next parameter, and the names of those that are not given yet."""
     inputs = operation.inputs()
     named = [argument.partition("=")[0] for argument in before if "=" in argument]
-    left = []
-    for parameter in inputs[len(before) - len(named) :]:
-        if parameter.name not in named:
-            left.append(parameter)
+    left = [parameter for parameter in inputs[len(before) - len(named) :] if parameter.name not in named]
     name, equals, _ = word.partition("=")
     if equals:
         chosen = [parameter for parameter in left if parameter.name == name]

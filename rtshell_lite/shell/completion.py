@@ -153,10 +153,7 @@ def _uses(doc, prog):
     for line in (doc or "").partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
         if line.startswith(f"  {prog} PATH "):
-            names = []
-            for word in words[2:]:
-                if word.strip("[]").islower():
-                    names.append(word.strip("[]"))
+            names = [word.strip("[]") for word in words[2:] if word.strip("[]").islower()]
             uses.update(
                 (name, [word.strip("[]") for word in words[2:] if word.strip("[]").isupper()])
                 for name in names

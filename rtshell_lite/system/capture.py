@@ -303,10 +303,7 @@ def _in_use(answers):
     """Those of the ComponentState that have a connection, that are composites of such, or their members;
     and the others.
     """
-    used = set()
-    for answer in answers:
-        if any(port.connectors for port in answer.ports):
-            used.add(id(answer))
+    used = {id(answer) for answer in answers if any(port.connectors for port in answer.ports)}
     for answer in answers:
         members = [_member(ref, answers) for _, ref in answer.members]
         family = [answer] + [member for member in members if member is not None]
@@ -421,10 +418,7 @@ def _connectors(answers, outside, silent, notes):
     inner = []
     loose = []
     for port, connector, refs in connectors.values():
-        inside = []
-        for ref in refs:
-            if orb.identity(ref) in ends:
-                inside.append(ends[orb.identity(ref)])
+        inside = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
         unknown = [ref for ref in refs if orb.identity(ref) not in ends]
         for ref in unknown:
             name = _name(outside[orb.identity(ref)], ref, silent)
@@ -481,10 +475,9 @@ def _connector(connector, pairs):
         )
         for answer, port in pairs
     ]
-    properties = []
-    for name, value in sorted(connector.properties):
-        if not is_reference(name, value):
-            properties.append((name, value))
+    properties = [
+        (name, value) for name, value in sorted(connector.properties) if not is_reference(name, value)
+    ]
     if data:
         given = dict(properties)
         described = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})

@@ -486,10 +486,7 @@ class Keeper(follow.Presence):
         progress = run_plan.Progress()
         run = run_plan.Run(actions, transition, progress)
         of_actions = [(action, self._kept_of[id(action.component)]) for action in actions]
-        ended = {}
-        for action, kept in of_actions:
-            if kept not in some:
-                ended[action.number] = outcome_of(kept)
+        ended = {action.number: outcome_of(kept) for action, kept in of_actions if kept not in some}
         run.take({id(kept.placement.component): kept.node for kept in some}, ended)
         await run.carry_out()
         return progress.results
@@ -520,10 +517,7 @@ class Keeper(follow.Presence):
 
     async def _stop_dependents(self, kept):
         """A required component is given up: deactivate what the plan starts after it, the last first."""
-        numbers = set()
-        for action in self.actions:
-            if action.component is kept.placement.component:
-                numbers.add(action.number)
+        numbers = {action.number for action in self.actions if action.component is kept.placement.component}
         for action in reversed(plan.dependents(self.actions, numbers)):
             other = self._kept_of[id(action.component)]
             if other.state == "Active":

@@ -200,10 +200,7 @@ def _remove_free(waiting):
     for number, others in waiting.items():
         for other in others:
             waited_for.setdefault(other, []).append(number)
-    free = []
-    for number in waiting:
-        if not any(other in waiting for other in waiting[number]):
-            free.append(number)
+    free = [number for number in waiting if not any(other in waiting for other in waiting[number])]
     while free:
         gone = free.pop()
         del waiting[gone]
@@ -215,15 +212,13 @@ def _remove_free(waiting):
 
 
 def _optional_before_required(actions):
-    mistakes = []
-    for action in actions:
-        if not action.required:
-            continue
-        for after in action.after:
-            if not actions[after.number - 1].required:
-                mistakes.append(
-                    'action {%d} depends on an optional action: "%s"' % (action.number, after.text)
-                )
+    mistakes = [
+        'action {%d} depends on an optional action: "%s"' % (action.number, after.text)
+        for action in actions
+        if action.required
+        for after in action.after
+        if not actions[after.number - 1].required
+    ]
     return mistakes
 
 

@@ -198,10 +198,7 @@ class Processes:
     # ---- the operating system ----
 
     def _spawn(self, process):
-        inherited = {}
-        for name, value in os.environ.items():
-            if name not in OURS:
-                inherited[name] = value
+        inherited = {name: value for name, value in os.environ.items() if name not in OURS}
         child = loop.world().start_process(
             process.spec.command, stdin=real.NOTHING, stdout=real.PIPE, stderr=real.SAME,
             cwd=process.spec.cwd, env=dict(inherited, **process.spec.env), start_new_session=True,

@@ -116,10 +116,7 @@ def _in_order(specs, name):
     ordered = []
     while len(ordered) < len(specs):
         started = {spec.name for spec in ordered}
-        due = []
-        for spec in specs:
-            if spec not in ordered and started.issuperset(spec.after):
-                due.append(spec)
+        due = [spec for spec in specs if spec not in ordered and started.issuperset(spec.after)]
         if not due:
             rest = ", ".join(spec.name for spec in specs if spec not in ordered)
             raise errors.Failed(printable(name), "these wait for each other: " + rest)

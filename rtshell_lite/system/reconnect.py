@@ -45,10 +45,7 @@ class Connections:
                 taken.append((connector, ends))
         asked = list({kept for _, ends in taken for kept in ends})
         answers = await session.each(asked, _look_at_ports)
-        failed = set()
-        for kept, answer in zip(asked, answers):
-            if isinstance(answer, errors.Error):
-                failed.add(kept)
+        failed = {kept for kept, answer in zip(asked, answers) if isinstance(answer, errors.Error)}
         for kept in failed:
             kept.change("ports")
         self.release([connector for connector, ends in taken if failed.intersection(ends)])
@@ -65,10 +62,7 @@ class Connections:
         """
         connecting = connect_steps.connecting(self._profile, self._placement_of, connectors)
         outcomes = await restore.connections(connecting)
-        removed = set()
-        for outcome in outcomes:
-            if outcome.step.kind == "disconnect":
-                removed.add(id(outcome.step.connector))
+        removed = {id(outcome.step.connector) for outcome in outcomes if outcome.step.kind == "disconnect"}
         doubtful = removed - self._halves
         self._halves = doubtful
         for outcome in outcomes:
@@ -88,22 +82,13 @@ def _is_shown(connector, ends, batch):
     """Whether those of the ends of a connector that are in the batch show it as the file has it: with its id,
     between the ports that the others had when they were last asked.
     """
-    answers = []
-    for kept, end in zip(ends, connector.ends):
-        answers.append(kept.placement.port(capture.port_of(end)))
+    answers = [kept.placement.port(capture.port_of(end)) for kept, end in zip(ends, connector.ends)]
     if any(isinstance(port, errors.Error) for port in answers):
         return False
     identities = {orb.identity(port.ref) for port in answers}
     for kept, port in zip(ends, answers):
-        same = []
-        for other in port.connectors:
-            if other.id and other.id == connector.connector_id:
-                same.append(other)
-        joined = set()
-        for other in same:
-            for ref in other.ports:
-                if ref is not None:
-                    joined.add(orb.identity(ref))
+        same = [other for other in port.connectors if other.id and other.id == connector.connector_id]
+        joined = {orb.identity(ref) for other in same for ref in other.ports if ref is not None}
         if kept in batch and joined != identities:
             return False
     return True

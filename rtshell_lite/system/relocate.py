@@ -39,10 +39,7 @@ def move(profile, maps):
     wherever the profile has them. Raises Failed where that is not clear.
     """
     locate = capture.locator(profile)
-    targets = []
-    for element in _elements(profile):
-        if isinstance(element, TARGETS):
-            targets.append((element, locate(element)))
+    targets = [(element, locate(element)) for element in _elements(profile) if isinstance(element, TARGETS)]
     members = {
         id(component): [locate(participant.component) for participant in component.participants]
         for component in profile.components
@@ -250,10 +247,7 @@ def mapped(where, maps):
         for i in range(len(where.names)):
             if map.fits(where.names[i:]):
                 map.used = True
-    fitting = []
-    for map in maps:
-        if map.at_start(where) is not None:
-            fitting.append((map.at_start(where), map))
+    fitting = [(map.at_start(where), map) for map in maps if map.at_start(where) is not None]
     server = where.server
     index = 0
     names = ()

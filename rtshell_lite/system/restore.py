@@ -341,10 +341,9 @@ async def tearing_down(profile, options, is_forced=False):
     for placement in listed:
         if placement.error is None or placement.error.where == placement.where:
             some = True
-    outcomes = []
-    for placement in lost:
-        if not (some and placements.is_gone(placement.error)):
-            outcomes.append(await presence(placement))
+    outcomes = [
+        await presence(placement) for placement in lost if not (some and placements.is_gone(placement.error))
+    ]
     notes = [str(placement.error) for placement in lost if some and placements.is_gone(placement.error)]
     placement_of = placements.finder(capture.locator(profile, options.strict), listed)
     removals = connect_steps.disconnecting(profile, placement_of)

@@ -305,10 +305,7 @@ class Values(_Configuring):
         present = {}
         if placement.found:
             present = self._present(placement.found) or {}
-        changed = {}
-        for name, value in values.items():
-            if present.get(name) != value:
-                changed[name] = value
+        changed = {name: value for name, value in values.items() if present.get(name) != value}
         self._shown = changed or values
 
     @property
@@ -450,11 +447,7 @@ class Participants(Step):
         return [participant for participant in self.participants if self._is_missing(participant, answers[0])]
 
     def _is_missing(self, participant, owned):
-        refs = []
-        for context in owned:
-            if context.handle == self.handle:
-                for ref in context.participants:
-                    refs.append(ref)
+        refs = [ref for context in owned if context.handle == self.handle for ref in context.participants]
         if participant.node is None:
             return True
         return not any(orb.same(ref, participant.node.ref) for ref in refs)

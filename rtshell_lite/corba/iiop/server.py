@@ -310,10 +310,7 @@ class Server:
         until all is within the limit.
         """
         while sum(caller.held() for caller in self.callers) > MOST_OCTETS:
-            unused = []
-            for caller in self.callers:
-                if caller.data and caller.begin == caller.end:
-                    unused.append(caller)
+            unused = [caller for caller in self.callers if caller.data and caller.begin == caller.end]
             for caller in unused:
                 caller.data = bytearray()
                 caller.begin = 0
