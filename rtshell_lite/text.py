@@ -362,8 +362,7 @@ def pairs(items, indent=""):
     """Lines `name  value` of (name, value) pairs, the values aligned two blanks after the longest name."""
     items = list(items)
     size = max([cells(name) for name, _ in items] or [0])
-    lines = [indent + padded(name, size) + "  " + value for name, value in items]
-    return lines
+    return [indent + padded(name, size) + "  " + value for name, value in items]
 
 
 def natural(name):

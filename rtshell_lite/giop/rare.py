@@ -55,9 +55,7 @@ def _fixed_digits(text, digits, scale):
 def _fixed_writer(digits, scale):
     def write(out, text):
         sign, number = _fixed_digits(text, digits, scale)
-        last = "c"
-        if sign == "-" and number.strip("0"):
-            last = "d"
+        last = "d" if sign == "-" and number.strip("0") else "c"
         out += bytes.fromhex(number.rjust(digits // 2 * 2 + 1, "0") + last)
 
     return write

@@ -265,10 +265,7 @@ async def canonical(node):
     Contexts do not recognise a component that is bound under a rewritten address, or reached by its key.
     """
     owned = await owned_context_refs(node)
-    if owned:
-        owner = (await orb.call(node.path, owned[0], "get_profile")).owner
-    else:
-        owner = None
+    owner = (await orb.call(node.path, owned[0], "get_profile")).owner if owned else None
     if owner is None or orb.same(owner, node.ref):
         return None
     return owner

@@ -46,10 +46,7 @@ async def belonging(node, contexts):
         from_wire(await orb.call(node.path, ref, "get_organization_id"))
         for ref in await _refs(node, "get_organizations")
     ]
-    if ids:
-        composites = await _composites(node, contexts)
-    else:
-        composites = {}
+    composites = await _composites(node, contexts) if ids else {}
     return [
         (organisation_id,) + composites.get(organisation_id, ("Unknown", "Unknown"))
         for organisation_id in ids
@@ -182,10 +179,7 @@ async def check(node, organisation, joining, leaving):
         if m.instance in members and not await _is(m, members[m.instance]):
             raise errors.Failed(str(node.path), f"has another member called {printable(m.instance)}")
     for m in leaving:
-        if m.node is None:
-            is_member = m.instance in members
-        else:
-            is_member = await _is(m, members.get(m.instance))
+        is_member = m.instance in members if m.node is None else await _is(m, members.get(m.instance))
         lost = None if m.ports else _lost(organisation, m.instance)
         if lost:
             raise _stays(node, m, lost)
@@ -344,10 +338,7 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     if holder.kind == "component" and not (adding or removing):
         await first_organisation(holder)
         raise errors.Usage(f"{target!s}: nothing to do: name members to add (-a) or to remove (-r)")
-    if holder.kind == "component":
-        composite = holder
-    else:
-        composite = await _of_manager(holder, name)
+    composite = holder if holder.kind == "component" else await _of_manager(holder, name)
     is_asked_for = target.port or adding or removing or options
     if composite is None and not is_asked_for:
         raise errors.Usage(f"{target!s}: nothing to do: name a composite (MANAGER:NAME), or its members (-a)")

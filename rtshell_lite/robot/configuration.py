@@ -180,8 +180,7 @@ def command(where, set_id, *words):
 
 
 def _changed(within, values):
-    changed = {name: value for name, value in values.items() if within.values.get(name) != value}
-    return changed
+    return {name: value for name, value in values.items() if within.values.get(name) != value}
 
 
 # ---- as text ----

@@ -51,10 +51,9 @@ def _differing(connector, name, connector_id, given):
     has = [("id", connector.id, connector_id), ("name", connector.name, name)]
     for key, value in sorted(given.items()):
         has.append((key, properties.get(key, ""), value))
-    differing = [
+    return [
         f"its {key} is {printable(now) or 'empty'}" for key, now, asked in has if asked and asked != now
     ]
-    return differing
 
 
 def command(labels, name, connector_id, given):

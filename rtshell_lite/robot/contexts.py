@@ -169,7 +169,5 @@ def _takes_part(profile, participant):
 async def command(node, index, *words):
     """An rtec command for a context of a component, ready for a shell. Raises NoSuch."""
     await component.context_ref(node, index)
-    option = []
-    if index:
-        option = ["-e", str(index)]
+    option = ["-e", str(index)] if index else []
     return " ".join(["rtec"] + option + [shell_word(word) for word in (str(node.path),) + words])

@@ -59,10 +59,7 @@ async def tops(words, dotted=False):
 
 
 async def _path(word, may_be_server=None):
-    if is_absolute(word):
-        path = parse(word)
-    else:
-        path = await _relative(word, may_be_server)
+    path = parse(word) if is_absolute(word) else await _relative(word, may_be_server)
     if path.server == "**" and not path.names:
         return ROOT
     is_pattern = path.server in ANY or any(_is_any(name) for name in path.names[:-1])
@@ -193,8 +190,7 @@ async def below(path):
     if path.server == "**":
         pattern = (Name("**", ""),) + pattern
     nodes = await _walk(path.child(Name("", "")))
-    fitting = [node for node in nodes if _fits(node.path.names, pattern + node.path.names[-1:])]
-    return fitting
+    return [node for node in nodes if _fits(node.path.names, pattern + node.path.names[-1:])]
 
 
 def _is_any(name):

@@ -42,10 +42,7 @@ async def find(word):
     Raises BadPath before anything is contacted, what `tree.resolve` raises, WrongKind, Gone, Silent.
     """
     direct = _is_direct(word)
-    if direct:
-        named = tree.Node(Address(word), "unsure", reference(word))
-    else:
-        named = await _bound(word)
+    named = tree.Node(Address(word), "unsure", reference(word)) if direct else await _bound(word)
     (node,) = await tree.check_alive([named])
     if node.kind == "manager":
         return node

@@ -293,10 +293,7 @@ async def _where(node, context, now):
     profile = await component.or_default(
         node, context.ref, orb.call(node.path, context.ref, "get_profile"), None
     )
-    if profile:
-        owner = printable(await component.instance_name(node, profile.owner))
-    else:
-        owner = ""
+    owner = printable(await component.instance_name(node, profile.owner)) if profile else ""
     return f"{now} in the context of {owner or 'another component'}"
 
 

@@ -68,8 +68,7 @@ def _server(path):
     """The node of the name server, or of the object, that `path` begins with; contacts nobody."""
     if path.server.startswith(REFERENCES):
         return _object(path.server)
-    node = Node(Path(path.server, (), None, False), "server", _reference(path.server))
-    return node
+    return Node(Path(path.server, (), None, False), "server", _reference(path.server))
 
 
 def name_server(address):

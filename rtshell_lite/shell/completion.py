@@ -115,10 +115,7 @@ async def _options(parser, word, positional):
     if not equals:
         formatter = parser._get_formatter()
         return [Candidate(text, True, formatter._expand_help(action)) for text, action in options.items()]
-    if name in options:
-        offered = await _for_action(options[name], value, positional)
-    else:
-        offered = []
+    offered = await _for_action(options[name], value, positional) if name in options else []
     return [candidate._replace(text=f"{name}={candidate.text}") for candidate in offered]
 
 
@@ -309,10 +306,7 @@ async def _sets(_, positional):
 
 
 async def _parameters(_, positional):
-    if positional:
-        values = (await _configuration(positional[0])).set().values
-    else:
-        values = {}
+    values = (await _configuration(positional[0])).set().values if positional else {}
     return [Candidate(printable(name), True, printable(value)) for name, value in values.items()]
 
 

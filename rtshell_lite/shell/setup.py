@@ -158,9 +158,7 @@ def answers(shell, line, candidates, typed):
             if not rest.startswith("\\"):
                 continue
             rest = rest[1:]
-        end = ""
-        if final and line.quote in ("", "\\"):
-            end = " "
+        end = " " if final and line.quote in ("", "\\") else ""
         written.append(typed + rest + end)
     return written
 

@@ -204,9 +204,7 @@ def plan(profile, state):
     """The checks that would be done, as lines."""
     lines = []
     for step in checks(profile, state, placements.of(profile)):
-        end = ""
-        if _is_required(step):
-            end = " (Required)"
+        end = " (Required)" if _is_required(step) else ""
         for line in _lines(step, 'for {0} component "{1}", "{2}" at path {3}'):
             lines.append(f"Check {line}{end}")
     return lines

@@ -36,9 +36,7 @@ class Happening(collections.namedtuple("Happening", "time object seen done secon
 
 def now(where, seen, done="", begun=None, error=None):
     """A Happening of this moment; `begun` by loop.now()."""
-    seconds = 0.0
-    if begun is not None:
-        seconds = loop.now() - begun
+    seconds = 0.0 if begun is None else loop.now() - begun
     return Happening(loop.wall(), where, seen, done, seconds, error)
 
 

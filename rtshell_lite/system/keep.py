@@ -61,9 +61,7 @@ class Keeper(follow.Presence):
             self._kept_of[id(kept.placement.component)] = kept
         self._connections = reconnect.Connections(profile, self._placement_of, self._kept_at)
         self._is_ending = False
-        earlier = {}
-        if before:
-            earlier = {kept.where: kept for kept in before.followed}
+        earlier = {kept.where: kept for kept in before.followed} if before else {}
         for kept in self.followed:
             kept.drives = list(filter(None, map(self._kept_at, _executed(kept.placement.component))))
             for other in kept.drives:

@@ -212,14 +212,13 @@ def _remove_free(waiting):
 
 
 def _optional_before_required(actions):
-    mistakes = [
+    return [
         'action {%d} depends on an optional action: "%s"' % (action.number, after.text)
         for action in actions
         if action.required
         for after in action.after
         if not actions[after.number - 1].required
     ]
-    return mistakes
 
 
 def dependents(actions, numbers):
@@ -271,9 +270,7 @@ def lines(actions, verb):
     """
     lines = []
     for action in in_order(actions):
-        conditions = ""
-        if action.texts:
-            conditions = f"[{', '.join(action.texts)}] "
+        conditions = f"[{', '.join(action.texts)}] " if action.texts else ""
         lines.append("{%d} %s%s" % (action.number, conditions, plain_line(action, verb)))
     return lines or [""]
 
@@ -388,9 +385,7 @@ class Schedule:
         open_ones = [after for after in action.after if not self._holds(after)]
         for after in open_ones:
             if after.timeout and now >= self.armed + after.timeout / 1000:
-                goal = "accepted"
-                if after.sync:
-                    goal = self.target
+                goal = self.target if after.sync else "accepted"
                 return "%s: not %s within %dms" % (after.text, goal, after.timeout)
         if open_ones:
             return "wait"

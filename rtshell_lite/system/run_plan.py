@@ -161,9 +161,7 @@ class Run:
         """Wait until an action begins or ends; no longer than `until`, by loop.now(), or None."""
         if self._schedule.is_over():
             return
-        seconds = None
-        if until is not None:
-            seconds = max(0, until - loop.now())
+        seconds = None if until is None else max(0, until - loop.now())
         await self._changed.wait(seconds)
 
     def _start(self, action, group):

@@ -302,9 +302,7 @@ class Values(_Configuring):
         self.values = values
         self.setting = tuple(values.items())
         self.active_before = None  # the set that was active, and has to be again
-        present = {}
-        if placement.found:
-            present = self._present(placement.found) or {}
+        present = placement.found and self._present(placement.found) or {}
         changed = {name: value for name, value in values.items() if present.get(name) != value}
         self._shown = changed or values
 
@@ -447,9 +445,9 @@ class Participants(Step):
         return [participant for participant in self.participants if self._is_missing(participant, answers[0])]
 
     def _is_missing(self, participant, owned):
-        refs = [ref for context in owned if context.handle == self.handle for ref in context.participants]
         if participant.node is None:
             return True
+        refs = [ref for context in owned if context.handle == self.handle for ref in context.participants]
         return not any(orb.same(ref, participant.node.ref) for ref in refs)
 
     async def act(self, answers):

@@ -397,9 +397,7 @@ class TcpConnection:
         self._need = messages.HEADER
         while self._have >= self._need:
             whole = messages.HEADER + messages.size(data, start)
-            size = whole
-            if whole > messages.LARGE:
-                size = min(whole, 1 + self._most())
+            size = min(whole, 1 + self._most()) if whole > messages.LARGE else whole
             if self._have < size:
                 self._need = size
                 break

@@ -471,9 +471,7 @@ def _written(request, writers, result):
     if result is not None and result is request.result:
         return requests.repeated(request)
     out = requests.answer(request)
-    values = result
-    if len(writers) < 2:
-        values = [result]
+    values = [result] if len(writers) < 2 else result
     for write, value in zip(writers, values):
         write(out, value)
     requests.sized(out)
