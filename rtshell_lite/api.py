@@ -87,9 +87,7 @@ def _at_caller(error):
     """A failure without our frames, and without what led to it, so that a program's traceback ends where it
     called. With RTSHELL_DEBUG they stay.
     """
-    if os.environ.get("RTSHELL_DEBUG"):
-        return error
-    return error.with_traceback(None)
+    return error if os.environ.get("RTSHELL_DEBUG") else error.with_traceback(None)
 
 
 def _signals():
@@ -1182,9 +1180,7 @@ def log(name, idl=()):
 
 def _profile(given):
     """The profile that a program means by a profile, or by the name of a file with one."""
-    if hasattr(given, "components"):
-        return given
-    return load_profile(given)
+    return given if hasattr(given, "components") else load_profile(given)
 
 
 def load_profile(name):

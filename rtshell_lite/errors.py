@@ -25,16 +25,12 @@ class Error(Exception):
     @property
     def where(self) -> str:
         """The object that the message begins with: a path, a file, a type; "" where it names none."""
-        if self.message.startswith("{}:"):
-            return str(self.args[0])
-        return ""
+        return str(self.args[0]) if self.message.startswith("{}:") else ""
 
     @property
     def why(self) -> str:
         """What the message says of `where`; all of it where that is ""."""
-        if self.where:
-            return str(self)[len(self.where) + 1 :].lstrip()
-        return str(self)
+        return str(self)[len(self.where) + 1 :].lstrip() if self.where else str(self)
 
 
 def split(values: "list[Any]") -> "tuple[list[Any], list[Error]]":

@@ -148,9 +148,7 @@ class Words:
         if word.startswith("--"):
             name, equals, _ = word.partition("=")
             action = self._known(name, word)
-            if equals:
-                return [word]
-            return self._with_value(word, action, rest, "=")
+            return [word] if equals else self._with_value(word, action, rest, "=")
         action = self._known(word[:2], word)
         if len(word) == 2:
             return self._with_value(word, action, rest, "")
@@ -185,9 +183,7 @@ class Words:
                 return [word]
         value = rest.pop(0)
         # argparse takes -n -5 for two options
-        if value.startswith("-"):
-            return [word + glue + value]
-        return [word, value]
+        return [word + glue + value] if value.startswith("-") else [word, value]
 
 
 class Parser(Words, argparse.ArgumentParser):
@@ -732,9 +728,7 @@ def delivery(parser):
 
 
 def _linger(value):
-    if value == "0":
-        return 0.0
-    return seconds(value)
+    return 0.0 if value == "0" else seconds(value)
 
 
 def pairs(words):

@@ -84,9 +84,7 @@ class Path(Record):
 
     def parent(self):
         """The directory that holds this object; the root is its own parent."""
-        if not self.names:
-            return ROOT
-        return Path(self.server, self.names[:-1], None, False)
+        return Path(self.server, self.names[:-1], None, False) if self.names else ROOT
 
     def object(self):
         """The same path without its port."""
@@ -95,9 +93,7 @@ class Path(Record):
     @property
     def instance(self):
         """The name before the ports of a component that is bound so; "" for one without a name."""
-        if self.names:
-            return self.names[-1].id
-        return ""
+        return self.names[-1].id if self.names else ""
 
     def with_port(self, port):
         """The path of the port called `port` of this component."""
@@ -233,9 +229,7 @@ def _elements(text):
     bare = text.lstrip("/")
     if bare.startswith(SCHEMES):
         server, _, rest = bare.partition("#")
-        if not rest:
-            return [server]
-        return [server] + _cut(rest, "/")
+        return [server] + _cut(rest, "/") if rest else [server]
     if bare.startswith(REFERENCES):
         return _reference(bare)
     return _cut(text, "/")

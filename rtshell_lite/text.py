@@ -89,9 +89,7 @@ def safe(s):
 
 def counted(number, noun):
     """`1 port`, `2 ports`."""
-    if number == 1:
-        return f"1 {noun}"
-    return f"{number} {noun}s"
+    return f"1 {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def is_plain(s):
@@ -137,9 +135,7 @@ BEGINNING = 1000  # characters that are shown of a longer text
 
 def cut(s):
     """`s`, or the beginning of one that is too long to read or type, and how much is left out."""
-    if len(s) <= LONGEST:
-        return s
-    return f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
+    return s if len(s) <= LONGEST else f"{s[:BEGINNING]}… ({len(s) - BEGINNING} more characters)"
 
 
 def near(word, words):
@@ -147,9 +143,7 @@ def near(word, words):
     '' if none does.
     """
     close = closest(word, words)
-    if close is not None:
-        return f"; did you mean {printable(close)}?"
-    return ""
+    return f"; did you mean {printable(close)}?" if close is not None else ""
 
 
 def closest(word, words, least=0.6):
@@ -176,9 +170,7 @@ def listed(words):
     """Some of the printable words, with commas, and how many more there are."""
     shown = ", ".join(words[:MOST_NAMED])
     more = len(words) - MOST_NAMED
-    if more > 0:
-        return f"{shown} and {more} more"
-    return shown
+    return f"{shown} and {more} more" if more > 0 else shown
 
 
 def _escape(c):
@@ -265,9 +257,7 @@ def shell_word(s):
 
 def quoted(s):
     """`s` as one word of a POSIX shell command, raw. (shlex is not in Debian's python3-minimal.)"""
-    if _is_one_word(s):
-        return s
-    return _quoted(s)
+    return s if _is_one_word(s) else _quoted(s)
 
 
 def _is_one_word(s):
@@ -421,9 +411,7 @@ def painter():
 
     def paint(word, role=None):
         code = COLOURS.get(role or word)
-        if code:
-            return f"\x1b[{code}m{word}\x1b[00m"
-        return word
+        return f"\x1b[{code}m{word}\x1b[00m" if code else word
 
     return paint
 

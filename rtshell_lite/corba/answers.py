@@ -84,9 +84,7 @@ def _taker(type_id):
     @functools.lru_cache(maxsize=1024)  # a component is named as the owner of each of its ports
     def made(type_id, *profiles):
         data = ior.octets(type_id, profiles)
-        if data:
-            return omniORB.cdrUnmarshal(typecode, data, 1)
-        return None
+        return omniORB.cdrUnmarshal(typecode, data, 1) if data else None
 
     def take(type_id, profiles):
         try:

@@ -555,9 +555,7 @@ def _label(e):
 
     if isinstance(e, CORBA.SystemException):
         minor = omniORB.minorCodeToString(e)
-        if minor:
-            return sys.intern(str(minor))
-        return sys.intern(f"CORBA.{type(e).__name__}")
+        return sys.intern(str(minor)) if minor else sys.intern(f"CORBA.{type(e).__name__}")
     return type(e).__name__
 
 
@@ -734,10 +732,7 @@ def descriptor(type_id):
 
 def descriptor_in(nvlist, name):
     """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
-    for nv in nvlist:
-        if nv.name == name:
-            return nv.value.typecode()._d
-    return None
+    return next((nv.value.typecode()._d for nv in nvlist if nv.name == name), None)
 
 
 def nvlist(pairs):

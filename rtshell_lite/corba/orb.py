@@ -53,9 +53,7 @@ def _setting_unknown_to(client):
     unknown = [
         word for word in options if not (word.startswith("-ORB") and word[len("-ORB") :] in client.HEEDED)
     ]
-    if unknown:
-        return "RTCTREE_ORB_ARGS: " + printable(unknown[0])
-    return ""
+    return "RTCTREE_ORB_ARGS: " + printable(unknown[0]) if unknown else ""
 
 
 def version():
@@ -128,9 +126,7 @@ def same(ref, other):
 
 def one_of(ref, kept):
     """`kept` if it denotes the same object as `ref`, else `ref`: keeping both takes 800 bytes more."""
-    if same(ref, kept):
-        return kept
-    return ref
+    return kept if same(ref, kept) else ref
 
 
 def address(ref):

@@ -97,9 +97,7 @@ class Session:
         if silence is None:
             return None
         since, why = silence
-        if loop.now() - since < self.timeout:
-            return words % why
-        return None
+        return words % why if loop.now() - since < self.timeout else None
 
     def why_not_asked(self, where, endpoint, asks_others=False, insists=False):
         """The errors.NotAsked for a call to the process at `endpoint` that is not to be made now, or None.
@@ -108,9 +106,7 @@ class Session:
         if self.is_over():
             return errors.NoTime(str(where), NO_TIME)
         why = not insists and self.silence(endpoint) or asks_others and self.stall(endpoint)
-        if why:
-            return errors.NotAsked(str(where), why)
-        return None
+        return errors.NotAsked(str(where), why) if why else None
 
     def fall_silent(self, endpoint, why, since, asks_others=False):
         """A call made at `since` got no answer. What else the process is asked fails, unless it has answered

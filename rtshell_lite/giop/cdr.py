@@ -245,9 +245,7 @@ class Maker:
         sort = kind(target(element))
         order = self.order
         if sort in (OCTET, CHAR):
-            if sort == OCTET:
-                return _write_octets
-            return _write_chars
+            return _write_octets if sort == OCTET else _write_chars
         if sort in NUMBERS:
             code = CODES[sort]
             width = SIZES[CODES[sort]]

@@ -212,9 +212,7 @@ def renamed(descriptor, type_id):
 
 def kind(descriptor):
     """The TCKind of a descriptor."""
-    if isinstance(descriptor, tuple):
-        return descriptor[0]
-    return descriptor
+    return descriptor[0] if isinstance(descriptor, tuple) else descriptor
 
 
 def element(descriptor):
@@ -302,16 +300,12 @@ def type_id(descriptor):
     """The repository id of a named type, '' for others."""
     if kind(descriptor) == INDIRECT:
         descriptor = around(descriptor)
-    if kind(descriptor) in _ID:
-        return descriptor[_ID[kind(descriptor)]]
-    return ""
+    return descriptor[_ID[kind(descriptor)]] if kind(descriptor) in _ID else ""
 
 
 def name(descriptor):
     """The name by which people know a type: RTC.TimedLong, or words for one without a name."""
-    if type_id(descriptor):
-        return dotted(type_id(descriptor))
-    return words(descriptor)
+    return dotted(type_id(descriptor)) if type_id(descriptor) else words(descriptor)
 
 
 def dotted(identifier):
@@ -329,9 +323,7 @@ def words(descriptor):
     sort = descriptor[0]
     if sort in (STRING, WSTRING):
         name = "string" if sort == STRING else "wstring"
-        if bound(descriptor):
-            return "%s<%d>" % (name, bound(descriptor))
-        return name
+        return "%s<%d>" % (name, bound(descriptor)) if bound(descriptor) else name
     if sort == SEQUENCE:
         return "sequence<%s%s>" % (
             words(element(descriptor)),

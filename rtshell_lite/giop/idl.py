@@ -12,9 +12,7 @@ MOST_NAMED = 4096  # more than there are
 
 def known(type_id):
     """The descriptor of a type by its repository id, or None."""
-    if type_id in TYPES:
-        return _named(type_id)
-    return None
+    return _named(type_id) if type_id in TYPES else None
 
 
 def descriptor(word):

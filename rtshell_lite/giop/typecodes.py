@@ -252,6 +252,4 @@ class _Writer:
 
 
 def _label_number(label):
-    if isinstance(label, str):
-        return ord(label)
-    return int(getattr(label, "_v", label))
+    return ord(label) if isinstance(label, str) else int(getattr(label, "_v", label))

@@ -50,9 +50,7 @@ class Cancelled(BaseException):
 def now():
     """Seconds by a clock that is never set; on any thread."""
     here = getattr(_here, "loop", None)
-    if here is None:
-        return world().now()
-    return here.now()
+    return world().now() if here is None else here.now()
 
 
 def wall():

@@ -96,9 +96,7 @@ async def _ends(port, connector):
 
 def _owner(port):
     """The path of a port's component, or its name where it is bound nowhere."""
-    if port.node is not None:
-        return str(port.node.path)
-    return printable(port.name)
+    return str(port.node.path) if port.node is not None else printable(port.name)
 
 
 async def _states(port):

@@ -213,9 +213,7 @@ async def or_default(node, ref, asked, otherwise):
 
 
 def _by_number(names, enumerator):
-    if enumerator._v < len(names):
-        return names[enumerator._v]
-    return "Unknown"
+    return names[enumerator._v] if enumerator._v < len(names) else "Unknown"
 
 
 # ---- state ----
@@ -236,10 +234,7 @@ async def states(node, refs):
 
 def merged(states):
     """One state for a component from those in its contexts."""
-    for s in ("Error", "Active", "Inactive", "Created"):
-        if s in states:
-            return s
-    return "Unknown"
+    return next((s for s in ("Error", "Active", "Inactive", "Created") if s in states), "Unknown")
 
 
 async def state_in(node, ref):
@@ -266,6 +261,4 @@ async def canonical(node):
     """
     owned = await owned_context_refs(node)
     owner = (await orb.call(node.path, owned[0], "get_profile")).owner if owned else None
-    if owner is None or orb.same(owner, node.ref):
-        return None
-    return owner
+    return None if owner is None or orb.same(owner, node.ref) else owner

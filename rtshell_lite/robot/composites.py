@@ -110,9 +110,7 @@ async def _path_text(places, name, ref, node):
     if isinstance(name, errors.Error):
         return f"Unknown ({name.why})"
     path = await places.path(name, ref, node)
-    if path:
-        return str(path)
-    return f"Unknown ({printable(name)})"
+    return str(path) if path else f"Unknown ({printable(name)})"
 
 
 # ---- changing ----
@@ -194,9 +192,7 @@ def _lost(organisation, instance):
     """
     for name, _ in organisation.members:
         if isinstance(name, errors.Error) or name == instance:
-            if isinstance(name, errors.Error):
-                return name
-            return None
+            return name if isinstance(name, errors.Error) else None
     return None
 
 

@@ -203,9 +203,7 @@ def dumped(configuration, with_hidden=False):
 
 def _end_seen(s):
     """`s` with a blank at its end escaped, as editors strip those."""
-    if s.endswith(" "):
-        return s[:-1] + "\\x20"
-    return s
+    return s[:-1] + "\\x20" if s.endswith(" ") else s
 
 
 def _spelt(s, more):

@@ -50,10 +50,7 @@ def _constraint(sets, name):
 
 def _are_numbers(value):
     """True for a number, and for several with commas between them."""
-    for number in value.split(","):
-        if not _NUMBER.match(number.strip()):
-            return False
-    return True
+    return all(_NUMBER.match(number.strip()) for number in value.split(","))
 
 
 def fits(constraint, value):
@@ -73,18 +70,14 @@ def fits(constraint, value):
     elements = value.split(",")
     if len(parts) == 1:
         parts *= len(elements)
-    for part, element in zip(parts, elements):
-        if not _fits_one(part.strip(), element.strip()):
-            return False
-    return True
+    return all(_fits_one(part.strip(), element.strip()) for part, element in zip(parts, elements))
 
 
 def _map_fits(constraints, value):
     constraint_of = dict(_pair(pair) for pair in constraints.split(","))
-    for key, pair in map(_pair, value.strip("{}").split(",")):
-        if not _fits_one(constraint_of.get(key, ""), pair):
-            return False
-    return True
+    return all(
+        _fits_one(constraint_of.get(key, ""), pair) for key, pair in map(_pair, value.strip("{}").split(","))
+    )
 
 
 def _pair(text):

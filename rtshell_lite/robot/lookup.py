@@ -255,10 +255,7 @@ def _fits(names, pattern):
     if len(pattern) == 1:  # of a component, the kind may be left out
         return names[0] in (pattern[0], Name(pattern[0].id, pattern[0].kind or "rtc"))
     if pattern[0] == ("**", ""):
-        for index in range(len(names)):
-            if _fits(names[index:], pattern[1:]):
-                return True
-        return False
+        return any(_fits(names[index:], pattern[1:]) for index in range(len(names)))
     if _is_any(pattern[0]) or names[0] == pattern[0]:
         return _fits(names[1:], pattern[1:])
     return False

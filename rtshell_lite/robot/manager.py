@@ -271,9 +271,7 @@ async def _spellings(node, argument):
     is_old = await _is_old(node)
     if not is_old:
         # it knows no id without a language, and a master of C++ 2.1 would start a slave to look there
-        if whole.count(":") == 5:
-            return [whole + mark + rest]
-        return []
+        return [whole + mark + rest] if whole.count(":") == 5 else []
     parts = fields[:4]
     if whole.count(":") == 4:
         parts.append("")
@@ -363,10 +361,7 @@ async def _slaves(node):
 
 
 async def _lists(node, ref):
-    for listed in await node.call("get_components"):
-        if orb.same(listed, ref):
-            return True
-    return False
+    return any(orb.same(listed, ref) for listed in await node.call("get_components"))
 
 
 async def load(node, file_path, function):
@@ -411,9 +406,7 @@ def meant(word, paths):
 def _plain(path):
     """A path without ./, // and .., with / even where it is one of Windows."""
     plain = posixpath.normpath(path.replace("\\", "/"))
-    if plain.startswith("//"):
-        return plain[1:]
-    return plain
+    return plain[1:] if plain.startswith("//") else plain
 
 
 async def unload(node, word):

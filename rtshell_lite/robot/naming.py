@@ -62,9 +62,7 @@ async def living(path):
         (node,) = await tree.check_alive([await tree.resolve(path)])
     except errors.Error:
         return None
-    if node.kind in ("component", "manager"):
-        return node
-    return None
+    return node if node.kind in ("component", "manager") else None
 
 
 async def zombies(top):

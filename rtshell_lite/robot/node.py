@@ -76,9 +76,7 @@ class Node:
     def what(self):
         """Its kind in words, for errors."""
         if self.kind in ("unknown", "unsure"):
-            if self.ref is None:
-                return "nil reference"
-            return "CORBA object of unknown kind"
+            return "nil reference" if self.ref is None else "CORBA object of unknown kind"
         words = {
             "root": "root directory",
             "server": "name server",

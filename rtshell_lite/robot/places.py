@@ -30,9 +30,7 @@ class Places:
                 return beside
             self._everywhere = await self._walk(beside.server)
         paths = self._everywhere.get(orb.identity(ref), [None])
-        if beside in paths:
-            return beside
-        return paths[0]
+        return beside if beside in paths else paths[0]
 
     async def _is_bound(self, path, ref):
         try:

@@ -91,9 +91,7 @@ def transport(connector):
     ssm); '' for CORBA.
     """
     interface = dict(connector.properties).get("dataport.interface_type", "")
-    if interface.lower() in CORBA_INTERFACES:
-        return ""
-    return interface
+    return "" if interface.lower() in CORBA_INTERFACES else interface
 
 
 def in_system(listed):
@@ -317,9 +315,7 @@ def offer_without(port, key, value):
 
 
 def _short_key(key):
-    if key.startswith("dataport."):
-        return key[len("dataport.") :]
-    return key
+    return key[len("dataport.") :] if key.startswith("dataport.") else key
 
 
 def _short_type(type_id):
@@ -361,10 +357,7 @@ def _chosen(ends, key, preferred):
     lists = [choices for choices in (_choices(port, key) for port in ends) if choices is not None]
     if not lists or all(preferred in choices for choices in lists):
         return preferred
-    for value in lists[0]:
-        if all(value in choices for choices in lists):
-            return value
-    return ""
+    return next((value for value in lists[0] if all(value in choices for choices in lists)), "")
 
 
 def _service_mismatches(ends, properties):

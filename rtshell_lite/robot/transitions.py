@@ -84,9 +84,7 @@ async def _command(node, transition, index):
     """The command that would take a component through a Transition, '' where none is needed."""
     if index is not None:
         now = await component.state_in(node, await component.context_ref(node, index))
-        if now == transition.target:
-            return ""
-        return _words(transition, index, node)
+        return "" if now == transition.target else _words(transition, index, node)
     contexts = await context_states(node)
     if transition is ACTIVATE:
         context = await _to_activate(node, contexts)
@@ -95,9 +93,7 @@ async def _command(node, transition, index):
         return _words(transition, context.index or None, node)
     leaving = _to_leave(contexts)
     _check_that_one_answers(node, leaving)
-    if leaving:
-        return _words(transition, None, node)
-    return ""
+    return _words(transition, None, node) if leaving else ""
 
 
 def _words(transition, index, node):
@@ -392,9 +388,7 @@ def _reason(code, before, now, transition):
     does.
     """
     if code == "PRECONDITION_NOT_MET" and now == "Error":
-        if before == "Error":
-            return "it is in Error; reset it first"
-        return "it went to Error"
+        return "it is in Error; reset it first" if before == "Error" else "it went to Error"
     if code == "PRECONDITION_NOT_MET" and now != transition.source:
         return f"it is {now}, not {transition.source}"
     return f"{code}, it is {now}"

@@ -465,9 +465,7 @@ def _distinct_names(profiles):
 
 
 def _or_empty(profile):
-    if isinstance(profile, errors.Error):
-        return {}
-    return profile
+    return {} if isinstance(profile, errors.Error) else profile
 
 
 async def managed(node):

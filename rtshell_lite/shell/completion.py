@@ -206,9 +206,7 @@ def _paths(kinds, port_types=(), port_needed=False):
 
 
 def _no_option(word):
-    if word.startswith("-"):
-        return "./" + word
-    return word
+    return "./" + word if word.startswith("-") else word
 
 
 def _split(word):
@@ -219,9 +217,7 @@ def _split(word):
 
 def _cut_at_colon(name):
     match = re.match(r"((?:\\.|[^\\:])*)(:?)(.*)\Z", name, re.DOTALL)
-    if match:
-        return match.groups()
-    return (name, "", "")
+    return match.groups() if match else (name, "", "")
 
 
 async def _all_entries(above):

@@ -51,9 +51,7 @@ def split(line):
             commands.append(words)
             words = []
         position = token.end() if token.end() > position else len(line)
-    if words:
-        return commands + [words]
-    return commands
+    return commands + [words] if words else commands
 
 
 def _unquoted(word):

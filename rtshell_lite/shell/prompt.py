@@ -72,9 +72,7 @@ class Editor:
             else:
                 answers = completion.answers("bash", line, typed, self._meant)
                 self._found = loop.run(answers, session=self._session)
-        if number < len(self._found):
-            return self._found[number]
-        return None
+        return self._found[number] if number < len(self._found) else None
 
     def _meant(self, words):
         try:

@@ -74,9 +74,7 @@ async def ask(node, brief=False, states=True, everything=False):
     if states and not everything and len(shown.contexts) > 1:  # one context counts, whether it runs or not
         shown.owned = [await _with_running(shown, context) for context in shown.owned]
     answer = found_in(shown, brief)
-    if everything:
-        return answer._replace(snapshot=shown)
-    return answer
+    return answer._replace(snapshot=shown) if everything else answer
 
 
 async def _with_running(shown, context):
@@ -314,10 +312,7 @@ def _in_use(answers):
 
 
 def _member(ref, answers):
-    for answer in answers:
-        if orb.same(answer.node.ref, ref):
-            return answer
-    return None
+    return next((answer for answer in answers if orb.same(answer.node.ref, ref)), None)
 
 
 # ---- one component ----
@@ -540,9 +535,7 @@ def locator(profile, strict=False):
         named = by_path.get((target.property(PATH_ID) or "").lstrip("/"))
         if strict:
             key = (target.component_id, target.instance_name)
-            if named is not None and (named.id, named.instance_name) == key:
-                return named
-            return None
+            return named if named is not None and (named.id, named.instance_name) == key else None
         both = by_both.get((target.component_id, target.instance_name))
         if named is not None and (both is None or named.instance_name == target.instance_name):
             return named

@@ -239,9 +239,7 @@ def _lines(step, component='for {0} component {3} with ID "{1}" and instance nam
 
 
 def _need(step):
-    if step.required:
-        return "required"
-    return "optional"
+    return "required" if step.required else "optional"
 
 
 def _end_names(step):
@@ -323,9 +321,7 @@ def _difference(step, template, path, expected=None, actual=None, words=()):
 
 
 def _shown(value):
-    if value is None:
-        return ""
-    return printable(str(value))
+    return "" if value is None else printable(str(value))
 
 
 # ---- what there is beyond the profile ----

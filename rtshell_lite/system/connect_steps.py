@@ -275,9 +275,7 @@ class Connect(ConnectionStep):
         connections = self.connections_between(joined)
         own_id = self.connector.connector_id
         is_other = connections and own_id and connections[0][1].id != own_id
-        if is_other:
-            return connections[0][1].id
-        return None
+        return connections[0][1].id if is_other else None
 
     async def act(self, answers):
         await connectors.connect(answers, self.connector.name, self.connector.connector_id, self.requested)

@@ -241,10 +241,7 @@ def _depends(action, other):
     is_step = other.required and other.order is not None and not _waits(other)
     if is_step and action.order is not None and other.order < action.order:
         return True
-    for after in action.after:
-        if after.number == other.number and (after.sync or other.required):
-            return True
-    return False
+    return any(after.number == other.number and (after.sync or other.required) for after in action.after)
 
 
 def _once(items):

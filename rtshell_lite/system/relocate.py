@@ -167,9 +167,7 @@ def _moved(text, maps):
     if where.server is None or text.startswith("corbaloc:"):
         return text
     now = mapped(where, maps)
-    if now == where:
-        return text
-    return str(now).lstrip("/")
+    return text if now == where else str(now).lstrip("/")
 
 
 def path_in(text):
@@ -223,9 +221,7 @@ class Map:
         """How many names after the server of a Path it replaces; None if it does not fit there."""
         count = len(self.top.names)
         same = path.split_address(self.top.server) == path.split_address(where.server)
-        if same and where.names[:count] == self.top.names:
-            return count
-        return None
+        return count if same and where.names[:count] == self.top.names else None
 
     def fits(self, names):
         """True if it replaces the first of these names."""

@@ -95,9 +95,7 @@ class Service:
                 self._wanted = None
                 await self._keep(*self._files)
             await loop.race(self.processes.stop(), self._second.wait())
-        if self._is_hurried:
-            return 128 + self._wanted
-        return 0
+        return 128 + self._wanted if self._is_hurried else 0
 
     async def _keep(self, profile, starting, stopping):
         before = self.keeper

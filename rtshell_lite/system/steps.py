@@ -50,10 +50,7 @@ class Step:
 
     def placement_error(self):
         """The error of the first Placement that has one, or None."""
-        for placement in self.placements:
-            if placement.error is not None:
-                return placement.error
-        return None
+        return next((placement.error for placement in self.placements if placement.error is not None), None)
 
     def questions(self):
         """What has to be asked to know whether it is done: Questions."""
@@ -313,10 +310,7 @@ class Values(_Configuring):
 
     def _present(self, answer):
         """The values that the set has now, a dict; None where there is no such set."""
-        for one_set in answer.sets:
-            if one_set.id == self.set_id:
-                return one_set.values
-        return None
+        return next((one_set.values for one_set in answer.sets if one_set.id == self.set_id), None)
 
     def differences(self, answers):
         present = self._present(answers[0])

@@ -73,9 +73,7 @@ def address(ref):
 def narrow(ref, interface):
     """`ref` as a reference of an interface by its name, on trust."""
     type_id = idl.id_of(interface)
-    if ref.interface == type_id:
-        return ref
-    return ref.narrowed(type_id)
+    return ref if ref.interface == type_id else ref.narrowed(type_id)
 
 
 def same(ref, other):
@@ -126,9 +124,7 @@ def _as_text(value, descriptor):
     if kind in _STRUCTURES:
         return f"<{from_wire(descriptors.type_id(descriptor))}>"
     if kind == descriptors.OBJECT:
-        if value is None:
-            return ""
-        return value.text()
+        return "" if value is None else value.text()
     if any(descriptors.kind(inner) in _STRUCTURES for _, inner in descriptors.walk(descriptor, "")):
         # their texts may be a thousand times as long as they, or without end
         return f"<{from_wire(descriptors.words(descriptor))}>"

@@ -160,9 +160,7 @@ class _Peer:
         if self.connection is None:
             return self.waiting_for_others
         asking = sum(request.asks_others for request in self.connection.requests.values())
-        if asking < connections.ASKING_OTHERS:
-            return self.waiting_for_others
-        return self.waiting
+        return self.waiting_for_others if asking < connections.ASKING_OTHERS else self.waiting
 
     def may_send(self, request):
         """Whether a request may be sent now.

@@ -387,9 +387,7 @@ class Server:
             caller.has_called |= request.key in self.objects and request.operation not in _ASKED
         caller.asked += 1
         request.data = None  # its caller keeps the request
-        if request.is_answered:
-            return answer
-        return None
+        return answer if request.is_answered else None
 
     def called(self, caller, request):
         """Call the servant: the answer, or None where that is to come."""
