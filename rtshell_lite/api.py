@@ -234,9 +234,7 @@ class Component:
         """Make it exit, as rtexit does; `wait`: how many seconds its name may take to go."""
         from rtshell_lite.robot import exiting
 
-        for result in await exiting.exit_all([paths.parse(self.path)], wait):
-            if isinstance(result, Error):
-                raise result
+        errors.raise_first(await exiting.exit_all([paths.parse(self.path)], wait))
 
     # ---- its execution contexts, counted from 0 over its own, then those of others ----
 
@@ -338,10 +336,7 @@ async def _found(*words):
     for path in paths:
         if path.port is None:
             raise errors.BadPath(path, "no port specified")
-    named_ports, failures = errors.split(await ports.find(paths))
-    if failures:
-        raise failures[0]
-    return named_ports
+    return errors.raise_first(await ports.find(paths))
 
 
 def _properties(given):
@@ -374,9 +369,7 @@ async def disconnect(one, other=None):
 
     ends = await _found(*[path for path in (one, other) if path is not None])
     joining = ports.joining(ends) if other is not None else ends[0].connectors
-    results = await connectors.disconnect_all([(ends[0], connector) for connector in joining])
-    for failure in errors.split(results)[1][:1]:
-        raise failure
+    errors.raise_first(await connectors.disconnect_all([(ends[0], connector) for connector in joining]))
     return len(joining)
 
 
@@ -896,8 +889,7 @@ async def capture(*tops, unconnected=False):
     from rtshell_lite.system import capture as capturing
 
     system = await capturing.capture([await _path(top) for top in tops], all_components=unconnected)
-    if system.failures:
-        raise system.failures[0]
+    errors.raise_first(system.failures)
     return system.profile
 
 
@@ -928,8 +920,7 @@ async def check(profile, state="Active", extra=False):
     if state not in component.STATES:
         raise ValueError(f"not one of {', '.join(component.STATES)}: {state!r}")
     result = await compare.compare(_profile(profile), state, extra=extra)
-    if result.failures:
-        raise result.failures[0]
+    errors.raise_first(result.failures)
     return [difference.message for difference in result.differences if difference.required]
 
 
@@ -1021,9 +1012,7 @@ class _Watching(_Happenings):
         from rtshell_lite.live import watch
 
         async with watch.Watch(watch.Events(watch.KINDS)) as watching:
-            failures = errors.split(await watching.add([await _path(word) for word in words]))[1]
-            if failures:
-                raise failures[0]
+            errors.raise_first(await watching.add([await _path(word) for word in words]))
             self._tell()
             async for batch in watching.follow(-1, math.inf):
                 for watched, event in batch:
@@ -1149,9 +1138,7 @@ class Manager:
         """End its process, those of its slaves first; `wait`: how many seconds each may take."""
         from rtshell_lite.robot import manager
 
-        for result in await manager.shut_down(await self._node(), wait):
-            if isinstance(result, Error):
-                raise result
+        errors.raise_first(await manager.shut_down(await self._node(), wait))
 
 
 def manager(path):

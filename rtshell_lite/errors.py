@@ -40,6 +40,14 @@ def split(values: "list[Any]") -> "tuple[list[Any], list[Error]]":
     return good, bad
 
 
+def raise_first(values: "list[Any]") -> "list[Any]":
+    """The values of a mixed list, none of which is an Error; raises the first that is."""
+    for value in values:
+        if isinstance(value, Error):
+            raise value
+    return values
+
+
 class Failed(Error):
     message = "{}: {}"
 

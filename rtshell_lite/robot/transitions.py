@@ -242,8 +242,7 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
             reached.add(await _reach(node, context.ref, transition, code, context.state, wait, start))
         except errors.Error as e:
             failures.append(e)
-    if failures:
-        raise failures[0]
+    errors.raise_first(failures)
     if ACCEPTED in reached:
         return ACCEPTED
     return max(reached, default=None)

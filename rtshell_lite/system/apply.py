@@ -68,7 +68,7 @@ async def assess(step):
     if outcome.error is not None or not are_known:
         return outcome
     try:
-        if await step.is_done(steps.raise_first(step.known_answers())):
+        if await step.is_done(errors.raise_first(step.known_answers())):
             outcome.status = ALREADY
     except errors.Error as e:
         if any(e is placement.error for placement in step.placements):  # reported with the component itself

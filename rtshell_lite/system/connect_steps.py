@@ -352,7 +352,7 @@ class Disconnect(ConnectionStep):
         return not self.last
 
     async def act(self, answers):
-        steps.raise_first(await self.disconnect(self.last))
+        errors.raise_first(await self.disconnect(self.last))
 
     async def undo(self, before, after):
         living = errors.split(after)[0]

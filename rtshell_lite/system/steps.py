@@ -68,7 +68,7 @@ class Step:
         """Whether nothing differs, by the answers to its questions.
         Raises an errors.Error if that is not known, or cannot be mended.
         """
-        differences = list(self.differences(raise_first(answers)))
+        differences = list(self.differences(errors.raise_first(answers)))
         for difference in differences:
             if difference.obstacle is not None:
                 raise difference.obstacle
@@ -85,14 +85,6 @@ class Step:
 
     def give_up(self, error):
         """Note for the steps that follow that it could not be done."""
-
-
-def raise_first(answers):
-    """The answers; raises the first error among them."""
-    for answer in answers:
-        if isinstance(answer, errors.Error):
-            raise answer
-    return answers
 
 
 class Present(Step):
@@ -165,7 +157,7 @@ class Create(Step):
         return node
 
     async def is_done(self, answers):
-        (self.placement.node,) = raise_first(answers)
+        (self.placement.node,) = errors.raise_first(answers)
         return self.placement.node is not None
 
     async def act(self, answers):
@@ -230,7 +222,7 @@ class Members(Step):
 
     def _missing(self, answers):
         """composites.Members: those that are to be members, and are not yet, by the answers."""
-        (composite,) = raise_first(answers)  # a ComponentState, or an Organisation
+        (composite,) = errors.raise_first(answers)  # a ComponentState, or an Organisation
         return [
             composites.Member(member.instance, member.node, [])
             for member in self.members
