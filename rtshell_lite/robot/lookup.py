@@ -35,13 +35,13 @@ async def paths(words):
     return [await _path(word) for word in words]
 
 
-def with_components(result):
-    """A WrongKind that says how to list the components of a directory; anything else as it is."""
+def with_components(result, remedy="rtfind {} -t c prints the components in it"):
+    """A WrongKind that says how to have the components of a directory; anything else as it is."""
     if not isinstance(result, errors.WrongKind):
         return result
     where, expected, kind = result.args
     if kind in ("directory", "name server", "root directory"):
-        kind += f"; rtfind {shell_word(where)} -t c prints the components in it"
+        kind += "; " + remedy.format(shell_word(where))
     return errors.WrongKind(where, expected, kind)
 
 

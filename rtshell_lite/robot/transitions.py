@@ -5,7 +5,7 @@ from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
 from rtshell_lite.records import record
-from rtshell_lite.robot import component, search, tree
+from rtshell_lite.robot import component, lookup, search, tree
 from rtshell_lite.text import printable, shell_word
 
 JITTER = 0.03  # seconds that a cycle of an execution context may come late
@@ -31,25 +31,18 @@ async def change_all(paths, transition, index=None, wait=None, dry_run=False):
     is needed.
     """
 
-    async def change_one(node):
-        if dry_run:
-            return await _command(node, transition, index)
-        now = await change(node, transition, index, wait)
-        return f"{node.path}: {now}"
-
     orb.start()
     nodes = await tree.components(paths)
-    return await session.each([_with_all(node) for node in nodes], change_one)
+    named = [lookup.with_components(node, "--all takes the components in it") for node in nodes]
+    return await session.each(named, lambda node: _change_one(node, transition, index, wait, dry_run))
 
 
-def _with_all(error):
-    """A WrongKind that names the option for what is below a directory; anything else as it is."""
-    if not isinstance(error, errors.WrongKind):
-        return error
-    where, expected, kind = error.args
-    if kind in ("directory", "name server", "root directory"):
-        kind += "; --all takes the components in it"
-    return errors.WrongKind(where, expected, kind)
+async def _change_one(node, transition, index, wait, dry_run):
+    """`change` of one component: a line, see `change_all`."""
+    if dry_run:
+        return await _command(node, transition, index)
+    now = await change(node, transition, index, wait)
+    return f"{node.path}: {now}"
 
 
 async def change_below(paths, transition, index=None, wait=None, dry_run=False):
@@ -65,10 +58,7 @@ async def change_below(paths, transition, index=None, wait=None, dry_run=False):
     async def change_one(node):
         if transition is RESET and await component.state(node) != "Error":
             return ""
-        if dry_run:
-            return await _command(node, transition, index)
-        now = await change(node, transition, index, wait)
-        return f"{node.path}: {now}"
+        return await _change_one(node, transition, index, wait, dry_run)
 
     changed = []
     results = await session.each(nodes, change_one)
