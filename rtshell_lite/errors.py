@@ -48,6 +48,14 @@ def raise_first(values: "list[Any]") -> "list[Any]":
     return values
 
 
+async def or_error(coroutine: "Any") -> "Any":
+    """What a coroutine returns, or the Error that it raises."""
+    try:
+        return await coroutine
+    except Error as e:
+        return e
+
+
 class Failed(Error):
     message = "{}: {}"
 

@@ -90,7 +90,7 @@ async def _ends(port, connector):
         elif end.port.connectors and end.port.type == "DataInPort":
             readers.append(_owner(end.port))
         elif end.port.connectors and end.port.type == "DataOutPort":
-            writers.append((_owner(end.port), await _states(end.port)))
+            writers.append((_owner(end.port), await errors.or_error(_states(end.port))))
     return readers, writers
 
 
@@ -100,10 +100,7 @@ def _owner(port):
 
 
 async def _states(port):
-    """The states of a port's component in its contexts, or the errors.Error that hides them."""
+    """The states of a port's component in its contexts."""
     node = port.node or Node(_owner(port), "component", port.owner)
-    try:
-        owned, participating = await component.context_refs(node)
-        return await component.states(node, owned + participating)
-    except errors.Error as e:
-        return e
+    owned, participating = await component.context_refs(node)
+    return await component.states(node, owned + participating)

@@ -229,9 +229,7 @@ async def disconnect_all(pairs, dry_run=False, is_forced=False):
         if dry_run:
             results.append(removal(port, connector, is_forced))
             continue
-        try:
-            await disconnect(port, connector, is_forced)
-            results.append(f"{ports.label(port)}: removed connection {printable(connector.id)}")
-        except errors.Error as e:
-            results.append(e)
+        failure = await errors.or_error(disconnect(port, connector, is_forced))
+        removed = f"{ports.label(port)}: removed connection {printable(connector.id)}"
+        results.append(failure or removed)
     return results

@@ -93,13 +93,9 @@ async def one_by_one(change, node, index, participants):
     """`attach` or `detach` the components, in their order; an errors.Error in the place of what failed."""
     results = []
     for participant in participants:
-        if isinstance(participant, errors.Error):
-            results.append(participant)
-            continue
-        try:
-            results.append(await change(node, index, participant))
-        except errors.Error as e:
-            results.append(e)
+        if not isinstance(participant, errors.Error):
+            participant = await errors.or_error(change(node, index, participant))
+        results.append(participant)
     return results
 
 

@@ -106,7 +106,7 @@ async def _roll_back(outcomes):
         outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was undone"), NOT_UNDONE)
         if outcome.after is None:  # it was interrupted before it was looked at again
             outcome.after = (await _answers([outcome]))[0]
-        failure = await _tried(outcome.step.undo(outcome.before, outcome.after))
+        failure = await errors.or_error(outcome.step.undo(outcome.before, outcome.after))
         try:
             undone = not await outcome.step.is_done((await _answers([outcome]))[0])
         except errors.Error as e:
@@ -297,7 +297,7 @@ async def _act(outcome, over, on_step):
     """Do a step, and note what is known of it in case an interruption comes before it is judged."""
     outcome.fail(errors.Failed(outcome.step.where, "interrupted while it was done"), UNCERTAIN)
     try:
-        outcome.failure = await _tried(outcome.step.act(outcome.before))
+        outcome.failure = await errors.or_error(outcome.step.act(outcome.before))
         if outcome.failure is None:
             outcome.status = DONE
             outcome.error = None
@@ -305,15 +305,6 @@ async def _act(outcome, over, on_step):
         outcome.running = False
         over.ring()
         on_step()
-
-
-async def _tried(change):
-    """Await what a method of a step has begun; returns the errors.Error that it raised, or None."""
-    try:
-        await change
-    except errors.Error as e:
-        return e
-    return None
 
 
 def _lost(answers, kind=errors.Error):
@@ -343,4 +334,4 @@ async def _judge(outcome, failure):
             outcome.fail(error, UNCERTAIN)
             return
     outcome.fail(why)
-    await _tried(outcome.step.tidy(outcome.after))
+    await errors.or_error(outcome.step.tidy(outcome.after))

@@ -153,13 +153,11 @@ class ConnectionStep(steps.Step):
 
     async def disconnect(self, connections):
         """Remove what `connections_between` returned; returns the errors of the ports that fail."""
-        failures = []
-        for port, connector in connections:
-            try:
-                await connectors.disconnect(port, connector, self.is_forced)
-            except errors.Error as e:
-                failures.append(e)
-        return failures
+        results = [
+            await errors.or_error(connectors.disconnect(port, connector, self.is_forced))
+            for port, connector in connections
+        ]
+        return errors.split(results)[1]
 
 
 def _with_id(joined, connector_id):
