@@ -124,10 +124,7 @@ def checks(profile, state, listed):
     ]
     for placement in listed:
         for index, handle, described in steps.own_contexts(placement):
-            if placement.component.participants:
-                others = []
-            else:
-                others = steps.participants(placement, described, placement_of)
+            others = steps.participants(placement, described, placement_of)
             if others:
                 checked += [steps.Participants(placement, index, handle, others)]
     for placement in by_need:  # a state for each context; one over all where the file lists none by number

@@ -96,29 +96,21 @@ async def creations(profile, outcomes, options, locate):
                 if not own_manager and isinstance(placement.error, errors.MaybeGone):
                     raise placement.error
                 if not manager_path:
-                    raise errors.Failed(
-                        placement.where,
-                        "is not there, and nothing names a manager to create it (see --manager)",
-                    )
+                    why = "is not there, and nothing names a manager to create it (see --manager)"
+                    raise errors.Failed(placement.where, why)
                 if manager_path not in creators:
-                    creators[manager_path] = await _creator(manager_path)
+                    manager.check(manager_path)
+                    creators[manager_path] = Creator(await manager.find(manager_path))
                 creator = creators[manager_path]
                 await creator.check_gone(placement, bool(own_manager))
-                outcome = apply.Outcome(
-                    steps.Create(placement, creator, await creator.identity(placement.component.id))
-                )
+                identity = await creator.identity(placement.component.id)
+                outcome = apply.Outcome(steps.Create(placement, creator, identity))
                 placement.error = None
             except errors.Error as e:
                 placement.error = e
                 outcome.fail(e)
         result.append(outcome)
     return result
-
-
-async def _creator(path):
-    """The Creator for a manager. Raises what `manager.find` raises."""
-    manager.check(path)
-    return Creator(await manager.find(path))
 
 
 class Creator:
@@ -214,11 +206,16 @@ def _above(where):
 
 
 async def memberships(placement, placement_of):
-    """Whether a composite has its members; those that are not there are reported apart from the others."""
-    members = steps.members(placement, placement_of)
-    present = [member for member in members if member.error is None]
-    absent = [member for member in members if member.error is not None]
-    return [await apply.assess(steps.Members(placement, part)) for part in (present, absent) if part]
+    """Whether a composite has its members."""
+    parts = _absent_apart(steps.members(placement, placement_of))
+    return [await apply.assess(steps.Members(placement, part)) for part in parts]
+
+
+def _absent_apart(listed):
+    """Placements in one or two lists: what is not there is reported apart from the others."""
+    present = [placement for placement in listed if placement.error is None]
+    absent = [placement for placement in listed if placement.error is not None]
+    return [part for part in (present, absent) if part]
 
 
 async def _configurations(placement):
@@ -226,17 +223,12 @@ async def _configurations(placement):
     outcomes = []
     for one_set in placement.component.configuration_sets:
         expected = steps.wanted_values(one_set)
-        unknown = steps.Values(
-            placement, one_set.id, expected
-        ).unknown()  # do not keep the others from their values
-        existing = collections.OrderedDict(
-            (name, value) for name, value in expected.items() if name not in unknown
-        )
-        parts = [{name: expected[name]} for name in unknown]
-        if existing:
-            parts.append(existing)
-        for part in parts:
-            outcomes.append(await apply.assess(steps.Values(placement, one_set.id, part)))
+        # do not keep the others from their values
+        unknown = steps.Values(placement, one_set.id, expected).unknown()
+        existing = {name: value for name, value in expected.items() if name not in unknown}
+        for part in [{name: expected[name]} for name in unknown] + [existing]:
+            if part:
+                outcomes.append(await apply.assess(steps.Values(placement, one_set.id, part)))
     if placement.component.active_configuration_set:
         active = await apply.assess(steps.Active(placement, placement.component.active_configuration_set))
         if active.status == ALREADY and any(outcome.pending for outcome in outcomes):
@@ -257,21 +249,12 @@ async def _rates(placement):
 
 
 async def _participations(placement, placement_of):
-    """Whether other components take part in its contexts, as on robots that run many in one;
-    a composite lists its members itself.
-    """
-    outcomes = []
-    for index, handle, described in steps.own_contexts(placement):
-        if placement.component.participants:
-            others = []
-        else:
-            others = steps.participants(placement, described, placement_of)
-        present = [other for other in others if other.error is None]
-        absent = [other for other in others if other.error is not None]
-        for part in (present, absent):
-            if part:
-                outcomes.append(await apply.assess(steps.Participants(placement, index, handle, part)))
-    return outcomes
+    """Whether other components take part in its contexts, as on robots that run many in one."""
+    return [
+        await apply.assess(steps.Participants(placement, index, handle, part))
+        for index, handle, described in steps.own_contexts(placement)
+        for part in _absent_apart(steps.participants(placement, described, placement_of))
+    ]
 
 
 # ---- connections ----
@@ -284,30 +267,21 @@ async def connections(connecting):
     outcomes = [await apply.assess(step) for step in connecting]
     broken = [outcome for outcome in outcomes if isinstance(outcome.error, connect_steps.Incomplete)]
     strange = [_strange_ends(outcome.step) for outcome in broken]
-    answers = iter(
-        await session.each(
-            [ref for refs in strange for ref in refs], lambda ref: orb.is_alive("", ref), orb.at_object
-        )
-    )
+    asked = [ref for refs in strange for ref in refs]
+    answers = iter(await session.each(asked, lambda ref: orb.is_alive("", ref), orb.at_object))
     for outcome, refs in zip(broken, strange):
+        step = outcome.step
         ends = [next(answers) for _ in refs]
-        if not all(isinstance(answer, errors.Error) for answer in ends) or any(
-            isinstance(answer, errors.Unanswered) for answer in ends
-        ):
-            outcome.fail(
-                errors.Refused(
-                    outcome.step.where,
-                    "connection %s joins other ports; rtdis removes it"
-                    % (printable(outcome.step.connector.connector_id)),
-                )
-            )
-        else:
+        are_gone = [isinstance(end, errors.Error) and not isinstance(end, errors.Unanswered) for end in ends]
+        if all(are_gone):
             outcome.status = NOT_TRIED
             outcome.error = None
-            removal = await apply.assess(
-                connect_steps.Disconnect(outcome.step.connector, outcome.step.ends, outcome.step.ids)
-            )
+            removal = await apply.assess(connect_steps.Disconnect(step.connector, step.ends, step.ids))
             outcomes.insert(outcomes.index(outcome), removal)
+        else:
+            connection = printable(step.connector.connector_id)
+            why = f"connection {connection} joins other ports; rtdis removes it"
+            outcome.fail(errors.Refused(step.where, why))
     return outcomes
 
 
@@ -337,10 +311,9 @@ async def tearing_down(profile, options, is_forced=False):
     listed = places(profile)
     await placements.find(listed, _ports_only)
     lost = [placement for placement in listed if placement.error is not None]
-    some = not listed
-    for placement in listed:
-        if placement.error is None or placement.error.where == placement.where:
-            some = True
+    some = not listed or any(
+        placement.error is None or placement.error.where == placement.where for placement in listed
+    )
     outcomes = [
         await presence(placement) for placement in lost if not (some and placements.is_gone(placement.error))
     ]

@@ -459,8 +459,10 @@ def own_contexts(placement):
 
 def participants(placement, context, placement_of):
     """The Placements of the components that the profile lets take part in a context of another one;
-    not of itself.
+    not of itself. A composite lists its members itself.
     """
+    if placement.component.participants:
+        return []
     others = [placement_of(target) for target in context.participants]
     return [other for other in others if other is not None and other is not placement]
 
