@@ -22,6 +22,7 @@ Configured = collections.namedtuple("Configured", "sets active configuration")
 
 class Step:
     """One change. `placements` are those that it concerns: steps that share one are done in their order.
+    `placement` is the first of them.
 
     title     what is done, for people
     where     the object, for errors
@@ -40,13 +41,14 @@ class Step:
 
     def __init__(self, concerned, where, title):
         self.placements = list(concerned)
+        self.placement = self.placements[0] if self.placements else None
         self.where = where
         self.title = title
         self.required = all(placement.required for placement in self.placements)
 
     @property
     def endpoint(self):
-        return self.placements[0].node.endpoint
+        return self.placement.node.endpoint
 
     def placement_error(self):
         """The error of the first Placement that has one, or None."""
@@ -58,7 +60,7 @@ class Step:
 
     def known_answers(self):
         """The answers to its questions, by what was found of all Placements in one look."""
-        return [self.placements[0].found]
+        return [self.placement.found]
 
     def differences(self, answers):
         """Differences between what the step wants and the answers, none of which is an error."""
@@ -94,26 +96,19 @@ class Present(Step):
 
     def __init__(self, placement):
         super().__init__([placement], placement.where, "component " + placement.where)
-        self.placement = placement
 
     def differences(self, answers):
         profile = answers[0].profile
         described = self.placement.component
         if profile.instance_name != described.instance_name:
-            names = [
-                f"component named {printable(name)}"
-                for name in (described.instance_name, profile.instance_name)
-            ]
-            yield Difference(
-                "instance name", None, described.instance_name, profile.instance_name,
-                errors.WrongKind(self.where, *names),
-            )
+            expected, actual = described.instance_name, profile.instance_name
+            names = [f"component named {printable(name)}" for name in (expected, actual)]
+            obstacle = errors.WrongKind(self.where, *names)
+            yield Difference("instance name", None, expected, actual, obstacle)
         actual = capture.component_id(profile)
         if described.id and actual != described.id:  # a file that was converted has none
-            yield Difference(
-                "id", None, described.id, actual,
-                errors.WrongKind(self.where, printable(described.id), printable(actual)),
-            )
+            obstacle = errors.WrongKind(self.where, printable(described.id), printable(actual))
+            yield Difference("id", None, described.id, actual, obstacle)
 
 
 # ---- making components ----
@@ -127,11 +122,9 @@ class Create(Step):
     kind = "create"
 
     def __init__(self, placement, holder, identity):
-        super().__init__(
-            [placement, holder], placement.where, f"component {placement.where}, created by {holder.where}"
-        )
+        title = f"component {placement.where}, created by {holder.where}"
+        super().__init__([placement, holder], placement.where, title)
         self.required = placement.required
-        self.placement = placement
         self.holder = holder
         self.argument = f"{identity}?instance_name={placement.instance}"
         self.command = f"rtmgr -c {shell_word(self.argument)} --wait {shell_word(holder.where)}"
@@ -171,9 +164,8 @@ class Create(Step):
 
         if not await component.until(is_there, manager.SETTLE_TIME):
             await manager.delete(self.holder.node, name)
-            raise errors.Refused(
-                self.where, f"{self.holder.where} made it, but it is not bound here; deleted again"
-            )
+            why = f"{self.holder.where} made it, but it is not bound here; deleted again"
+            raise errors.Refused(self.where, why)
 
     async def undo(self, before, after):
         await manager.delete(self.holder.node, self.placement.instance)
@@ -191,23 +183,18 @@ class Members(Step):
     def __init__(self, placement, members):
         names = ", ".join(printable(member.instance) for member in members)
         super().__init__([placement] + members, placement.where, f"members {names} of {placement.where}")
-        self.placement = placement
         self.members = members
         self.joining = [
             member
             for member in members
             if member.node is None or placement.found is None or _is_missing(member, placement.found)
         ]
-        words = ["rtcomp"]
-        for member in self.joining:
-            words += ["-a", member.where]
-        words.append(placement.where)
-        self.command = " ".join(map(shell_word, words))
+        options = [word for member in self.joining for word in ("-a", member.where)]
+        self.command = " ".join(map(shell_word, ["rtcomp", *options, placement.where]))
 
     def questions(self):
-        return [
-            Question(self.endpoint, self.where, lambda: composites.first_organisation(self.placement.node))
-        ]
+        node = self.placement.node
+        return [Question(self.endpoint, self.where, lambda: composites.first_organisation(node))]
 
     def differences(self, answers):
         return [
@@ -258,7 +245,6 @@ class _Configuring(Step):
 
     def __init__(self, placement, set_id, title):
         super().__init__([placement], placement.where, f"{title} {printable(set_id)} of {placement.where}")
-        self.placement = placement
         self.set_id = set_id
 
     @property
@@ -311,16 +297,9 @@ class Values(_Configuring):
             return
         for name, value in self.values.items():
             if name not in present:
-                yield Difference(
-                    "parameter",
-                    name,
-                    value,
-                    None,
-                    errors.NoSuch(
-                        self.where, "configuration parameter",
-                        f"{printable(name)} in set {printable(self.set_id)}",
-                    ),
-                )
+                words = f"{printable(name)} in set {printable(self.set_id)}"
+                obstacle = errors.NoSuch(self.where, "configuration parameter", words)
+                yield Difference("parameter", name, value, None, obstacle)
             elif present[name] != value:
                 yield Difference("value", name, value, present[name], None)
         if self.active_before is not None and answers[0].active != self.active_before:
@@ -330,11 +309,8 @@ class Values(_Configuring):
         """Names of parameters that a set which was found lacks."""
         if self.placement.found is None:
             return []
-        return [
-            difference.name
-            for difference in self.differences(self.known_answers())
-            if difference.what == "parameter"
-        ]
+        differences = self.differences(self.known_answers())
+        return [difference.name for difference in differences if difference.what == "parameter"]
 
     async def act(self, answers):
         (now,) = answers
@@ -379,49 +355,65 @@ class Active(_Configuring):
 
     async def undo(self, before, after):
         if not before[0].active:
-            raise errors.Refused(
-                self.where, "had no active configuration set before, and cannot get rid of one"
-            )
+            why = "had no active configuration set before, and cannot get rid of one"
+            raise errors.Refused(self.where, why)
         await after[0].configuration.activate(before[0].active)
 
 
-class Participants(Step):
-    """Let the components at other Placements take part in the execution context with a handle:
-    number `index` of those of one component.
+class _OfContext(Step):
+    """What steps on an execution context of a component share: its handle, and its number `index` as -e
+    counts.
     """
 
-    kind = "participants"
     part = "contexts"
+
+    def __init__(self, placement, others, index, handle, title):
+        super().__init__([placement] + others, placement.where, f"{title} of {placement.where}")
+        self.index = index
+        self.handle = handle
+
+    def questions(self):
+        return [Question(self.endpoint, self.where, self._owned)]
+
+    async def _owned(self):
+        node = self.placement.node
+        return [await component.context(node, ref) for ref in await component.owned_context_refs(node)]
+
+    def known_answers(self):
+        return [self.placement.found.owned]
+
+    def _context(self, answers):
+        """(its number, the component.Context) of the context. Raises NoSuch."""
+        for index, context in enumerate(answers[0]):
+            if context.handle == self.handle:
+                return index, context
+        raise errors.NoSuch(self.where, "execution context", "%d" % self.handle)
+
+    def _command(self, *words):
+        """An rtec command for the context, ready for a shell."""
+        option = ["-e", str(self.index)] if self.index else []
+        return " ".join(map(shell_word, ["rtec", *option, self.where, *words]))
+
+
+class Participants(_OfContext):
+    """Let the components at other Placements take part in the context."""
+
+    kind = "participants"
 
     def __init__(self, placement, index, handle, participants):
         names = ", ".join(printable(participant.instance) for participant in participants)
-        super().__init__(
-            [placement] + participants, placement.where,
-            f"participants {names} in execution context {handle} of {placement.where}",
-        )
-        self.placement = placement
-        self.index = index
-        self.handle = handle
+        title = f"participants {names} in execution context {handle}"
+        super().__init__(placement, participants, index, handle, title)
         self.participants = participants
         self.joining = [
             participant
             for participant in participants
             if placement.found is None or self._is_missing(participant, placement.found.owned)
         ]
-        words = ["rtec"]
-        if index:
-            words += ["-e", str(index)]
-        words += [placement.where, "attach"]
-        self.command = " ".join(map(shell_word, words + [participant.where for participant in self.joining]))
-
-    def questions(self):
-        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.placement))]
-
-    def known_answers(self):
-        return [self.placement.found.owned]
+        self.command = self._command("attach", *[participant.where for participant in self.joining])
 
     def differences(self, answers):
-        _with_handle(self, answers)
+        self._context(answers)
         return [
             Difference("participant", participant.instance, participant.where, None, None)
             for participant in self._missing(answers)
@@ -467,57 +459,24 @@ def participants(placement, context, placement_of):
     return [other for other in others if other is not None and other is not placement]
 
 
-async def _owned_contexts(placement):
-    return [
-        await component.context(placement.node, ref)
-        for ref in await component.owned_context_refs(placement.node)
-    ]
-
-
-def _with_handle(step, answers):
-    """(its number, the component.Context) of the context that a step is about. Raises NoSuch."""
-    for index, context in enumerate(answers[0]):
-        if context.handle == step.handle:
-            return index, context
-    raise errors.NoSuch(step.where, "execution context", "%d" % step.handle)
-
-
-class Rate(Step):
-    """Set the rate (Hz) of the execution context with a handle:
-    number `index` of those that the component owns.
-    """
+class Rate(_OfContext):
+    """Set the rate (Hz) of the context, one that the component owns."""
 
     kind = "rate"
-    part = "contexts"
 
     def __init__(self, placement, index, handle, rate):
-        super().__init__(
-            [placement], placement.where, "rate of execution context %d of %s" % (handle, placement.where)
-        )
-        self.placement = placement
-        self.index = index
-        self.handle = handle
+        super().__init__(placement, [], index, handle, f"rate of execution context {handle}")
         self.rate = self.setting = rate
-        words = ["rtec"]
-        if index:
-            words += ["-e", str(index)]
-        words += [placement.where, "rate", f"{rate!r}"]
-        self.command = " ".join(map(shell_word, words))
-
-    def questions(self):
-        return [Question(self.endpoint, self.where, lambda: _owned_contexts(self.placement))]
-
-    def known_answers(self):
-        return [self.placement.found.owned]
+        self.command = self._command("rate", repr(rate))
 
     def differences(self, answers):
-        _, context = _with_handle(self, answers)
+        _, context = self._context(answers)
         if not contexts.same_rate(context.rate, self.rate):
             yield Difference("rate", None, self.rate, context.rate, None)
 
     async def act(self, answers):
-        await contexts.set_rate(self.placement.node, _with_handle(self, answers)[0], self.rate)
+        await contexts.set_rate(self.placement.node, self._context(answers)[0], self.rate)
 
     async def undo(self, before, after):
-        index, context = _with_handle(self, before)
+        index, context = self._context(before)
         await contexts.set_rate(self.placement.node, index, context.rate)
