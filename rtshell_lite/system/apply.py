@@ -11,7 +11,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import session
 from rtshell_lite.net import loop
 from rtshell_lite.robot import tree
-from rtshell_lite.system import placements, steps
+from rtshell_lite.system import placements
 from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, NOT_TRIED, NOT_UNDONE, UNCERTAIN, UNDONE
 
 

@@ -80,9 +80,7 @@ async def compare(profile, state, tell=None, extra=False):
         await _strangers(listed, result)
         ids = {connector.connector_id for connector in profile.connectors}
         ids |= {difference.actual for difference in result.differences if difference.check == OTHER_ID}
-        result.differences += _extra(
-            ids, [placement for placement in listed if placement.found is not None]
-        )
+        result.differences += _extra(ids, [placement for placement in listed if placement.found is not None])
     return result
 
 
@@ -104,11 +102,9 @@ def checks(profile, state, listed):
     """
     by_need = sorted(listed, key=lambda placement: not placement.required)
     placement_of = placements.finder(capture.locator(profile), listed)
-    checked = []  # type: list
-    checked += [steps.Present(placement) for placement in by_need]
-    checked += sorted(
-        connect_steps.connecting(profile, placement_of), key=lambda step: not _is_required(step)
-    )
+    connecting = connect_steps.connecting(profile, placement_of)
+    checked = [steps.Present(placement) for placement in by_need]  # type: list
+    checked += sorted(connecting, key=lambda step: not _is_required(step))
     for placement in listed:
         active = placement.component.active_configuration_set
         if active:
@@ -128,9 +124,8 @@ def checks(profile, state, listed):
             if others:
                 checked += [steps.Participants(placement, index, handle, others)]
     for placement in by_need:  # a state for each context; one over all where the file lists none by number
-        handles = [
-            context.id for context in placement.component.execution_contexts if context.id.isdigit()
-        ] or [None]
+        ids = [context.id for context in placement.component.execution_contexts]
+        handles = list(filter(str.isdigit, ids)) or [None]
         checked += [_State(placement, state, handle) for handle in handles]
     return checked
 
@@ -296,15 +291,11 @@ def _in_words(step, difference):
         "set": printable(getattr(step, "set_id", "")),
         "name": printable(str(difference.name)),
         "member": difference.expected,
-        "between": "between",
+        "between": "of" if len(step.placements) == 1 else "between",
     }
-    if len(step.placements) == 1:
-        words["between"] = "of"
     path = step.where
-    if step.kind == "connect" and difference.what == "property":
-        path = " to ".join(_end_names(step))
-    elif step.kind == "connect":
-        path = " and ".join(_end_names(step))
+    if step.kind == "connect":
+        path = (" to " if difference.what == "property" else " and ").join(_end_names(step))
     return _difference(step, MESSAGES[difference.what], path, difference.expected, difference.actual, words)
 
 
@@ -339,18 +330,14 @@ async def _strangers(listed, result):
         if placement.path.server is not None:
             servers.add(placement.path._replace(names=()))
     nodes, _, failures, _ = await search.components(sorted(servers, key=str))
-    strange = []
-    for node in nodes:
-        if orb.identity(node.ref) not in listed_keys and str(node.path) not in listed_keys:
-            strange.append(node)
+    strange = [node for node in nodes if listed_keys.isdisjoint((orb.identity(node.ref), str(node.path)))]
     for node in await tree.check_alive(strange):
         if node.kind in tree.DOUBTFUL:
             failures.append(node.error)
         elif node.kind == "component":
             path = str(node.path)
-            result.differences.append(
-                _beyond("component", True, "Component not in the file: " + path, path, path)
-            )
+            message = "Component not in the file: " + path
+            result.differences.append(_beyond("component", True, message, path, path))
     result.failures += [failure for failure in failures if str(failure) not in map(str, result.failures)]
 
 
@@ -371,18 +358,10 @@ def _extra(listed, there):
         for connector in [connector for port in placement.found.ports for connector in port.connectors]:
             if connector.id not in listed:
                 listed.add(connector.id)
-                ends = " and ".join(
-                    names.get(orb.identity(ref), "a port outside the file")
-                    for ref in connector.ports
-                    if ref is not None
-                )
-                differences.append(
-                    _beyond(
-                        "connection", placement.required,
-                        f"Connection not in the file: {printable(connector.id)} " f"between {ends}", ends,
-                        connector.id,
-                    )
-                )
+                keys = [orb.identity(ref) for ref in connector.ports if ref is not None]
+                ends = " and ".join(names.get(key, "a port outside the file") for key in keys)
+                message = f"Connection not in the file: {printable(connector.id)} between {ends}"
+                differences += [_beyond("connection", placement.required, message, ends, connector.id)]
         differences += _extra_configuration(placement)
     return differences
 
@@ -390,21 +369,13 @@ def _extra(listed, there):
 def _extra_configuration(placement):
     """Differences for the configuration sets and parameters of one component."""
     listed = {one_set.id: steps.wanted_values(one_set) for one_set in placement.component.configuration_sets}
+    where = placement.where
     for one_set in placement.found.sets:
+        described = f"{printable(one_set.id)} on component {where}"
         if one_set.id not in listed:
-            yield _beyond(
-                "configuration", True,
-                f"Configuration set not in the file: {printable(one_set.id)} on component {placement.where}",
-                placement.where, one_set.id,
-            )
+            message = f"Configuration set not in the file: {described}"
+            yield _beyond("configuration", True, message, where, one_set.id)
             continue
-        for name in one_set.values:
-            if name not in listed[one_set.id]:
-                yield _beyond(
-                    "configuration",
-                    True,
-                    f"Configuration parameter not in the file: {printable(name)} in set "
-                    f"{printable(one_set.id)} on component {placement.where}",
-                    placement.where,
-                    one_set.values[name],
-                )
+        for name in [name for name in one_set.values if name not in listed[one_set.id]]:
+            message = f"Configuration parameter not in the file: {printable(name)} in set {described}"
+            yield _beyond("configuration", True, message, where, one_set.values[name])

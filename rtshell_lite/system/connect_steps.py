@@ -56,9 +56,9 @@ class Unplaced(steps.Step):
 
     def differences(self, answers):
         lost = next(end for end, (placement, _) in zip(self.connector.ends, self.ends) if placement is None)
+        why = f"the file has no component for its end {printable(lost.port_name)}"
         yield Difference(
-            "unplaced", self.connector.connector_id, None, None,
-            errors.Failed(self.where, f"the file has no component for its end {printable(lost.port_name)}"),
+            "unplaced", self.connector.connector_id, None, None, errors.Failed(self.where, why)
         )
 
 
@@ -75,10 +75,7 @@ class ConnectionStep(steps.Step):
 
     def __init__(self, connector, ends, ids):
         paths = [str(placement.path.with_port(name)) for placement, name in ends]
-        concerned = []
-        for placement, _ in ends:
-            if placement not in concerned:
-                concerned.append(placement)
+        concerned = dict.fromkeys(placement for placement, _ in ends)
         label = printable(connector.connector_id) or "without id"
         where = " to ".join(paths)
         super().__init__(concerned, where, f"connection {label} of {where}")
@@ -219,25 +216,16 @@ class Connect(ConnectionStep):
         if obstacle:
             yield Difference("ends", None, len(answers), len(connections[0][1].ports), obstacle)
         for name, expected, actual in _differing(self.wanted, connections[0][1]):
-            yield Difference(
-                "property",
-                name,
-                expected,
-                actual,
-                errors.Refused(
-                    self.where,
-                    f"is connected with {printable(name)}={printable(actual or '')}, not "
-                    f"{printable(expected)}; rtdis removes that",
-                ),
-            )
+            has = f"{printable(name)}={printable(actual or '')}"
+            why = f"is connected with {has}, not {printable(expected)}; rtdis removes that"
+            yield Difference("property", name, expected, actual, errors.Refused(self.where, why))
 
     def _incomplete(self, joined):
         """The Incomplete of a connection that some of the Ports `joined` lack, or with other ends."""
         if not self.leftovers(joined):
             return None
-        return Incomplete(
-            self.where, f"connection {printable(self.connector.connector_id)} is there, but not complete"
-        )
+        connection = printable(self.connector.connector_id)
+        return Incomplete(self.where, f"connection {connection} is there, but not complete")
 
     def _absence(self, joined, obstacle):
         """The Difference of a connection that is not there, or not as a whole."""
@@ -247,10 +235,7 @@ class Connect(ConnectionStep):
             return Difference("one-port connection", self.connector.interface_type, wanted_id, None, obstacle)
         for other in self.others(joined):
             return Difference("other connection", None, wanted_id, other.id, obstacle)
-        actual = None
-        joining = ports.joining(joined)
-        if joining:
-            actual = joining[0].id
+        actual = next((connector.id for connector in ports.joining(joined)), None)
         return Difference("connection", None, wanted_id, actual, obstacle)
 
     def _obstacle(self, joined):
@@ -321,23 +306,13 @@ class Disconnect(ConnectionStep):
     command = ""  # once it has been seen that it is there
 
     def _live_ends(self):
-        return [
-            (placement, name)
-            for placement, name in self.ends
-            if placement.error is None and not self._is_lost(placement, name)
-        ]
-
-    @staticmethod
-    def _is_lost(placement, name):
-        return isinstance(placement.port(name), errors.Error)
+        there = [(placement, name) for placement, name in self.ends if placement.error is None]
+        return [end for end in there if not isinstance(end[0].port(end[1]), errors.Error)]
 
     def lost_ports(self):
         """The errors.NoSuch of ends whose component is there without that port."""
-        return [
-            placement.port(name)
-            for placement, name in self.ends
-            if placement.error is None and self._is_lost(placement, name)
-        ]
+        answers = [placement.port(name) for placement, name in self.ends if placement.error is None]
+        return errors.split(answers)[1]
 
     async def is_done(self, answers):
         living, failures = errors.split(answers)
