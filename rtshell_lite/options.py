@@ -439,13 +439,7 @@ def _default_timeout():
 
 def seconds(value):
     """An option type: a positive number of seconds, at most a day."""
-    try:
-        number = float(value)
-    except ValueError:
-        number = 0.0
-    if not 0 < number <= 86400:
-        raise argparse.ArgumentTypeError(f"not a number of seconds above 0: {text.printable(value)}")
-    return number
+    return _positive(value, "a number of seconds above 0", 86400)
 
 
 def one_of(*words):
@@ -631,9 +625,8 @@ def is_loopback(address):
 def listen_address(word):
     """An option type: (host, TCP port) of [HOST:]PORT, [::1]:2809 with IPv6; HERE without a host."""
     host, _, number = word.rpartition(":")
-    if ":" in host and not (host.startswith("[") and host.endswith("]")):
-        raise argparse.ArgumentTypeError(f"not [HOST:]PORT: {text.printable(word)}")
-    if not number.isdecimal() or len(number) > 5 or int(number) > 65535:
+    is_host = ":" not in host or host.startswith("[") and host.endswith("]")
+    if not is_host or not number.isdecimal() or len(number) > 5 or int(number) > 65535:
         raise argparse.ArgumentTypeError(f"not [HOST:]PORT: {text.printable(word)}")
     return host.strip("[]") or HERE, int(number)
 
@@ -650,8 +643,7 @@ def _address(value):
     try:
         return str(ipaddress.ip_address(value.strip("[]")))
     except ValueError:
-        pass
-    raise argparse.ArgumentTypeError(f"not an IP address: {text.printable(value)}")
+        raise argparse.ArgumentTypeError(f"not an IP address: {text.printable(value)}")
 
 
 def count(value):
@@ -680,12 +672,12 @@ def factor(value):
     return _positive(value, "a number above 0")
 
 
-def _positive(value, expected):
+def _positive(value, expected, most=sys.float_info.max):
     try:
         number = float(value)
     except ValueError:
         number = 0.0
-    if not 0 < number < FOREVER:
+    if not 0 < number <= most:
         raise argparse.ArgumentTypeError(f"not {expected}: {text.printable(value)}")
     return number
 
