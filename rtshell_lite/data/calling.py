@@ -285,7 +285,7 @@ async def itself(path, types):
     if node.kind in ("server", "directory"):
         repository_id = "IDL:omg.org/CosNaming/NamingContext:1.0"
     else:
-        node = await tree.component_or_manager(path)
+        node = await tree.component(path, or_manager=True)
         repository_id = orb.address(node.ref).type_id
     return Provider(str(path), node, node.typed, repository_id, None, types)
 

@@ -88,9 +88,8 @@ async def _relative(word, may_be_server):
     is_from_root = _is_address(first) or may_be_server is not None and may_be_server(first, rest)
     is_to_find = first not in ("", ".", "..") and _is_found_below(above)
     if above in (ROOT, EVERYWHERE):
-        if is_to_find and not is_from_root and not (rest and above == ROOT):
-            return parse("/**/" + word)
-        return parse("/" + word)
+        is_anywhere = is_to_find and not is_from_root and not (rest and above == ROOT)
+        return parse(("/**/" if is_anywhere else "/") + word)
     if is_from_root and not await _is_here(word, first, rest):
         return parse("/" + word)
     if is_to_find and not rest and not await _is_here(word, first, rest):
@@ -160,11 +159,9 @@ def explained(word, error):
     import re
 
     is_missing = type(error) is errors.NotFound and error.where == str(parse(word))
-    if not is_missing or has_kind(word):
-        return error
-    if not re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
-        return error
-    return errors.NoEntry(error.where, "/" + word)
+    if is_missing and not has_kind(word) and re.match(r"[A-Za-z0-9][A-Za-z0-9.-]{2,}$", word):
+        return errors.NoEntry(error.where, "/" + word)
+    return error
 
 
 def is_path(word):
@@ -186,11 +183,14 @@ def has_pattern(word):
 
 async def below(path):
     """The Nodes in all directories that a Path with * or ** fits. Asks name servers only."""
-    pattern = path.names
-    if path.server == "**":
-        pattern = (Name("**", ""),) + pattern
+    pattern = _pattern(path)
     nodes = await _walk(path.child(Name("", "")))
     return [node for node in nodes if _fits(node.path.names, pattern + node.path.names[-1:])]
+
+
+def _pattern(path):
+    """What the names of a Path have to fit that one with patterns means."""
+    return (Name("**", ""),) + path.names if path.server == "**" else path.names
 
 
 def _is_any(name):
@@ -199,9 +199,7 @@ def _is_any(name):
 
 async def _single(path):
     """The Path of the one object that a Path with * or ** before its last name fits."""
-    pattern = path.names
-    if path.server == "**":
-        pattern = (Name("**", ""),) + pattern
+    pattern = _pattern(path)
     by_identity = {}
     failed = []
     for node in await _walk(path):
@@ -250,15 +248,12 @@ def _fits(names, pattern):
     """Whether the names of a Path fit those of one with patterns."""
     if not names:
         return False
-    if len(pattern) == 1 and len(names) > 1:
-        return False
     if len(pattern) == 1:  # of a component, the kind may be left out
-        return names[0] in (pattern[0], Name(pattern[0].id, pattern[0].kind or "rtc"))
+        last = (pattern[0], Name(pattern[0].id, pattern[0].kind or "rtc"))
+        return len(names) == 1 and names[0] in last
     if pattern[0] == ("**", ""):
         return any(_fits(names[index:], pattern[1:]) for index in range(len(names)))
-    if _is_any(pattern[0]) or names[0] == pattern[0]:
-        return _fits(names[1:], pattern[1:])
-    return False
+    return (_is_any(pattern[0]) or names[0] == pattern[0]) and _fits(names[1:], pattern[1:])
 
 
 # ---- OpenRTM's own ----
@@ -275,6 +270,5 @@ async def _check_category(path, word):
     await ports.ports(node)  # first, see `component.profile`
     category = (await component.profile(node)).category
     if [category] != categories:
-        raise errors.NoSuch(
-            str(path), "component of that category", f"it is of the category {printable(category)}"
-        )
+        why = f"it is of the category {printable(category)}"
+        raise errors.NoSuch(str(path), "component of that category", why)

@@ -105,9 +105,8 @@ def reference(word):
 
 async def components(node):
     """(instance name, Node) of each live component; a master lists those of its slaves, too."""
-    return [
-        (child.path.names[-1].id, child) for child in await tree.managed(node) if child.kind == "component"
-    ]
+    living = [child for child in await tree.managed(node) if child.kind == "component"]
+    return [(child.path.names[-1].id, child) for child in living]
 
 
 async def profiles(node, is_wanted=lambda child: True):
@@ -121,10 +120,8 @@ async def profiles(node, is_wanted=lambda child: True):
         await ports.ports(child)  # first, see `component.profile`
         return child, await component.profile(child)
 
-    children = sorted(
-        (child for child in await tree.managed(node) if child.kind != "zombie" and is_wanted(child)),
-        key=lambda child: str(child.path),
-    )
+    children = [child for child in await tree.managed(node) if child.kind != "zombie" and is_wanted(child)]
+    children.sort(key=lambda child: str(child.path))
     return await session.each([child.error or child for child in children], profiled)
 
 
@@ -159,12 +156,9 @@ def _id_and_file(module):
 
 async def labels(node, operation, key=None):
     """What `modules` returns as texts, by a property or by their ids; neighbours that are alike once."""
-    listed = []
-    for module in await modules(node, operation):
-        if key:
-            listed.append(module.get(key, ""))
-        else:
-            listed.append(component_id(module))
+    listed = [
+        module.get(key, "") if key else component_id(module) for module in await modules(node, operation)
+    ]
     # a factory may have other defaults in another slave
     return [label for label, _ in itertools.groupby(listed)]
 
@@ -182,13 +176,8 @@ def component_id(properties):
     """RTC:vendor:category:implementation:language:version of a module's properties,
     as create_component takes it.
     """
-    return ":".join(
-        ["RTC"]
-        + [
-            properties.get(key, "")
-            for key in ("vendor", "category", "implementation_id", "language", "version")
-        ]
-    )
+    keys = ("vendor", "category", "implementation_id", "language", "version")
+    return ":".join(["RTC"] + [properties.get(key, "") for key in keys])
 
 
 # ---- changing ----
@@ -218,15 +207,13 @@ async def create(node, argument, wait=None):
     created = tree.Node(node.path, "component", ref)
     name = from_wire(await component.uncertain_if_refused(created.call("get_sdo_id")))
     if any(orb.same(ref, before_profile.ref) for _, before_profile in before):
-        raise errors.Refused(
-            str(node.path), f"created nothing new: it returned {printable(name)}, which was there"
-        )
+        why = f"created nothing new: it returned {printable(name)}, which was there"
+        raise errors.Refused(str(node.path), why)
     if name in [before_name for before_name, _ in before]:
         raise errors.Refused(str(node.path), await _same_name(node, created, printable(name)))
     if wait is not None:
-        await _until(
-            wait, lambda: _is_ready(node, name, created), str(node.path), f"{printable(name)} is not ready"
-        )
+        late = f"{printable(name)} is not ready"
+        await _until(wait, lambda: _is_ready(node, name, created), str(node.path), late)
     return name
 
 
@@ -451,21 +438,13 @@ async def _must_be_unused(node, path):
             continue
         if _is_of(path, dict(answer[1].properties)):
             user = printable(answer[1].instance_name)
-            raise errors.Failed(
-                str(node.path),
-                f"{printable(path)} is in use by {user}, whose process would end; delete it first",
-            )
+            why = f"{printable(path)} is in use by {user}, whose process would end; delete it first"
+            raise errors.Failed(str(node.path), why)
 
 
 async def _still_offered(node, path):
-    return next(
-        (
-            factory["implementation_id"]
-            for factory in await _modules(node, "get_factory_profiles")
-            if _is_of(path, factory)
-        ),
-        "",
-    )
+    factories = await _modules(node, "get_factory_profiles")
+    return next((factory["implementation_id"] for factory in factories if _is_of(path, factory)), "")
 
 
 def _is_of(path, properties):
@@ -484,9 +463,8 @@ async def set_configuration(node, key, value):
     now = dict(await configuration(node)).get(key)
     if code != "RTC_OK" or now != value:
         shown = "missing" if now is None else printable(now) or "empty"
-        raise errors.Refused(
-            str(node.path), f"did not set {printable(key)} (it returned {code}; the value is {shown})"
-        )
+        why = f"did not set {printable(key)} (it returned {code}; the value is {shown})"
+        raise errors.Refused(str(node.path), why)
 
 
 async def shut_down(node, wait=None, above=()):
@@ -496,32 +474,25 @@ async def shut_down(node, wait=None, above=()):
     `wait` seconds, or END_TIME; it has ended when nobody listens there any more.
     """
     managers = [node.ref] + list(above)
-    slaves = []
-    for slave in await tree.slaves(node):
-        is_known = any(orb.same(slave.ref, ref) for ref in managers)
-        if slave.kind != "zombie" and not is_known:
-            slaves.append(slave)
-    parts = await session.each(
-        [slave.error or slave for slave in slaves], lambda slave: shut_down(slave, wait, managers)
-    )
+    slaves = [
+        slave
+        for slave in await tree.slaves(node)
+        if slave.kind != "zombie" and not any(orb.same(slave.ref, ref) for ref in managers)
+    ]
+    asked = [slave.error or slave for slave in slaves]
+    parts = await session.each(asked, lambda slave: shut_down(slave, wait, managers))
     results = []
     left = []
     for slave, part in zip(slaves, parts):
         if isinstance(part, errors.Error):
             part = [part]
         results += part
-        if not all(_done(line) for line in part):
+        if any(isinstance(line, errors.Error) for line in part):
             left.append(slave)
     if left:
         why = f"its slave {left[0].path!s} still runs, and cannot be found without it"
         return results + [errors.NotTried(str(node.path), why)]
-    if wait is None:
-        wait = END_TIME
-    return results + [await _ended(node, wait)]
-
-
-def _done(result):
-    return not isinstance(result, errors.Error)
+    return results + [await _ended(node, END_TIME if wait is None else wait)]
 
 
 async def _delete_composites(node):

@@ -154,12 +154,10 @@ async def _resolved(server, path):
         if isinstance(e, errors.Unanswered):
             raise e
         raise await _broken_off(server, path, e)
-    node = classified(path, ref)
-    if ref is not None and not orb.address(ref).type_id:  # how it is bound shows more
-        node = classified(
-            path, ref, (path.names[-1], True) in await bound(await _resolved(server, path.parent()))
-        )
-    return node
+    if ref is None or orb.address(ref).type_id:
+        return classified(path, ref)
+    entries = await bound(await _resolved(server, path.parent()))  # how it is bound shows more
+    return classified(path, ref, (path.names[-1], True) in entries)
 
 
 async def _identified(node):
@@ -202,9 +200,8 @@ async def _descend(node, names):
         below = await children(await _directory(node))
         matching = [child for child in below if child.path.names[-1] == name]
         if len(matching) > 1:  # of several slaves
-            raise errors.Ambiguous(
-                str(node.path.child(name)), f"{node.path} has {len(matching)} of that name"
-            )
+            why = f"{node.path} has {len(matching)} of that name"
+            raise errors.Ambiguous(str(node.path.child(name)), why)
         if not matching:
             names = _by_id(child.path.names[-1] for child in below)
             raise _near_miss(node.path.child(name), names)
@@ -328,17 +325,11 @@ async def component(path, or_manager=False):
     if node.kind == "manager" and or_manager:
         return node
     if node.kind != "component":
-        if or_manager:
-            raise errors.WrongKind(str(node.path), "component or manager", node.what)
-        raise errors.WrongKind(str(node.path), "component", node.what)
+        expected = "component or manager" if or_manager else "component"
+        raise errors.WrongKind(str(node.path), expected, node.what)
     if path.directory:
         raise errors.WrongKind(str(path), "directory", "component")
     return node
-
-
-async def component_or_manager(path):
-    """The component or manager at `path`."""
-    return await component(path, True)
 
 
 async def on_components(paths, function, or_managers=False):
@@ -355,7 +346,7 @@ async def components(paths, or_managers=False):
     above.
     """
     orb.start()  # its failures are not the failure of a path
-    return await session.each(paths, component_or_manager if or_managers else component, at_server)
+    return await session.each(paths, lambda path: component(path, or_managers), at_server)
 
 
 def at_server(path):
@@ -406,9 +397,8 @@ async def _child(entry):
     """
     context, path, is_context = entry
     try:
-        return classified(
-            path, await orb.call(path, context, "resolve", orb.naming_name(path.names[-1:])), is_context
-        )
+        ref = await orb.call(path, context, "resolve", orb.naming_name(path.names[-1:]))
+        return classified(path, ref, is_context)
     except errors.Garbled as e:  # the others are listed all the same
         return unusable(path, e)
 
@@ -447,7 +437,7 @@ async def _manager_profile(node):
 
 def _distinct_names(profiles):
     """A name for each slave. A dead one has none of its own."""
-    profiles = [_or_empty(profile) for profile in profiles]
+    profiles = [{} if isinstance(profile, errors.Error) else profile for profile in profiles]
     names = [profile.get("name") or f"slave{i}" for i, profile in enumerate(profiles)]
     for key, form in (("instance_name", "{1}"), ("pid", "{0}_{1}")):
         distinct = []
@@ -456,24 +446,14 @@ def _distinct_names(profiles):
                 name = form.format(name, profile[key])
             distinct.append(name)
         names = distinct
-    distinct = []
-    for i, name in enumerate(names):
-        if name in names[:i]:
-            name = f"{name}_{i}"
-        distinct.append(name)
-    return distinct
-
-
-def _or_empty(profile):
-    return {} if isinstance(profile, errors.Error) else profile
+    return [f"{name}_{i}" if name in names[:i] else name for i, name in enumerate(names)]
 
 
 async def managed(node):
     """Nodes of a manager's components; a master lists those of its slaves, too."""
     refs = [ref for ref in await node.call("get_components") if ref is not None]
-    asked = [
-        Node(node.path.child(Name(f"unknown{i}", "rtc")), "component", ref) for i, ref in enumerate(refs)
-    ]
+    names = [Name(f"unknown{i}", "rtc") for i in range(len(refs))]
+    asked = [Node(node.path.child(name), "component", ref) for name, ref in zip(names, refs)]
     names = await session.each(asked, _instance_name)
     nodes = []
     for child, name in zip(asked, names):
@@ -504,9 +484,7 @@ async def walk(node, depth=None, managers=True, objects=()):
     depth = DEPTH if depth is None else min(depth, DEPTH)
     if node.kind != "root":
         return await _walk(node, depth, managers, aliases.Known(), objects)
-    if not depth:
-        return [node]
-    below = await walk_servers(await children(node), depth - 1, managers)
+    below = await walk_servers(await children(node), depth - 1, managers) if depth else []
     return [node] + below
 
 
@@ -547,12 +525,9 @@ class _Limit:
         self._where = str(top.path)
         self._places = here.endless
         self._seconds = WALK * here.timeout
-        if self._where in here.endless:
-            self._names = FEW_WALKED
-            self._until = SHORT_WALK * here.timeout
-        else:
-            self._names = MOST_WALKED
-            self._until = self._seconds
+        is_endless = self._where in here.endless
+        self._names = FEW_WALKED if is_endless else MOST_WALKED
+        self._until = SHORT_WALK * here.timeout if is_endless else self._seconds
         self._characters = MOST_WRITTEN
 
     def takes(self, node):
