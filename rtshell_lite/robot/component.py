@@ -76,16 +76,12 @@ async def profile(node, brief=False, names=False):
     else:
         part = None
     raw = await once_more(lambda: node.call("get_component_profile", part=part))
-    if raw.parent:
-        parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id"))
-    else:
-        parent = ""
+    parent = await once_more(lambda: orb.call(node.path, raw.parent, "get_sdo_id")) if raw.parent else ""
     texts = [from_wire(getattr(raw, name)) for name in FACTS]
-    listed = raw.properties
     if names:
         listed = []
-    elif brief:
-        listed = listed[:1]
+    else:
+        listed = raw.properties[:1] if brief else raw.properties
     return Profile(*texts, from_wire(parent), orb.properties(listed))
 
 

@@ -47,10 +47,7 @@ async def belonging(node, contexts):
         for ref in await _refs(node, "get_organizations")
     ]
     composites = await _composites(node, contexts) if ids else {}
-    return [
-        (organisation_id,) + composites.get(organisation_id, ("Unknown", "Unknown"))
-        for organisation_id in ids
-    ]
+    return [(own_id, *composites.get(own_id, ("Unknown", "Unknown"))) for own_id in ids]
 
 
 async def _composites(node, contexts):
@@ -89,9 +86,8 @@ async def _organisation(node, ref):
         return from_wire(await orb.call(node.path, member, "get_sdo_id"))
 
     names = await session.each(members, name_of, lambda member: (orb.endpoint(member), node.path))
-    return Organisation(
-        from_wire(await orb.call(node.path, ref, "get_organization_id")), ref, list(zip(names, members))
-    )
+    organisation_id = from_wire(await orb.call(node.path, ref, "get_organization_id"))
+    return Organisation(organisation_id, ref, list(zip(names, members)))
 
 
 async def member_paths(node, organisation):
@@ -103,12 +99,9 @@ async def member_paths(node, organisation):
 
 
 async def _path_text(places, name, ref, node):
-    if isinstance(name, errors.Error) and await refusals.shows_death(
-        name, orb.endpoint(ref), node.endpoint[0]
-    ):
-        return "Unknown (it is gone)"
     if isinstance(name, errors.Error):
-        return f"Unknown ({name.why})"
+        is_gone = await refusals.shows_death(name, orb.endpoint(ref), node.endpoint[0])
+        return "Unknown (it is gone)" if is_gone else f"Unknown ({name.why})"
     path = await places.path(name, ref, node)
     return str(path) if path else f"Unknown ({printable(name)})"
 
@@ -228,10 +221,7 @@ async def add(node, organisation, members):
             raise errors.Refused(str(node.path), "does not take members")
         await _be_known(node, new)
         lines += [f"added component {m.node.path!s}" for m in new]
-    for m in members:
-        if m not in new:
-            lines.append(f"component {m.node.path!s} is a member already")
-    return lines
+    return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
 
 
 async def _be_known(node, members):
@@ -349,9 +339,8 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
         lines.append("created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME))
         composite = await _new(holder, name)
     organisation = await first_organisation(composite)
-    return (
-        lines + await add(composite, organisation, members) + await remove(composite, organisation, leaving)
-    )
+    lines += await add(composite, organisation, members)
+    return lines + await remove(composite, organisation, leaving)
 
 
 async def _new(holder, name):
@@ -379,6 +368,5 @@ def _commands(target, composite, adding, removing, type_name, options):
     if options:
         words += ["-o", options]
     for option, paths in (("-a", adding), ("-r", removing)):
-        for path in paths:
-            words += [option, str(path)]
-    return [" ".join(shell_word(word) for word in words + [str(target)])]
+        words += [word for path in paths for word in (option, str(path))]
+    return [" ".join(map(shell_word, words + [str(target)]))]

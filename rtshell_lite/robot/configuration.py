@@ -71,9 +71,7 @@ class Configuration:
             set_id = self.active
         if set_id not in self.raw or hidden(set_id) and not with_hidden:
             ids = [one_set.id for one_set in self.sets(with_hidden)]
-            raise errors.NoSuch(
-                self.where, "configuration set", printable(set_id) + candidates(set_id, ids)
-            )
+            raise errors.NoSuch(self.where, "configuration set", printable(set_id) + candidates(set_id, ids))
         return self._set(set_id)
 
     def check(self, names, within):
@@ -103,9 +101,8 @@ class Configuration:
             to_wire(within.id), self.raw[within.id].description, orb.nvlist(everything.items())
         )
         if not await self._call("set_configuration_set_values", raw):
-            raise errors.Refused(
-                self.where, f"does not take values for configuration set {printable(within.id)}"
-            )
+            why = f"does not take values for configuration set {printable(within.id)}"
+            raise errors.Refused(self.where, why)
         if self.active:
             await self.activate(self.active)
 
@@ -114,24 +111,19 @@ class Configuration:
         if set_id not in self.raw:
             self.set(set_id)
         if hidden(set_id):
-            raise errors.Refused(
-                self.where, f"configuration set {printable(set_id)} holds metadata and cannot be active"
-            )
+            why = f"configuration set {printable(set_id)} holds metadata and cannot be active"
+            raise errors.Refused(self.where, why)
 
     async def activate(self, set_id):
         """Make `set_id` the active set. Raises NoSuch, Refused."""
         self.check_active(set_id)
         try:
             if await self._call("activate_configuration_set", to_wire(set_id)):
-                why = ""
-            else:
-                why = "the component refused"
+                return
+            why = "the component refused"
         except errors.Refused as e:
             why = e.why
-        if why:
-            raise errors.Refused(
-                self.where, f"does not activate configuration set {printable(set_id)} ({why})"
-            )
+        raise errors.Refused(self.where, f"does not activate configuration set {printable(set_id)} ({why})")
 
     async def apply(self, values, active=""):
         """Set the `values` ({set: {name: value}}), then activate `active`; all is checked first.
@@ -155,9 +147,8 @@ class Configuration:
             self.check_values(values[set_id], within)
             changed = _changed(within, values[set_id])
             if changed:
-                steps.append(
-                    self.command(set_id, "set", *[f"{name}={value}" for name, value in changed.items()])
-                )
+                words = [f"{name}={value}" for name, value in changed.items()]
+                steps.append(self.command(set_id, "set", *words))
         if active:
             self.check_active(active)
         if active and active != self.active:
@@ -192,10 +183,7 @@ def dumped(configuration, with_hidden=False):
     """
     lines = [f"# configuration of {configuration.where}"]
     for section in configuration.sets(with_hidden):
-        active = ""
-        if section.active:
-            active = " active"
-        lines.append(f"[{_spelt(section.id, ']')}]{active}")
+        lines.append(f"[{_spelt(section.id, ']')}]{' active' * section.active}")
         for name, value in section.values.items():
             lines.append(f"{_spelt(name, '=#[')}={_end_seen(printable(value))}")
     return lines

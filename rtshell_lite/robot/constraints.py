@@ -29,23 +29,19 @@ def doubts(present, values, sets):
     for name, value in values.items():
         constraint = _constraint(sets, name)
         if _are_numbers(present.get(name, "")) and not _are_numbers(value):
-            reasons.append(
-                (name, f"{value or repr('')} is not a number, unlike the old value ({present[name]})")
-            )
+            why = f"is not a number, unlike the old value ({present[name]})"
         elif not fits(constraint, value):
-            reasons.append(
-                (name, f"{value or repr('')} does not fit the component's constraint {constraint}")
-            )
+            why = f"does not fit the component's constraint {constraint}"
+        else:
+            continue
+        reasons.append((name, f"{value or repr('')} {why}"))
     return reasons
 
 
 def _constraint(sets, name):
     """The constraint of a parameter; '' for none."""
-    for set_id in _SETS:
-        constraint = sets.get(set_id, {}).get(name)
-        if constraint:
-            return constraint
-    return ""
+    constraints = [sets.get(set_id, {}).get(name) for set_id in _SETS]
+    return next(filter(None, constraints), "")
 
 
 def _are_numbers(value):
@@ -95,9 +91,7 @@ def _fits_one(constraint, value):
     if not match:
         return True
     bounds = [bound for bound in match.group(1, 4) if bound is not None]
-    if not bounds:
-        return True
-    if not all(_NUMBER.match(bound) for bound in bounds):
+    if not bounds or not all(_NUMBER.match(bound) for bound in bounds):
         return True
     if not _NUMBER.match(value):
         return False

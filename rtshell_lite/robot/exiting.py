@@ -25,8 +25,9 @@ async def exit_all(paths, wait=None, dry_run=False):
             return "rtexit " + shell_word(str(node.path))
         await leave(node)
         await _exit(node)
-        if wait is not None:
-            await _until_unbound(node, wait)
+        if wait is not None and not await component.until(lambda: _is_unbound(node), wait):
+            why = f"has exited, but its name is still bound after {wait:g}s"
+            raise errors.Unreachable(str(node.path), why)
         return f"{node.path}: exited"
 
     return await tree.on_components(paths, exit_one)
@@ -52,11 +53,8 @@ async def leave(node):
             seconds = max(seconds, min(3 / rate, LEAVING_MOST))
 
     async def has_left():
-        return not asked or not any(
-            orb.same(present, ref)
-            for present in await component.participating_context_refs(node)
-            for ref in asked
-        )
+        present = await component.participating_context_refs(node) if asked else []
+        return not any(orb.same(other, ref) for other in present for ref in asked)
 
     if not await component.until(has_left, seconds):
         raise errors.Refused(
@@ -93,11 +91,6 @@ async def _has_ended(node):
         if isinstance(now.error, errors.Unanswered) or loop.now() > limit:
             return False
         await loop.sleep(component.POLL)
-
-
-async def _until_unbound(node, wait):
-    if not await component.until(lambda: _is_unbound(node), wait):
-        raise errors.Unreachable(str(node.path), f"has exited, but its name is still bound after {wait:g}s")
 
 
 async def _is_unbound(node):

@@ -18,9 +18,8 @@ async def of(node):
         if SERVICE in (profile.interface_type, profile.id) and profile.service is not None
     ]
     if not services:
-        raise errors.NoSuch(
-            str(node.path), "SDO service", "ExtendedFsmService (it is not a state machine of FSM4RTC)"
-        )
+        what = "ExtendedFsmService (it is not a state machine of FSM4RTC)"
+        raise errors.NoSuch(str(node.path), "SDO service", what)
     return Machine(str(node.path), orb.narrow(services[0], "RTC.ExtendedFsmService"))
 
 

@@ -48,9 +48,8 @@ async def _named(path):
     node = await tree.resolve(path)
     above = await tree.resolve(path.parent())
     if above.kind == "manager":
-        raise errors.WrongKind(
-            str(path.parent()), "directory with names in it", "manager; rtmgr deletes its components"
-        )
+        kind = "manager; rtmgr deletes its components"
+        raise errors.WrongKind(str(path.parent()), "directory with names in it", kind)
     return node, above
 
 
@@ -70,11 +69,8 @@ async def zombies(top):
     (Nodes, Nodes whose listing failed).
     """
     nodes = await aliases.within(await tree.walk(top, managers=False))
-    dead = [
-        node
-        for node in await tree.check_alive(nodes)
-        if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)
-    ]
+    looked_at = await tree.check_alive(nodes)
+    dead = [node for node in looked_at if node.kind == "zombie" or isinstance(node.error, errors.MaybeGone)]
     return dead, [node for node in nodes if node.error is not None]
 
 
@@ -115,10 +111,8 @@ async def _dead(node, force):
 
 
 async def _unbind(path, dry_run, zombie=False):
-    if dry_run and zombie:
-        return f"rtdel -z {shell_word(str(path))}"
     if dry_run:
-        return f"rtdel {shell_word(str(path))}"
+        return f"rtdel {'-z ' * zombie}{shell_word(str(path))}"
     server = await tree.resolve(Path(path.server, (), None, False))
     try:
         await server.call("unbind", orb.naming_name(path.names))
@@ -161,16 +155,13 @@ class _Bindings:
             if node.kind == "server":
                 self._roots.add(known_path)
             else:
-                self._bind(known_paths, node, known_path)
+                above = known_paths[node.path.parent()]
+                self._names[above, node.path.names[-1]] = known_path, node.path
         if endless - before or str(Path(path.server, (), None, False)) in endless:
             raise errors.Failed(str(path), "not deleted: its other names are not known, as not all is listed")
         above = await tree.resolve(path.parent())
         self._without((await self.known.path(above), path.names[-1]))
         return self
-
-    def _bind(self, known_paths, node, known_path):
-        above = known_paths[node.path.parent()]
-        self._names[above, node.path.names[-1]] = known_path, node.path
 
     def _without(self, gone):
         """Find what can be reached without the name `gone`, a pair (Path of the directory, Name)."""

@@ -12,6 +12,13 @@ MOST = 50000
 MOST_OCTETS = 16 << 20
 PATIENCE = 3  # times the timeout, in which all names of a context have to come
 DIRECTORIES = ("root", "server", "directory", "manager")
+# kinds in words, where these differ
+WORDS = {
+    "root": "root directory",
+    "server": "name server",
+    "silent": "component that does not answer",
+    "unasked": "component that was not asked",
+}
 DOUBTFUL = ("silent", "unasked")  # kinds of objects that may live, though nothing has come from them
 
 _COMPONENTS = (
@@ -77,13 +84,7 @@ class Node:
         """Its kind in words, for errors."""
         if self.kind in ("unknown", "unsure"):
             return "nil reference" if self.ref is None else "CORBA object of unknown kind"
-        words = {
-            "root": "root directory",
-            "server": "name server",
-            "silent": "component that does not answer",
-            "unasked": "component that was not asked",
-        }
-        return words.get(self.kind, self.kind)
+        return WORDS.get(self.kind, self.kind)
 
     @property
     def typed(self):
@@ -175,12 +176,7 @@ async def check_alive(nodes):
         node for node in nodes if node.kind in ("component", "manager", "unsure") and node.error is None
     ]
     answers = dict(zip(objects, await session.each(objects, _living)))
-    checked = []
-    for node in nodes:
-        if node in answers:
-            node = await classify_answer(node, answers[node])
-        checked.append(node)
-    return checked
+    return [await classify_answer(node, answers[node]) if node in answers else node for node in nodes]
 
 
 async def classify_answer(node, answer):

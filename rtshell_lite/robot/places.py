@@ -80,8 +80,7 @@ async def far_ends(near, silent=None):
     ends = {}
     for identity, (ref, node) in far.items():
         answer = silent.get(orb.endpoint(ref)) or next(answers)
-        failed = isinstance(answer, errors.Error)
-        if failed:
+        if isinstance(answer, errors.Error):
             ends[identity] = End(ref, None, answer)
         else:
             ends[identity] = End(ref, await _placed(answer, places, node), None)

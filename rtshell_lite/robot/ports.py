@@ -74,9 +74,8 @@ def is_of_tool(connector):
     name = connector.name
     if name.startswith("rtshell_lite") or name in TOOLS:
         return True
-    for tool in NUMBERED_TOOLS:
-        if name.startswith(tool) and name[len(tool) :][:1].isdecimal():
-            return True
+    if any(name.startswith(tool) and name[len(tool) :][:1].isdecimal() for tool in NUMBERED_TOOLS):
+        return True
     return len(connector.ports) == 1 and transport(connector) == ""
 
 
@@ -175,12 +174,10 @@ async def find(paths):
     raises.
     """
     listed = await tree.on_components([path.object() for path in paths], ports)
-    answers = []
-    for path, answer in zip(paths, listed):
-        if not isinstance(answer, errors.Error):
-            answer = named(path, answer)
-        answers.append(answer)
-    return answers
+    return [
+        answer if isinstance(answer, errors.Error) else named(path, answer)
+        for path, answer in zip(paths, listed)
+    ]
 
 
 def named(path, listed):
@@ -224,11 +221,12 @@ async def meant(paths):
     """
     offers = [await offered(path) for path in paths]
     if len(paths) == 2:
-        fitting = []
-        for port in offers[0]:
-            for far in offers[1]:
-                if not mismatches([port, far], {}):
-                    fitting.append(f"{label(port)} {label(far)}")
+        fitting = [
+            f"{label(port)} {label(far)}"
+            for port in offers[0]
+            for far in offers[1]
+            if not mismatches([port, far], {})
+        ]
         if fitting:
             return choices("these fit:", fitting)
     for path, there in zip(paths, offers):
@@ -292,11 +290,8 @@ def _offer(port, key):
 
 def _not_offered(ends, key, value):
     """Why some of the ports do not take this value of a property."""
-    lacking = []
-    for port in ends:
-        offer = offer_without(port, key, value)
-        if offer is not None:
-            lacking.append((port, offer))
+    offers_without = [(port, offer_without(port, key, value)) for port in ends]
+    lacking = [(port, offer) for port, offer in offers_without if offer is not None]
     what = f"{_short_key(key)} {printable(value)}"
     offers = {offer for _, offer in lacking}
     if len(lacking) == len(ends) > 1 and len(offers) == 1:
@@ -330,9 +325,7 @@ def same_type(type_id, other):
     """
     type_id = _short_type(type_id).split("/")
     other = _short_type(other).split("/")
-    if "any" in (type_id[-1].lower(), other[-1].lower()):
-        return True
-    if [""] in (type_id, other):
+    if "any" in (type_id[-1].lower(), other[-1].lower()) or [""] in (type_id, other):
         return True
     if len(type_id) > 1 and len(other) > 1:
         return type_id == other

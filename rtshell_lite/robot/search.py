@@ -22,10 +22,9 @@ def patterns(exact, any_case):
     """
     import re
 
-    functions = [re.compile(_expression(pattern), re.DOTALL).match for pattern in exact]
-    for pattern in any_case:
-        functions.append(re.compile(_expression(pattern), re.DOTALL | re.IGNORECASE).match)
-    return functions
+    flags = [(pattern, re.DOTALL) for pattern in exact]
+    flags += [(pattern, re.DOTALL | re.IGNORECASE) for pattern in any_case]
+    return [re.compile(_expression(pattern), flag).match for pattern, flag in flags]
 
 
 def _expression(pattern):
@@ -46,18 +45,12 @@ async def find(paths, criteria):
     nodes = [node for part in parts for node in part]
     failures += [node.error for node in nodes if node.error is not None and node.kind != "zombie"]
     named = [node for node in nodes if not criteria.names or _matches(node.name, criteria.names)]
-    close = []
-    if not named:
-        for node in nodes:
-            if node.path.names and _matches(node.path.names[-1].id, criteria.names):
-                close.append(node)
+    last_names = [(node, node.path.names[-1].id) for node in nodes if node.path.names and not named]
+    close = [node for node, name in last_names if _matches(name, criteria.names)]
     nodes = named
     if criteria.kinds:
-        nodes = [
-            node
-            for node in nodes
-            if node.kind == "unsure" or criteria.kinds & CAN_BE.get(node.kind, {node.kind})
-        ]
+        may_be = [(node, CAN_BE.get(node.kind, {node.kind})) for node in nodes]
+        nodes = [node for node, kinds in may_be if node.kind == "unsure" or criteria.kinds & kinds]
     if criteria.kinds or criteria.states:  # only then it matters what lives
         nodes = await tree.check_alive(nodes)
     if criteria.kinds:

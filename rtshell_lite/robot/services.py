@@ -54,9 +54,8 @@ async def of_port(port):
 def _service(port, given, instance, type_name):
     text = given.get(f"port.{type_name}.{instance}")
     if text is None:
-        raise errors.Garbled(
-            ports.label(port), f"its connection has no reference of interface {printable(instance)}"
-        )
+        why = f"its connection has no reference of interface {printable(instance)}"
+        raise errors.Garbled(ports.label(port), why)
     ref = orb.from_text(f"{ports.label(port)}.{printable(instance)}", text)
     return Service(port, instance, type_name, ref)
 
@@ -92,7 +91,4 @@ async def _connect(port, where, connector_id):
 async def _forget(port, where, connector_id):
     """Have a connector removed whose making was not answered: a process that was stopped makes it later."""
     session.current().ask_again(orb.endpoint(port.ref))  # or it would not be asked
-    try:
-        await orb.call(where, port.ref, "disconnect", to_wire(connector_id))
-    except errors.Error:
-        pass
+    await errors.or_error(orb.call(where, port.ref, "disconnect", to_wire(connector_id)))

@@ -100,10 +100,10 @@ async def ask_all(snapshots, **parts):
     what ended the questions becomes the `error` of a Snapshot.
     """
 
-    async def ask(snapshot):
-        await snapshot.ask(**parts)
-
-    answers = await session.each(snapshots, ask, lambda snapshot: (snapshot.node.endpoint, snapshot.where))
+    answers = await session.each(
+        snapshots, lambda snapshot: snapshot.ask(**parts),
+        lambda snapshot: (snapshot.node.endpoint, snapshot.where),
+    )
     for snapshot, answer in zip(snapshots, answers):
         snapshot.error = answer if isinstance(answer, errors.Error) else None
 
@@ -212,12 +212,10 @@ async def _names(snapshot, how):
         return await component.instance_name(snapshot.node, refs[identity])
 
     answers = await session.each(others, name_of, lambda identity: (identity[:2], snapshot.where))
-    names = {}
-    for identity, name in zip(others, answers):
-        if isinstance(name, errors.Error):
-            name = "Unknown"
-        names[identity] = name
-    return names
+    return {
+        identity: "Unknown" if isinstance(name, errors.Error) else name
+        for identity, name in zip(others, answers)
+    }
 
 
 async def _profile(snapshot, how):
