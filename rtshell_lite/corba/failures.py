@@ -29,6 +29,12 @@ def asks_others(operation):
     return isinstance(operation, str) and operation in _ASKING_OTHERS
 
 
+def unreachable(where, e):
+    """The errors.Unreachable for an exception, in most cases an OSError, of a connection."""
+    why = getattr(e, "strerror", None)
+    return errors.Unreachable(where, f"cannot be reached ({why})" if why else "cannot be reached")
+
+
 def system(where, name, label):
     """The errors.Error for a CORBA system exception; `label` is the name of its minor code, or its own."""
     if name == "TIMEOUT":

@@ -69,27 +69,21 @@ def is_installed():
 def _make_orb():
     CORBA = stubs.import_omniorb()
     stubs.register()
-    arguments = [
-        "rtshell_lite",
-        "-ORBtraceLevel",
-        "0",
-        "-ORBverifyObjectExistsAndType",
-        "0",
-        "-ORBgiopMaxMsgSize",
-        str(32 << 20),
-        "-ORBclientCallTimeOutPeriod",
-        _milliseconds(session.current().timeout),
-        "-ORBclientConnectTimeOutPeriod",
-        _milliseconds(session.current().timeout),
-    ]
+    timeout = _milliseconds(session.current().timeout)
+    settings = {
+        "traceLevel": "0",
+        "verifyObjectExistsAndType": "0",
+        "giopMaxMsgSize": str(32 << 20),
+        "clientCallTimeOutPeriod": timeout,
+        "clientConnectTimeOutPeriod": timeout,
+    }
+    arguments = ["rtshell_lite"] + [word for key, value in settings.items() for word in ("-ORB" + key, value)]
     own = [a for a in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if a]
     try:
         return CORBA.ORB_init(arguments + own, CORBA.ORB_ID)
     except CORBA.SystemException as e:
-        if own:
-            where = "RTCTREE_ORB_ARGS: " + printable(";".join(own))
-        else:
-            where = "omniORB.cfg, or a variable ORB…"
+        given = "RTCTREE_ORB_ARGS: " + printable(";".join(own))
+        where = given if own else "omniORB.cfg, or a variable ORB…"
         raise errors.Usage(f"{where}: not understood by omniORB ({_label(e)})")
 
 
@@ -242,10 +236,7 @@ class _Queue:
     def add(self, item):
         """Have a call made. Raises Shortage where there is no thread for it."""
         self.has_answered = self.has_answered or self.endpoint in self.session.memory.answered
-        if item.asks_others:
-            self.waiting_for_others.append(item)
-        else:
-            self.waiting.append(item)
+        (self.waiting_for_others if item.asks_others else self.waiting).append(item)
         self.open.add(item)
         self._start()
         if self._checking is None:
@@ -493,20 +484,16 @@ def _check_version(where, endpoint):
     for minor in (2, 1, 0):
         try:
             with real.connected(endpoint, _deadline / PROBING) as probe:
-                probe.sendall(
-                    messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ())
-                )
+                request = messages.request(1, (1, minor), messages.KEY, b"\1\0\0\0?", "_non_existent", ())
+                probe.sendall(request)
                 head = probe.recv(messages.HEADER)
         except (OSError, ValueError):
             return
-        if head[:6] != b"GIOP\1" + bytes([minor]):
-            continue
-        if head[7:8] != bytes([messages.REPLY]):
+        if head[:6] != b"GIOP\1" + bytes([minor]) or head[7:8] != bytes([messages.REPLY]):
             continue
         if minor < 2:
-            raise errors.Unreachable(
-                where, f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin"
-            )
+            why = f"speaks GIOP 1.{minor} only, which omniORB does not try; set RTSHELL_ORB=builtin"
+            raise errors.Unreachable(where, why)
         return
 
 
@@ -541,10 +528,7 @@ def _not_connected(where, endpoint):
     except (OSError, ValueError) as e:  # ValueError: not a host name
         if isinstance(e, OSError) and _session is not None:
             _session.note_shortage(e, endpoint[0])
-        why = getattr(e, "strerror", None)
-        if why:
-            return errors.Unreachable(where, f"cannot be reached ({why})")
-        return errors.Unreachable(where, "cannot be reached")
+        return failures.unreachable(where, e)
     return errors.ConnectionRefused(where)
 
 
@@ -718,9 +702,7 @@ def _as_text(value, CORBA):
         return f"<{from_wire(typecode.id())}>"
     if kind == CORBA.tk_objref:
         return start().object_to_string(value)
-    if value is not None:
-        return str(value)
-    return ""
+    return "" if value is None else str(value)
 
 
 def descriptor(type_id):

@@ -28,9 +28,9 @@ async def shows_death(e, endpoint, home=None):
     """Whether an errors.Error of a call to an object at `endpoint` shows that the object is gone; for `home`
     see `is_gone`.
     """
-    return isinstance(e, errors.Gone) or isinstance(e, errors.ConnectionRefused) and await is_gone(
-        endpoint, home
-    )
+    if isinstance(e, errors.ConnectionRefused):
+        return await is_gone(endpoint, home)
+    return isinstance(e, errors.Gone)
 
 
 async def refusal(where, endpoint, home=None):
@@ -69,9 +69,7 @@ async def means_the_same(host, homes):
 
 async def is_this_host(host):
     """Whether a host, a name or an IP address, is this one."""
-    if host == "localhost":
-        return True
-    return any(is_own(address) for address in await _addresses(host))
+    return host == "localhost" or any(is_own(address) for address in await _addresses(host))
 
 
 async def _addresses(host):
@@ -82,9 +80,8 @@ async def _addresses(host):
 
 def _is_own_name(host):
     """Whether a host is called as this one calls itself, with or without its domain."""
-    if host == "localhost":
-        return True
-    return host.partition(".")[0].lower() == loop.world().host_name().partition(".")[0].lower()
+    own = loop.world().host_name()
+    return host == "localhost" or host.partition(".")[0].lower() == own.partition(".")[0].lower()
 
 
 def _is_address(host):

@@ -49,9 +49,8 @@ def invoke(orb, where, ref, schema, args):
 def _described(schema):
     """The descriptors that omniORBpy takes for a schema."""
     given = tuple(_Described().visit(descriptor) for descriptor in schema.given)
-    if schema.is_oneway:
-        returned = None
-    else:
+    returned = None
+    if not schema.is_oneway:
         returned = tuple(_Described(is_guarded=True).visit(descriptor) for descriptor in schema.returned)
     raised = {
         type_id: _Described(is_guarded=True).exception(descriptor)

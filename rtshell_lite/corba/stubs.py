@@ -122,9 +122,7 @@ def contents(scope):
     import omniORB
 
     names = {}  # type: dict
-    for type_id in [
-        name for table in (idl.TYPES, idl.INTERFACES) for name in table if name.startswith(scope)
-    ]:
+    for type_id in [name for name in (*idl.TYPES, *idl.INTERFACES) if name.startswith(scope)]:
         descriptor = idl.descriptor(type_id)
         name = idl.name(type_id)
         kind = descriptors.kind(descriptor)

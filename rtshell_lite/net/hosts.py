@@ -93,9 +93,7 @@ def together(first, other):
         if all(inside):
             return True
         is_known = is_known or any(inside)
-    if is_known:
-        return False
-    return None
+    return False if is_known else None
 
 
 def interfaces():

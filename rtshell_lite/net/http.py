@@ -10,7 +10,7 @@ most; a browser whose stream ends so connects again.
 import collections
 import re
 
-from rtshell_lite.net import loop, real
+from rtshell_lite.net import loop, real, tcp
 
 MOST = 64  # connections
 LONGEST = 8192  # octets of the head of a request; those of browsers have 500 to 2,000
@@ -131,9 +131,8 @@ async def _answer(connection, answer):
     headers = [("Content-Type", response.kind)] + list(ALWAYS) + list(response.headers)
     if not is_stream:
         headers.append(("Content-Length", len(response.content)))
-    lines = [f"HTTP/1.1 {response.status} {WORDS[response.status]}"] + [
-        f"{name}: {value}" for name, value in headers
-    ]
+    lines = [f"HTTP/1.1 {response.status} {WORDS[response.status]}"]
+    lines += [f"{name}: {value}" for name, value in headers]
     head = "\r\n".join(lines + ["", ""]).encode()
     if is_stream and method == "GET":
         await connection.send(head)
@@ -173,15 +172,10 @@ class HttpConnection:
 
     async def _some(self):
         """The next octets that come. Raises Gone, OSError."""
-        while True:
-            await loop.ready(self.socket.fileno(), loop.READ)
-            try:
-                some = self.socket.recv(4096)
-            except BlockingIOError:
-                continue
-            if not some:
-                raise Gone
-            return some
+        some = await tcp.receive(self.socket, 4096)
+        if not some:
+            raise Gone
+        return some
 
     async def read_all(self):
         """Read, and forget, what comes until the end. Raises Gone, then, OSError."""

@@ -878,9 +878,8 @@ class Loop:
             return
         exception = self._signals[number]()
         now = self.now()
-        if exception is None:
-            return
-        if now - self._last_strike < (UNWINDING if self._is_ending else BOUNCE):
+        pause = UNWINDING if self._is_ending else BOUNCE
+        if exception is None or now - self._last_strike < pause:
             return
         self._last_strike = now
         self._is_ending = not isinstance(exception, KeyboardInterrupt)

@@ -110,11 +110,9 @@ class Request:
             if len(data) > messages.LARGE and len(data) > self.max_reply:
                 raise ValueError(f"more than {self.max_reply} octets")
             if status == messages.NO_EXCEPTION:
-                if self.call.part is None:
-                    read = self.operation.results[little]
-                else:
-                    read = self.operation.of_part(self.call.part)[little]
-                value, end = read(data, start)
+                part = self.call.part
+                readers = self.operation.results if part is None else self.operation.of_part(part)
+                value, end = readers[little](data, start)
                 if self.is_once:
                     check_end(data, end)
             elif status == messages.SYSTEM_EXCEPTION:
@@ -198,9 +196,7 @@ class Request:
             return errors.Unreachable(where, errors.NO_USABLE_ADDRESS)
         if isinstance(e, OSError):
             session.current().note_shortage(e, self.ref.address.host)
-            if e.strerror:
-                return errors.Unreachable(where, f"cannot be reached ({e.strerror})")
-            return errors.Unreachable(where, "cannot be reached")
+            return failures.unreachable(where, e)
         # the answer can be read; it costs what the reference is bound to, not who sent it
         if isinstance(e, ior.BadReference):
             return errors.Garbled(where, str(e))

@@ -34,13 +34,8 @@ def from_url(where, url):
     address, slash, key = rest.partition("/")
     version, _, address = address.rpartition("@")
     host, port = split_address(address)
-    if (
-        corbaloc != "corbaloc"
-        or protocol not in ("", "iiop")
-        or version not in _MINORS
-        or not slash
-        or port is None
-    ):
+    is_of_iiop = corbaloc == "corbaloc" and protocol in ("", "iiop") and version in _MINORS
+    if not is_of_iiop or not slash or port is None:
         raise errors.BadPath(where, "not an address (the builtin ORB speaks IIOP only)")
     key = key.encode("utf-8", "surrogateescape")
     if b"%" in key:
@@ -128,9 +123,7 @@ def _as_text(value, descriptor):
     if any(descriptors.kind(inner) in _STRUCTURES for _, inner in descriptors.walk(descriptor, "")):
         # their texts may be a thousand times as long as they, or without end
         return f"<{from_wire(descriptors.words(descriptor))}>"
-    if value is not None:
-        return str(value)
-    return ""
+    return "" if value is None else str(value)
 
 
 descriptor = idl.known
@@ -138,10 +131,8 @@ descriptor = idl.known
 
 def descriptor_in(nvlist, name):
     """The descriptor of the type of the value with this name in an SDOPackage::NVList, or None."""
-    return next(
-        (value.descriptor for key, value in nvlist if key == name.encode() and type(value) is not bytes),
-        None,
-    )
+    others = [value for key, value in nvlist if key == name.encode() and type(value) is not bytes]
+    return others[0].descriptor if others else None
 
 
 def nvlist(pairs):

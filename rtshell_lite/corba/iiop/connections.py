@@ -337,14 +337,10 @@ class TcpConnection:
         closes.
         """
         _, minor = self._version
+        is_closed = isinstance(end, Closed) and not end.not_started and not self._pieces
         if isinstance(end, messages.Misunderstood):
             older = end.minor
-        elif (
-            isinstance(end, Closed)
-            and not end.not_started
-            and not self._pieces
-            and self.endpoint not in self._memory.answered
-        ):
+        elif is_closed and self.endpoint not in self._memory.answered:
             older = minor - 1
         else:
             return False

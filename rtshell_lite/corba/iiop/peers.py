@@ -133,10 +133,7 @@ class _Peer:
 
     def add(self, request):
         """Have a request wait until it may be sent."""
-        if request.asks_others:
-            self.waiting_for_others.append(request)
-        else:
-            self.waiting.append(request)
+        (self.waiting_for_others if request.asks_others else self.waiting).append(request)
 
     def remove(self, request):
         """Take back a request that waits; False if it does not."""
@@ -186,11 +183,11 @@ class _Peer:
         A name server gets many at once, so each of its answers restarts the clock of all. Another process may
         do one request after the other: the clock of the next one starts when the one before is answered.
         """
-        late = []
-        for number, request in self.connection.requests.items():
+        def is_late(request):
             begun = self.heard if _is_naming(request) else self.moved_on
-            if now - max(request.sent, begun) > request.seconds:
-                late.append(number)
+            return now - max(request.sent, begun) > request.seconds
+
+        late = [number for number, request in self.connection.requests.items() if is_late(request)]
         return [self.connection.give_up(number) for number in late]
 
     def unanswered(self, found_silent, timeout):
@@ -249,9 +246,7 @@ class Peers:
     def withdraw(self, request):
         """Nobody waits for the result of a request any more; it is not sent, if it has not been."""
         peer = self.peer(request.endpoint)
-        if peer.remove(request):
-            return
-        if peer.connection is None:
+        if peer.remove(request) or peer.connection is None:
             return
         for number, other in list(peer.connection.requests.items()):
             if other is request:
@@ -268,13 +263,9 @@ class Peers:
         """
         peer = self.known[endpoint]
         connection = peer.connection
-        if self._asked:
+        if self._asked or len(peer.waiting) + len(peer.waiting_for_others) != 1:
             return
-        if len(peer.waiting) + len(peer.waiting_for_others) != 1:
-            return
-        if connection is None:
-            return
-        if not connection.is_quiet:
+        if connection is None or not connection.is_quiet:
             return
         if endpoint in self.session.memory.of_one_reply or not self.loop.is_one_awaited():
             return

@@ -73,11 +73,7 @@ def servant(ref):
         return None
     servant, _ = server.objects.get(ref.address.key, (None, None))
     own = getattr(servant, "reference", None)
-    if own is None:
-        return None
-    if own.address[1:] != ref.address[1:]:
-        return None
-    return servant
+    return servant if own is not None and own.address[1:] == ref.address[1:] else None
 
 
 def _setting(name):
@@ -313,13 +309,10 @@ class Server:
             unused = [caller for caller in self.callers if caller.data and caller.begin == caller.end]
             for caller in unused:
                 caller.data = bytearray()
-                caller.begin = 0
-                caller.end = 0
+                caller.begin = caller.end = 0
             if not unused:
-                self.turn_away(
-                    [caller for caller in self.strangers() if caller.held()]
-                    or list(filter(Caller.held, self.callers))
-                )
+                holding = list(filter(Caller.held, self.callers))
+                self.turn_away([caller for caller in holding if not caller.has_called] or holding)
 
     def strangers(self, host=None):
         """The connections, of a host or of all, that have called no servant."""
@@ -410,9 +403,7 @@ class Server:
         try:
             for read in readers[request.little]:
                 value, offset = read(data, offset)
-                if octets:
-                    value = bytes(value)
-                arguments.append(value)
+                arguments.append(bytes(value) if octets else value)
         except (ValueError, struct.error, IndexError, RecursionError):
             return requests.failed(request, "MARSHAL")
         try:
