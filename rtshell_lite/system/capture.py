@@ -58,19 +58,14 @@ async def ask(node, brief=False, states=True, everything=False):
                 a quarter of the memory
     everything  all that rtcat shows, too, which stays in a snapshot.Snapshot
     """
-    if brief:
-        of_ports = BRIEF
-        of_profile = NAMES
-    else:
-        of_ports = of_profile = FULL
-    of_contexts = FULL if everything else PROFILE
-    in_contexts = {"participating": BRIEF, "states": FULL} if states else {}
+    parts = {"configuration": FULL, "organisations": FULL}
+    parts.update(ports=BRIEF if brief else FULL, profile=NAMES if brief else FULL)
+    parts.update(owned=FULL if everything else PROFILE)
+    if states:
+        parts.update(participating=BRIEF, states=FULL)
     if everything:
-        in_contexts.update(participating=FULL, composites=FULL, members=FULL, names=FULL)
-    shown = await snapshot.of(
-        node, ports=of_ports, owned=of_contexts, **in_contexts, configuration=FULL, organisations=FULL,
-        profile=of_profile,
-    )
+        parts.update(participating=FULL, composites=FULL, members=FULL, names=FULL)
+    shown = await snapshot.of(node, **parts)
     if states and not everything and len(shown.contexts) > 1:  # one context counts, whether it runs or not
         shown.owned = [await _with_running(shown, context) for context in shown.owned]
     answer = found_in(shown, brief)
@@ -91,22 +86,17 @@ def found_in(shown, brief=False):
         raise errors.Unreachable(str(node.path), "one of its execution contexts does not answer")
     if brief:
         contexts = [context._replace(ref=None, owner=None, properties=()) for context in contexts]
-    if shown.configuration:
-        sets = shown.configuration.sets(with_hidden=True)
-        active = shown.configuration.active
-    else:
-        sets = []
-        active = ""
+    configuration = shown.configuration
     return ComponentState(
-        node,
-        ports.in_system(shown.ports),
-        contexts,
-        {context.handle: state for context, state in zip(shown.contexts, shown.states)},
-        sets,
-        active,
-        [member for organisation in shown.organisations for member in organisation.members],
-        shown.profile,
-        None,
+        node=node,
+        ports=ports.in_system(shown.ports),
+        owned=contexts,
+        states={context.handle: state for context, state in zip(shown.contexts, shown.states)},
+        sets=configuration.sets(with_hidden=True) if configuration else [],
+        active=configuration.active if configuration else "",
+        members=[member for organisation in shown.organisations for member in organisation.members],
+        profile=shown.profile,
+        snapshot=None,
     )
 
 
@@ -219,7 +209,8 @@ async def capture(
     if not all_components:
         answers, unused = _in_use(answers)
     profile = _profile(answers, connectors, holders, notes)
-    return System(profile, answers, unused, failures, _once(notes), lost, loose)
+    # each note once: a hostile composite names one member a thousand times
+    return System(profile, answers, unused, failures, list(dict.fromkeys(notes)), lost, loose)
 
 
 def of_snapshots(shown, ends):
@@ -231,12 +222,7 @@ def of_snapshots(shown, ends):
     answers = [found_in(snapshot)._replace(snapshot=snapshot) for snapshot in shown]
     connectors, loose = _connectors(answers, ends, {}, notes)
     profile = _profile(answers, connectors, {}, notes)
-    return System(profile, answers, [], [], _once(notes), {}, loose)
-
-
-def _once(notes):
-    """A hostile composite names one member a thousand times."""
-    return list(dict.fromkeys(notes))
+    return System(profile, answers, [], [], list(dict.fromkeys(notes)), {}, loose)
 
 
 def _profile(answers, connectors, holders, notes):
@@ -328,20 +314,15 @@ def _component(answer, answers, notes):
         is_required=True,
         location=model.Location(),
     )
-    for kind in ("DataInPort", "DataOutPort"):
-        names = sorted(ports.short_name(port.name, instance) for port in answer.ports if port.type == kind)
-        described.data_ports += [model.DataPort(name=name) for name in names]
-    names = sorted(ports.short_name(port.name, instance) for port in answer.ports if port.type == "CorbaPort")
-    described.service_ports = [model.ServicePort(name=name) for name in names]
-    described.configuration_sets = [
-        model.ConfigurationSet(
-            id=one_set.id,
-            configuration_data=[
-                model.ConfigurationData(name=name, data=value) for name, value in one_set.values.items()
-            ],
-        )
-        for one_set in answer.sets
-    ]
+    names = collections.defaultdict(list)  # by type of port
+    for port in answer.ports:
+        names[port.type].append(ports.short_name(port.name, instance))
+    in_and_out = sorted(names["DataInPort"]) + sorted(names["DataOutPort"])
+    described.data_ports = [model.DataPort(name=name) for name in in_and_out]
+    described.service_ports = [model.ServicePort(name=name) for name in sorted(names["CorbaPort"])]
+    for one_set in answer.sets:
+        data = [model.ConfigurationData(name=name, data=value) for name, value in one_set.values.items()]
+        described.configuration_sets.append(model.ConfigurationSet(id=one_set.id, configuration_data=data))
     described.execution_contexts = [_context(answer, context, answers, notes) for context in answer.owned]
     if answer.members:
         kind = answer.profile.category.rpartition("composite.")[2]
@@ -368,10 +349,8 @@ def _context(answer, context, answers, notes):
     for ref in context.participants:
         other = _member(ref, answers)
         if other is None:
-            notes.append(
-                f"{answer.node.path}: a component that takes part in its execution context {context.handle} "
-                "is not in the system, left out"
-            )
+            who = f"a component that takes part in its execution context {context.handle}"
+            notes.append(f"{answer.node.path}: {who} is not in the system, left out")
         elif other is not answer:
             described.participants.append(_target(model.TargetComponent, other))
     described.participants.sort(key=lambda participant: participant.instance_name)
@@ -407,9 +386,8 @@ def _connectors(answers, outside, silent, notes):
         for port in answer.ports:
             for connector in port.connectors:
                 refs = [ref for ref in connector.ports if ref is not None]
-                connectors.setdefault(
-                    (connector.id, frozenset(orb.identity(ref) for ref in refs)), (port, connector, refs)
-                )
+                key = connector.id, frozenset(map(orb.identity, refs))
+                connectors.setdefault(key, (port, connector, refs))
     inner = []
     loose = []
     for port, connector, refs in connectors.values():
@@ -428,19 +406,13 @@ def _connectors(answers, outside, silent, notes):
 
 
 def _connector_key(connector):
-    return [_end_key(end) for end in connector.ends], connector.connector_id, connector.name
+    ends = [(end.property(PATH_ID), end.port_name) for end in connector.ends]
+    return ends, connector.connector_id, connector.name
 
 
 def _owns(answer, port):
-    return (
-        port.owner is not None
-        and orb.same(port.owner, answer.node.ref)
-        or port.name.startswith(answer.profile.instance_name + ".")
-    )
-
-
-def _end_key(end):
-    return (end.property(PATH_ID), end.port_name)
+    is_of_it = port.owner is not None and orb.same(port.owner, answer.node.ref)
+    return is_of_it or port.name.startswith(answer.profile.instance_name + ".")
 
 
 def _name(end, ref, silent):
@@ -461,15 +433,11 @@ def _connector(connector, pairs):
         ]
         first = [end for end in first if end is not None]
         pairs = first + [end for end in pairs if end not in first]
-    ends = [
-        _target(
-            model.TargetPort,
-            answer,
-            port_name="%s.%s"
-            % (answer.profile.instance_name, ports.short_name(port.name, answer.profile.instance_name)),
-        )
-        for answer, port in pairs
-    ]
+    ends = []
+    for answer, port in pairs:
+        instance = answer.profile.instance_name
+        name = f"{instance}.{ports.short_name(port.name, instance)}"
+        ends.append(_target(model.TargetPort, answer, port_name=name))
     properties = [
         (name, value) for name, value in sorted(connector.properties) if not is_reference(name, value)
     ]
@@ -580,13 +548,7 @@ async def ask_each(profile, function=ask):
     valid = [where for where in paths if not isinstance(where, errors.Error)]
     with Work("components", len(valid)) as work:
         coming = iter(await tree.on_components(valid, work.counting(function)))
-    answers = []
-    for where in paths:
-        if isinstance(where, errors.Error):
-            answers.append(where)
-        else:
-            answers.append(next(coming))
-    return answers
+    return [where if isinstance(where, errors.Error) else next(coming) for where in paths]
 
 
 async def states(profile):

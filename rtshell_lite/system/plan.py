@@ -55,33 +55,26 @@ def make(profile, section, name, start=True):
     ]
     problems = targets.problems + contradictions + list(_circles(planned))
     if problems:
-        why = "; ".join(_once(problems))
+        why = "; ".join(dict.fromkeys(problems))
         raise errors.Failed(printable(name), f"{section.capitalize()}: {why}")
     if start:
         notes += _optional_before_required(planned)
-    return Plan(planned, _once(notes))
+    return Plan(planned, list(dict.fromkeys(notes)))
 
 
 def _actions(profile, start):
     """An Action without conditions for each context of each component;
     a component that lists none has one.
     """
-    if start:
-        components = sorted(profile.components, key=lambda component: not component.is_required)
-    else:
-        components = profile.components
+    components = sorted(profile.components, key=lambda component: start and not component.is_required)
     actions = []
     for component in components:
-        contexts = [
-            context.id or str(index) for index, context in enumerate(component.execution_contexts)
-        ] or ["0"]
-        for index, context in enumerate(contexts):
-            actions.append(
-                Action(
-                    len(actions) + 1, component, context, index, capture.shown_path(component),
-                    start and component.is_required, None, None, (), (),
-                )
-            )
+        ids = [context.id or str(index) for index, context in enumerate(component.execution_contexts)]
+        path = capture.shown_path(component)
+        required = start and component.is_required
+        for index, context in enumerate(ids or ["0"]):
+            number = len(actions) + 1
+            actions += [Action(number, component, context, index, path, required, None, None, (), ())]
     return actions
 
 
@@ -115,9 +108,8 @@ class _Targets:
         actions = self._actions[id(component)]
         numbers = [action.number for action in actions if target.id in ("", action.context)]
         if not numbers:
-            self.problems.append(
-                f"{actions[0].path} has no execution context {printable(target.id)} in the file"
-            )
+            context = printable(target.id)
+            self.problems.append(f"{actions[0].path} has no execution context {context} in the file")
         return numbers
 
 
@@ -135,22 +127,18 @@ def _with_conditions(action, conditions, targets, notes):
         if condition.preceding is not None:
             sync = condition.preceding.sending_timing.upper() == "SYNC"
             for target in condition.preceding.preceding_components:
-                if sync:
-                    text = f"Sync to {printable(target.instance_name)}"
-                else:
-                    text = f"After {printable(target.instance_name)}'s action"
-                after += [
-                    After(number, sync, condition.preceding.timeout, text) for number in targets.of(target)
-                ]
+                name = printable(target.instance_name)
+                text = f"Sync to {name}" if sync else f"After {name}'s action"
+                timeout = condition.preceding.timeout
+                after += [After(number, sync, timeout, text) for number in targets.of(target)]
                 said.append(f"{order}/{text}")
         texts += said or [order]
-    for text in _once(text for text in texts if texts.count(text) > 1):
-        notes.append(
-            f"{action.path} in execution context {printable(action.context)} has a condition twice: {text}"
-        )
+    for text in dict.fromkeys(text for text in texts if texts.count(text) > 1):
+        where = f"{action.path} in execution context {printable(action.context)}"
+        notes.append(f"{where} has a condition twice: {text}")
     return action._replace(
         order=min([condition.sequence for condition in conditions], default=None),
-        wait=max(waits, default=None), after=tuple(_once(after)), texts=tuple(_once(texts)),
+        wait=max(waits, default=None), after=tuple(dict.fromkeys(after)), texts=tuple(dict.fromkeys(texts)),
     )
 
 
@@ -168,9 +156,8 @@ def _contradictions(action, conditions):
     twice = collections.OrderedDict()
     for after in action.after:
         twice.setdefault(after.number, []).append("%s within %dms" % (after.text, after.timeout))
-    for texts in [
-        ["Order %d" % number for number in sorted(plain)], ["Wait %dms" % number for number in sorted(waits)]
-    ] + list(twice.values()):
+    orders = ["Order %d" % number for number in sorted(plain)]
+    for texts in [orders, ["Wait %dms" % number for number in sorted(waits)], *twice.values()]:
         if len(texts) > 1:
             yield where + " contradicts ".join(texts)
     for time in sorted(time for time in times if time < 0):
@@ -205,9 +192,7 @@ def _remove_free(waiting):
         gone = free.pop()
         del waiting[gone]
         for number in waited_for.get(gone, []):
-            if number not in waiting:
-                continue
-            if not any(other in waiting for other in waiting[number]):
+            if number in waiting and not any(other in waiting for other in waiting[number]):
                 free.append(number)
 
 
@@ -242,10 +227,6 @@ def _depends(action, other):
     if is_step and action.order is not None and other.order < action.order:
         return True
     return any(after.number == other.number and (after.sync or other.required) for after in action.after)
-
-
-def _once(items):
-    return list(collections.OrderedDict.fromkeys(items))
 
 
 # ---- showing a plan ----
@@ -384,11 +365,8 @@ class Schedule:
             if after.timeout and now >= self.armed + after.timeout / 1000:
                 goal = self.target if after.sync else "accepted"
                 return "%s: not %s within %dms" % (after.text, goal, after.timeout)
-        if open_ones:
-            return "wait"
-        if now < self.armed + (action.wait or 0) / 1000:
-            return "wait"
-        return None
+        is_early = now < self.armed + (action.wait or 0) / 1000
+        return "wait" if open_ones or is_early else None
 
     def _holds(self, after):
         status = self.ended.get(after.number)
@@ -418,13 +396,8 @@ class Schedule:
         """The next time after `now` at which something may be due by itself, None if nothing may."""
         if self.armed is None:
             return None
-        times = [action.wait or 0 for action in self._waiting]
-        times += [
-            after.timeout
-            for action in self._waiting
-            for after in action.after
-            if after.timeout and not self._holds(after)
-        ]
-        return min(
-            (self.armed + time / 1000 for time in times if self.armed + time / 1000 > now), default=None
-        )
+        afters = [after for action in self._waiting for after in action.after]
+        delays = [action.wait or 0 for action in self._waiting]
+        delays += [after.timeout for after in afters if after.timeout and not self._holds(after)]
+        times = [self.armed + delay / 1000 for delay in delays]
+        return min([time for time in times if time > now], default=None)

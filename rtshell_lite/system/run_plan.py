@@ -150,9 +150,8 @@ class Run:
                         if reason is None:
                             self._start(action, group)
                         else:
-                            self.progress.ended(
-                                Result(action, outcomes.NOT_TRIED, errors.NotTried(action.path, reason))
-                            )
+                            error = errors.NotTried(action.path, reason)
+                            self.progress.ended(Result(action, outcomes.NOT_TRIED, error))
                     await self._wait(self._schedule.next_time(now))
         finally:
             self._leave()
@@ -218,9 +217,7 @@ class Run:
         try:
             index = _context(node, contexts or await _contexts(node), action)
             has_changed = await transitions.change_as_planned(node, self.transition, index, self.wait, stage)
-            if has_changed:
-                return Result(action, outcomes.DONE, None)
-            return Result(action, outcomes.ALREADY, None)
+            return Result(action, outcomes.DONE if has_changed else outcomes.ALREADY, None)
         except errors.Unreachable as e:
             if action.number in self._asked:
                 return await self._seen(action, node, e)
@@ -234,10 +231,9 @@ class Run:
         why = failure.why
         if session.current().silence(node.endpoint):
             return Result(action, outcomes.UNCERTAIN, errors.Uncertain(where, why))
+        asked = transitions.state_as_planned(node, self.transition, self.wait)
         try:
-            now = await component.uncertain_if_refused(
-                transitions.state_as_planned(node, self.transition, self.wait)
-            )
+            now = await component.uncertain_if_refused(asked)
         except (errors.Gone, errors.ConnectionRefused, errors.Refused) as e:
             return self._failed(action, e)
         except errors.Error:
@@ -249,9 +245,8 @@ class Run:
         return self._failed(action, failure)
 
     def _failed(self, action, error):
-        if self.transition is transitions.DEACTIVATE and placements.is_gone(error):
-            return Result(action, outcomes.GONE, error)
-        return Result(action, outcomes.FAILED, error)
+        is_stopped = self.transition is transitions.DEACTIVATE and placements.is_gone(error)
+        return Result(action, outcomes.GONE if is_stopped else outcomes.FAILED, error)
 
 
 # ---- asking ----
@@ -269,9 +264,8 @@ async def _ask(node):
 
 async def _contexts(node):
     owned, participating = await component.context_refs(node)
-    return _Contexts(
-        [await node.call("get_context_handle", ref) for ref in owned + participating], len(owned)
-    )
+    handles = [await node.call("get_context_handle", ref) for ref in owned + participating]
+    return _Contexts(handles, len(owned))
 
 
 def _context(node, contexts, action):
@@ -281,7 +275,6 @@ def _context(node, contexts, action):
             return contexts.handles.index(int(action.context))
     elif action.context_index < contexts.owned:  # some files give names to contexts
         return action.context_index
-    handles = ", ".join(str(handle) for handle in sorted(contexts.handles)) or "none"
-    raise errors.NoSuch(
-        str(node.path), "execution context", f"{printable(action.context)} (it has {handles})"
-    )
+    handles = ", ".join(map(str, sorted(contexts.handles))) or "none"
+    why = f"{printable(action.context)} (it has {handles})"
+    raise errors.NoSuch(str(node.path), "execution context", why)
