@@ -17,19 +17,18 @@ async def adopt(profile):
     listed = restore.places(profile)
     tops = sorted({placement.path._replace(names=()) for placement in listed}, key=str)
     now = await capture.capture(tops, all_components=True, shows=True)
-    captured = {}
-    for answer, described in zip(now.found, now.profile.components):
-        captured[answer.node.path] = answer, described
+    captured = {
+        answer.node.path: (answer, described)
+        for answer, described in zip(now.found, now.profile.components)
+    }
     for placement in listed:
         if placement.path not in captured:
             mine = [error for error in now.failures if error.where == placement.where]
             raise (mine + now.failures + [errors.NotFound(placement.where)])[0]
     for placement in listed:
         _take_component(placement.component, *captured[placement.path])
-    ids = set()
-    for path, (_, described) in captured.items():
-        if path in {placement.path for placement in listed}:
-            ids.add(id(described))
+    own_paths = {placement.path for placement in listed}
+    ids = {id(described) for path, (_, described) in captured.items() if path in own_paths}
     locate = capture.locator(now.profile)
     for kind in KINDS:
         present = [

@@ -153,27 +153,18 @@ async def _answers(outcomes):
     an errors.Error in the place of what failed.
     """
     asked = [_questions(outcome.step) for outcome in outcomes]
-    questions = []
-    for part in asked:
-        if isinstance(part, list):
-            questions += part
+    questions = [question for part in asked for question in part]  # errors stay what they are
     values = await session.each(questions, lambda question: question.ask(), lambda question: question[:2])
     coming = iter(values)
-    answers = []
-    for part in asked:
-        if isinstance(part, list):
-            answers.append([next(coming) for _ in part])
-        else:
-            answers.append([part])
-    return answers
+    return [[next(coming) for _ in part] for part in asked]
 
 
 def _questions(step):
-    """The Questions of a step, or the errors.Error that says why it has none."""
+    """The Questions of a step, or the errors.Error that says why it has none, in a list."""
     try:
         return step.questions()
     except errors.Error as e:
-        return e
+        return [e]
 
 
 async def _look(outcomes):
@@ -220,11 +211,8 @@ async def _mark_dead(outcomes, others=()):
     nodes = await tree.check_alive([placement.node for placement in asked.values()])
     # a connection, which may have been an old one
     unsure = [type(node.error) is errors.Unreachable for node in nodes]
-    again = iter(
-        await tree.check_alive(
-            [placement.node for placement, is_unsure in zip(asked.values(), unsure) if is_unsure]
-        )
-    )
+    doubtful = [placement.node for placement, is_unsure in zip(asked.values(), unsure) if is_unsure]
+    again = iter(await tree.check_alive(doubtful))
     for placement, node, is_unsure in zip(asked.values(), nodes, unsure):
         placement.error = next(again).error if is_unsure else node.error
 

@@ -52,12 +52,12 @@ class Journal:
         self._events = work.channels.add_json("/events", schemas.of_events())
         self._logs = work.channels.add_json("/logs", _RECORDS)
         kinds = watch.Events(set(watch.KINDS) - {"HEARTBEAT"}, asks_ports=True)
-        async with watch.Watch(kinds, self._note) as events:
-            async with watch.Watch(watch.Records("NORMAL", ()), _ignore) as logs:
-                try:
-                    await self._follow(flight, events, logs)
-                finally:
-                    _report_dropped(events.dropped + logs.dropped)
+        records = watch.Records("NORMAL", ())
+        async with watch.Watch(kinds, _ignore) as events, watch.Watch(records, _ignore) as logs:
+            try:
+                await self._follow(flight, events, logs)
+            finally:
+                _report_dropped(events.dropped + logs.dropped)
 
     async def _follow(self, flight, events, logs):
         paths = set()
@@ -82,9 +82,6 @@ class Journal:
     def is_running(self):
         """Whether events can be put into the log."""
         return self._events is not None
-
-    def _note(self, line):
-        """What is said of a component beside events."""
 
     def _take(self, events, logs):
         for watched, event in events.taken():
@@ -145,7 +142,7 @@ def _report_dropped(number):
 
 
 def _ignore(line):
-    """Take no notice of a line about loggers."""
+    """Take no notice of a line that is said of a component beside events, and about loggers."""
 
 
 async def describe(tops):

@@ -98,9 +98,7 @@ class Keeper(follow.Presence):
             kept.looking = {WHOLE}
         await session.each(unseen, self._look)
         here = [kept for kept in meant if kept.is_usable and kept.is_started]
-        for result in await self._carry_out(
-            planned.actions, transitions.DEACTIVATE, here, lambda kept: GONE
-        ):
+        for result in await self._carry_out(planned.actions, transitions.DEACTIVATE, here, lambda kept: GONE):
             kept = self._kept_of[id(result.action.component)]
             if result.error is None:
                 self.happened(kept, "", "Inactive")
@@ -171,11 +169,7 @@ class Keeper(follow.Presence):
                 kept.is_busy = True
             if batch:
                 self.start(self._mend(batch))
-            due = min([kept.due for kept in waiting if kept.due > now], default=None)
-            if due is None:
-                await self.bell.wait(None)
-            else:
-                await self.bell.wait(due - now)
+            await self.bell.wait(min([kept.due - now for kept in waiting if kept.due > now], default=None))
 
     def _mendable(self, waiting):
         """Those that can be mended now. One task mends a component that is back, and the composites that have
@@ -331,9 +325,8 @@ class Keeper(follow.Presence):
     async def _parts(self, batch):
         """The outcomes of steps other than connections."""
         listed = [kept.placement for kept in batch if kept.looking - {"ports", STATE}]
-        return [
-            outcome for outcome in await restore.parts(listed, self._placement_of) if outcome.step.placements
-        ]
+        outcomes = await restore.parts(listed, self._placement_of)
+        return [outcome for outcome in outcomes if outcome.step.placements]
 
     def _is_by_hand(self, outcome):
         """Whether a step would undo what a person did; notes what is as in the file."""
@@ -535,11 +528,8 @@ def _key(step):
     """What distinguishes a step from others of its component."""
     if step.kind in ("connect", "disconnect"):
         return reconnect.key_of(step.connector)
-    return (
-        step.kind,
-        getattr(step, "set_id", None) or getattr(step, "handle", None),
-        tuple(getattr(step, "values", ())),
-    )
+    what = getattr(step, "set_id", None) or getattr(step, "handle", None)
+    return step.kind, what, tuple(getattr(step, "values", ()))
 
 
 def _title(step):

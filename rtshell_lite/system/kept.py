@@ -142,16 +142,11 @@ class KeptComponent(follow.Followed):
 
     def as_dict(self):
         """For `rtkeep status`."""
-        if self.is_paused:
-            goal = "paused"
-        elif self.is_started:
-            goal = "Active"
-        else:
-            goal = "any"
+        goal = "Active" if self.is_started else "any"
         return {
             "kind": "component",
             "object": self.where,
-            "wanted": goal,
+            "wanted": "paused" if self.is_paused else goal,
             "state": self.state,
             "since": self.since,
             "restarts": self.restarts,

@@ -69,9 +69,7 @@ def _spec(file, name, words, processes, usual):
                 raise ValueError(f"after {other}, which is not there")
         ready = path.parse(words["ready"]) if words.get("ready") else None
         environment = _environment(words.get("env", ""))
-        cwd = words.get("cwd")
-        if cwd is not None:
-            cwd = os.path.expandvars(cwd)
+        cwd = words.get("cwd") and os.path.expandvars(words["cwd"])
         stop = _stop(words.get("stop", STOP))
         restarts = policy.parse(words.get("restart"), words.get("burst"), words.get("delay"), usual)
         return Spec(name, command, after, ready, environment, cwd, stop, restarts)

@@ -11,6 +11,7 @@ from rtshell_lite.xmlprofile import model
 PATHS = (capture.PATH_ID, capture.MANAGER)  # extended properties that hold a path
 # parameters of composites that list names of instances and of their ports
 LISTS = ("members", composites.EXPORTED)
+_WORD = re.compile(r"[^,\s](?:[^,]*[^,\s])?")  # in such a list
 TARGETS = (model.TargetComponent, model.TargetPort, model.TargetExecutionContext)
 
 
@@ -50,9 +51,9 @@ def move(profile, maps):
         if component.path_uri != path_uri:  # another object
             component.properties = [item for item in component.properties if item.name != capture.REFERENCE]
     _refuse_unclear(targets, profile.components, names)
-    within = {}
-    for key, some in members.items():
-        within[key] = dict(names[id(member)] for member in some if member is not None)
+    within = {
+        key: dict(names[id(member)] for member in some if member is not None) for key, some in members.items()
+    }
     for component in profile.components:
         elements = [component] + component.data_ports + component.service_ports
         _rename(elements, names[id(component)], within[id(component)])
@@ -93,14 +94,10 @@ def _refuse_unclear(targets, components, names):
         called.setdefault(key, set()).add(names[id(component)][1])
     for target, _ in targets:
         key = target.component_id, target.instance_name
-        if target.property(capture.PATH_ID):
-            continue
-        if len(called.get(key, ())) > 1:
-            raise errors.Failed(
-                f"{printable(key[1])} ({printable(key[0])})",
-                f"there are several, of which --map renames some (the property {capture.PATH_ID} decides "
-                "which is meant)",
-            )
+        if not target.property(capture.PATH_ID) and len(called.get(key, ())) > 1:
+            decides = f"the property {capture.PATH_ID} decides which is meant"
+            why = f"there are several, of which --map renames some ({decides})"
+            raise errors.Failed(f"{printable(key[1])} ({printable(key[0])})", why)
 
 
 def _elements(element):
@@ -108,9 +105,7 @@ def _elements(element):
     yield element
     for field in element.FIELDS:
         value = getattr(element, field.name)
-        if not isinstance(value, list):
-            value = [value]
-        for child in value:
+        for child in value if isinstance(value, list) else [value]:
             if isinstance(child, model.Element):
                 yield from _elements(child)
 
@@ -143,9 +138,7 @@ def _rename_lists(composite, within):
     for one_set in composite.configuration_sets:
         for item in one_set.configuration_data:
             if item.name in LISTS and item.data:
-                item.data = re.sub(
-                    r"[^,\s](?:[^,]*[^,\s])?", lambda match: _renamed(match.group(), within), item.data
-                )
+                item.data = _WORD.sub(lambda match: _renamed(match.group(), within), item.data)
 
 
 def _renamed(word, names):
@@ -225,12 +218,9 @@ class Map:
 
     def fits(self, names):
         """True if it replaces the first of these names."""
-        return (
-            not self.anchored
-            and self.names is not None
-            and self.new_names is not None
-            and names[: len(self.names)] == self.names
-        )
+        if self.anchored or self.names is None or self.new_names is None:
+            return False
+        return names[: len(self.names)] == self.names
 
 
 def mapped(where, maps):

@@ -10,7 +10,7 @@ import stat
 import zlib
 
 from rtshell_lite import errors
-from rtshell_lite.net import loop
+from rtshell_lite.net import loop, tcp
 from rtshell_lite.text import json_line, printable
 
 PATIENCE = 3.0  # seconds that either side waits for the other
@@ -143,7 +143,7 @@ class Door:
 
     async def _exchange(self, connection):
         try:
-            request = await _line(connection)
+            request = await _received(connection, b"\n")
         except OSError:
             return
         try:
@@ -157,11 +157,11 @@ class Door:
         await _send(connection, "".join(json_line(line) + "\n" for line in lines))
 
 
-async def _line(connection):
+async def _received(connection, end=None):
+    """What comes, as text, up to this end of a line, and LONGEST; else all until the other side closes."""
     data = b""
-    while not data.endswith(b"\n") and len(data) < LONGEST:
-        await loop.ready(connection.fileno(), loop.READ)
-        piece = connection.recv(1 << 16)
+    while end is None or not data.endswith(end) and len(data) < LONGEST:
+        piece = await tcp.receive(connection, 1 << 16)
         if not piece:
             break
         data += piece
@@ -196,32 +196,25 @@ async def ask(door, request):
     """The lines, dicts, that the rtkeep at the socket `door` answers. Raises its errors.Error, Silent;
     ConnectionRefused where none is.
     """
+    name = printable(os.path.basename(door))
     with loop.world().local() as connection:
         connection.setblocking(False)
         try:
             connection.connect(door)
         except BlockingIOError:  # its process is stopped, and many wait for it
-            raise errors.Silent(printable(os.path.basename(door)), "too many wait for it")
+            raise errors.Silent(name, "too many wait for it")
         except OSError:
-            raise errors.ConnectionRefused(printable(os.path.basename(door)))
+            raise errors.ConnectionRefused(name)
         lines = []
 
         async def exchange():
             await _send(connection, json_line(request) + "\n")
-            data = b""
-            while True:
-                await loop.ready(connection.fileno(), loop.READ)
-                piece = connection.recv(1 << 16)
-                if not piece:
-                    break
-                data += piece
-            lines.extend([json.loads(line) for line in data.decode("utf-8", "replace").splitlines()])
+            answer = await _received(connection)
+            lines.extend([json.loads(line) for line in answer.splitlines()])  # of a part of one: nothing
 
-        name = printable(os.path.basename(door))
+        silence = errors.Silent(name, f"no answer within {PATIENCE:g}s")
         try:
-            await loop.within(
-                PATIENCE, exchange(), errors.Silent(name, f"no answer within {PATIENCE:g}s")
-            )
+            await loop.within(PATIENCE, exchange(), silence)
         except (OSError, ValueError):  # it has ended meanwhile; a part of a line
             pass
     if not lines:
