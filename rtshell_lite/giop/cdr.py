@@ -118,9 +118,8 @@ class Maker:
     def _of_cases(descriptor, make):
         """make(type) for the cases of a union: a dict by label, and that of the default case or None."""
         default = default_case(descriptor)
-        return {
-            label: make(case.type) for label, case in cases_by_label(descriptor).items()
-        }, default and make(default.type)
+        by_label = {label: make(case.type) for label, case in cases_by_label(descriptor).items()}
+        return by_label, default and make(default.type)
 
     def read_union(self, descriptor):
         make = factory(descriptor)
@@ -220,15 +219,13 @@ class Maker:
             code = CODES[sort]
             width = SIZES[CODES[sort]]
 
-            def numbers(data, offset, size):
+            def read_numbers(data, offset, size):
                 if size:
                     offset += -offset % width
-                return (
-                    list(struct.unpack_from("%s%d%s" % (order, size, code), data, offset)),
-                    offset + size * width,
-                )
+                numbers = struct.unpack_from("%s%d%s" % (order, size, code), data, offset)
+                return list(numbers), offset + size * width
 
-            return numbers
+            return read_numbers
         read_element = self.reader(element)
 
         def read(data, offset, size):
@@ -347,11 +344,8 @@ def _utf16(units):
 
 
 def _write_octets(out, value):
-    # bytes(n) would make n zeros
-    if not isinstance(value, int):
-        out += bytes(value)
-    else:
-        out += value
+    # bytes(n) would make n zeros; a number is refused
+    out += value if isinstance(value, int) else bytes(value)
 
 
 def _write_chars(out, value):

@@ -158,9 +158,8 @@ class Item:
 
 def struct(type_id, name, members):
     """The descriptor of a struct with a class of its own; `members`: (name, descriptor) pairs."""
-    new_class = type(
-        name, (Struct,), {"_NP_RepositoryId": type_id, "_members": tuple(member for member, _ in members)}
-    )
+    names = tuple(member for member, _ in members)
+    new_class = type(name, (Struct,), {"_NP_RepositoryId": type_id, "_members": names})
     return (STRUCT, new_class, type_id, name) + tuple(part for member in members for part in member)
 
 
@@ -176,15 +175,9 @@ def union(type_id, name, switched_by, given, default=-1):
     given = tuple(Case(case) for case in given)
     other = given[default] if default >= 0 else None
     by_label = {case.label: case for case in given if case is not other}
-    new_class = type(
-        name,
-        (Union,),
-        {
-            "_NP_RepositoryId": type_id,
-            "_def_m": other and other.member,
-            "_d_to_m": {label: case.member for label, case in by_label.items()},
-        },
-    )
+    members = {label: case.member for label, case in by_label.items()}
+    known = {"_NP_RepositoryId": type_id, "_def_m": other and other.member, "_d_to_m": members}
+    new_class = type(name, (Union,), known)
     return (UNION, new_class, type_id, name, switched_by, default, given, other, by_label)
 
 
@@ -200,9 +193,8 @@ def renamed(descriptor, type_id):
     if kind(descriptor) == STRUCT:
         return struct(type_id, descriptor[3], members(descriptor))
     if kind(descriptor) == UNION:
-        return union(
-            type_id, descriptor[3], discriminator(descriptor), cases(descriptor), default_index(descriptor)
-        )
+        given = cases(descriptor)
+        return union(type_id, descriptor[3], discriminator(descriptor), given, default_index(descriptor))
     # the items of an enum keep the id that they were made with
     return (descriptor[0], type_id) + descriptor[2:]
 
@@ -325,10 +317,8 @@ def words(descriptor):
         name = "string" if sort == STRING else "wstring"
         return "%s<%d>" % (name, bound(descriptor)) if bound(descriptor) else name
     if sort == SEQUENCE:
-        return "sequence<%s%s>" % (
-            words(element(descriptor)),
-            ", %d" % length(descriptor) if length(descriptor) else "",
-        )
+        limit = ", %d" % length(descriptor) if length(descriptor) else ""
+        return f"sequence<{words(element(descriptor))}{limit}>"
     if sort == ARRAY:
         return _array_words(descriptor)
     if sort in _ID:
@@ -369,9 +359,8 @@ def _within(descriptor, where):
     if sort in (STRUCT, EXCEPTION):
         return [(f"{where}.{member}", inner) for member, inner in members(descriptor)]
     if sort == UNION:
-        return [(where, discriminator(descriptor))] + [
-            (f"{where}.{case.member}", case.type) for case in cases(descriptor)
-        ]
+        inner = [(f"{where}.{case.member}", case.type) for case in cases(descriptor)]
+        return [(where, discriminator(descriptor))] + inner
     return []
 
 
@@ -499,23 +488,17 @@ class Adoption:
     def indirection(self, inner, depth):
         if kind(inner) in (ALIAS, SEQUENCE, ARRAY):
             return self.take(inner, depth - 1)
-        if isinstance(inner, str):
-            name = inner
-        elif isinstance(inner, tuple) and len(inner) > 2:
+        name = inner if isinstance(inner, str) else None
+        if isinstance(inner, tuple) and len(inner) > 2:
             name = inner[2]
-        else:
-            name = None
         if self.open.get(name):
             hole, sequences = self.open[name]
             if sequences == self.sequences:
                 raise errors.BadType(dotted(name), "contains itself")
             return (INDIRECT, hole)
-        if isinstance(inner, tuple):
-            descriptor = inner
-        elif self.find and name:
+        descriptor = inner if isinstance(inner, tuple) else None
+        if descriptor is None and self.find and name:
             descriptor = self.find(name)
-        else:
-            descriptor = None
         if descriptor is None or kind(descriptor) == INDIRECT:
             raise errors.BadType(dotted(str(name)), "is used, but nowhere defined")
         return self.take(descriptor, depth - 1)
@@ -561,9 +544,8 @@ def label(switched_by, value):
 def check_length(sort, count):
     """Raise BadType for what cannot be the length of an ARRAY, or the bound of a SEQUENCE (0: none)."""
     if not isinstance(count, int) or not 0 <= count < 2**32 or sort == ARRAY and not 0 < count <= LONGEST:
-        raise errors.BadType(
-            f"a {'sequence' if sort == SEQUENCE else 'array'} of {count!r} elements", "out of bounds"
-        )
+        what = "sequence" if sort == SEQUENCE else "array"
+        raise errors.BadType(f"a {what} of {count!r} elements", "out of bounds")
 
 
 def array(elements, count):

@@ -87,9 +87,7 @@ def _item(enumerators, number):
 
 def _fixed_struct(descriptor):
     parts = [fixed(inner) for _, inner in members(descriptor)]
-    if None in parts:
-        return None
-    if sum(len(part.codes) for part in parts) > FEW:
+    if None in parts or sum(len(part.codes) for part in parts) > FEW:
         return None
     make_struct = factory(descriptor)
     names = [name for name, _ in members(descriptor)]
@@ -120,11 +118,8 @@ def _fixed_struct(descriptor):
 def _fixed_array(descriptor):
     part = fixed(element(descriptor))
     count = length(descriptor)
-    if part is None:
-        return None
-    if len(part.codes) * count > FEW:
-        return None
-    if kind(target(element(descriptor))) in (OCTET, CHAR):
+    is_text = kind(target(element(descriptor))) in (OCTET, CHAR)
+    if part is None or is_text or len(part.codes) * count > FEW:
         return None
     size = len(part.codes)
 

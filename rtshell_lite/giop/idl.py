@@ -40,17 +40,11 @@ def _named(type_id):
     if sort == ENUM:
         return descriptors.enum(type_id, name(type_id), rest)
     if sort == UNION:
-        switch = descriptor(rest[0])
-        return descriptors.union(
-            type_id,
-            name(type_id),
-            switch,
-            [
-                (descriptors.label(switch, label), member, descriptor(word))
-                for label, member, word in rest[2:]
-            ],
-            rest[1],
-        )
+        switch, default = descriptor(rest[0]), rest[1]
+        given = [
+            (descriptors.label(switch, label), member, descriptor(word)) for label, member, word in rest[2:]
+        ]
+        return descriptors.union(type_id, name(type_id), switch, given, default)
     structure = descriptors.struct(type_id, name(type_id), list(zip(rest[::2], map(descriptor, rest[1::2]))))
     return (sort,) + structure[1:]
 
@@ -84,12 +78,8 @@ def operation(interface, name):
 def id_of(name):
     """The repository id of an interface or a type by its name: RTC.PortService, CosNaming.NameComponent."""
     tail = "/" + name.replace(".", "/") + ":"
-    return next(
-        type_id
-        for table in (INTERFACES, TYPES)
-        for type_id in table
-        if tail in "/" + type_id.partition(":")[2]
-    )
+    ids = (*INTERFACES, *TYPES)
+    return next(type_id for type_id in ids if tail in "/" + type_id.partition(":")[2])
 
 
 @cached(MOST_NAMED)

@@ -80,7 +80,7 @@ def parsed(type_id, profiles):
                 key = profile[offset + 4 : offset + 4 + size]
                 if not port:  # it has no TCP, or names that as an alternative
                     without_tcp = without_tcp or Address((type_id, host, 0, key))
-                    host, port = next(filter(_has_port, _of_profile(profile)[0]), ("", 0))
+                    host, port = next(iter(_with_port(_of_profile(profile)[0])), ("", 0))
                 if port:
                     return Address((type_id, sys.intern(host), port, key))
     except (IndexError, struct.error):
@@ -103,7 +103,10 @@ def addresses(text):
     """Every (host, port) that a stringified IOR offers, in its order:
     IIOP profiles and the alternatives named in them; not those without a port, see `transports`.
     """
-    offered, _ = _offered(text)
+    return _with_port(_offered(text)[0])
+
+
+def _with_port(offered):
     return [address for address in offered if address[1]]
 
 
@@ -160,10 +163,6 @@ def _of_profile(profile):
     return offered, others
 
 
-def _has_port(address):
-    return address[1]
-
-
 _LITTLE, _BIG = [
     (struct.Struct(order + "L").unpack_from, struct.Struct(order + "H").unpack_from) for order in "<>"
 ]
@@ -216,13 +215,8 @@ def octets(type_id, profiles):
         return start + _pack_one(1, tag, len(profile)) + profile
     if not profiles:
         return b""
-    return (
-        start
-        + struct.pack("<L", len(profiles))
-        + b"".join(
-            _pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles
-        )
-    )
+    parts = [_pack(tag, len(profile)) + profile + _PADDING[len(profile) & 3] for tag, profile in profiles]
+    return start + struct.pack("<L", len(profiles)) + b"".join(parts)
 
 
 def check(type_id, profiles):
@@ -231,14 +225,10 @@ def check(type_id, profiles):
     """
     if len(profiles) > MOST_PROFILES:
         raise BadReference(f"a reference of {len(profiles)} profiles")
-    size = 0
-    for _, profile in profiles:
-        size += len(profile)
+    size = sum([len(profile) for _, profile in profiles])
     if size > LARGEST:
         raise BadReference("a reference of %d octets" % size)
-    if profiles:
-        return _start(type_id)
-    return b""
+    return _start(type_id) if profiles else b""
 
 
 @cached(64)
@@ -284,11 +274,8 @@ def _pair(*parts):
 
 
 _OCTETS = (descriptors.SEQUENCE, descriptors.OCTET, 0)
-_PROFILES = (
-    descriptors.SEQUENCE,
-    (descriptors.STRUCT, _pair, "", "", "tag", descriptors.ULONG, "data", _OCTETS),
-    0,
-)
+_PROFILE = (descriptors.STRUCT, _pair, "", "", "tag", descriptors.ULONG, "data", _OCTETS)
+_PROFILES = (descriptors.SEQUENCE, _PROFILE, 0)
 
 
 def guarded(descriptor, taker, holder):
@@ -300,16 +287,8 @@ def guarded(descriptor, taker, holder):
     """
     sort = descriptors.kind(descriptor)
     if sort == descriptors.OBJECT:
-        return (
-            descriptors.STRUCT,
-            taker(descriptor[1]),
-            descriptor[1],
-            "",
-            "type_id",
-            _OCTETS,
-            "profiles",
-            _PROFILES,
-        )
+        members = ("type_id", _OCTETS, "profiles", _PROFILES)
+        return (descriptors.STRUCT, taker(descriptor[1]), descriptor[1], "") + members
     indexes = {descriptors.SEQUENCE: [1], descriptors.ARRAY: [1], descriptors.ALIAS: [3]}.get(sort, [])
     if sort in (descriptors.STRUCT, descriptors.EXCEPTION):
         indexes = list(range(5, len(descriptor), 2))

@@ -1,6 +1,6 @@
 """Operations of interfaces: how their arguments and results are written and read."""
 
-from rtshell_lite.giop import descriptors, idl
+from rtshell_lite.giop import idl
 from rtshell_lite.giop.descriptors import BOOLEAN, OCTET, SEQUENCE, STRING, plain
 from rtshell_lite.giop import marshal
 from rtshell_lite.records import cached
@@ -38,11 +38,8 @@ class Operation:
         self._of_parts = {}  # type: dict
         self._makers = makers
         self.takes_values = makers is _OF_SCHEMAS
-        self.carries_data = any(
-            plain(returned_type)[:2] == (SEQUENCE, OCTET)
-            for returned_type in returned_types
-            if isinstance(plain(returned_type), tuple)
-        )
+        structures = [plain(sort) for sort in returned_types if isinstance(plain(sort), tuple)]
+        self.carries_data = any(structure[:2] == (SEQUENCE, OCTET) for structure in structures)
 
     def of_part(self, part):
         """read(data, at) of a part of its one result, a structure, by byte order; `part` as in orb.call."""
@@ -110,11 +107,6 @@ def served(interface, name):
     """
     given, returned, _ = _COMMON.get(name) or idl.operation(interface, name)
     given = [idl.descriptor(word) for word in given]
-    return (
-        [[maker.reader(descriptor) for descriptor in given] for maker in _MAKERS],
-        [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()],
-        all(
-            descriptors.plain(descriptor) == (descriptors.SEQUENCE, descriptors.OCTET, 0)
-            for descriptor in given
-        ),
-    )
+    readers = [[maker.reader(descriptor) for descriptor in given] for maker in _MAKERS]
+    writers = [_MAKERS[1].writer(idl.descriptor(word)) for word in returned or ()]
+    return readers, writers, all(plain(descriptor) == (SEQUENCE, OCTET, 0) for descriptor in given)

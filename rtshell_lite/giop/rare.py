@@ -85,13 +85,8 @@ def _long_double(order):
 
     def read(data, offset):
         offset += -offset & 7
-        first, two = pair.unpack_from(data, offset)
-        if order == "<":
-            high = two
-            low = first
-        else:
-            high = first
-            low = two
+        halves = pair.unpack_from(data, offset)
+        high, low = reversed(halves) if order == "<" else halves
         exponent = high >> 48 & 0x7FFF
         fraction = (high & (1 << 48) - 1) << 64 | low
         if exponent == 0x7FFF:
@@ -107,14 +102,9 @@ def _long_double_writer(order):
     pair = struct.Struct(order + "QQ")
 
     def write(out, value):
-        out += b"\0" * (-len(out) & 7)
-        high, low = _quadruple(float(value))
-        if order == "<":
-            out += pack_pair(low, high)
-        else:
-            out += pack_pair(high, low)
+        halves = _quadruple(float(value))
+        out += b"\0" * (-len(out) & 7) + pair.pack(*(reversed(halves) if order == "<" else halves))
 
-    pack_pair = pair.pack
     return write
 
 
