@@ -118,8 +118,9 @@ def _fixed_struct(descriptor):
 def _fixed_array(descriptor):
     part = fixed(element(descriptor))
     count = length(descriptor)
-    is_text = kind(target(element(descriptor))) in (OCTET, CHAR)
-    if part is None or is_text or len(part.codes) * count > FEW:
+    if part is None or len(part.codes) * count > FEW:
+        return None
+    if kind(target(element(descriptor))) in (OCTET, CHAR):
         return None
     size = len(part.codes)
 

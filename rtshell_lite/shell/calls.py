@@ -14,10 +14,8 @@ async def offered(word, positional, idl):
     """
     (path,) = await lookup.paths(positional[:1])
     types = datatypes.Types(idl=idl)
-    if path.port is None:
-        providers = [await calling.itself(path, types)]
-    else:
-        providers = await calling.providers(path, types)
+    is_itself = path.port is None
+    providers = [await calling.itself(path, types)] if is_itself else await calling.providers(path, types)
     members = [member for provider in providers for member in provider.members()]
     if len(positional) == 1:
         return [candidate for member in members for candidate in _named(member)]

@@ -36,16 +36,14 @@ async def candidates(words, redirected=False):
     try:
         if redirected:
             offered = await _files(words[-1], [])
+        elif words[1:]:
+            offered = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1])
         else:
-            if words[1:]:
-                offered = await _arguments(os.path.basename(words[0]), words[1:-1], words[-1])
-            else:
-                offered = _command_names()
+            offered = [Candidate(name, True, "") for name in installation.commands()]
     except (errors.Error, OSError):
         return []
-    return sorted(
-        {candidate.text: candidate for candidate in offered if candidate.text.startswith(words[-1])}.values()
-    )
+    fitting = [candidate for candidate in offered if candidate.text.startswith(words[-1])]
+    return sorted({candidate.text: candidate for candidate in fitting}.values())
 
 
 async def answers(which, line, typed, meant=lambda words: words):
@@ -60,10 +58,6 @@ async def answers(which, line, typed, meant=lambda words: words):
     session.current().timeout = min(session.current().timeout, SECONDS)
     offered = await loop.race(candidates(meant(line.words), line.redirected), loop.sleep(SECONDS))
     return setup.answers(which, line, offered or [], typed)
-
-
-def _command_names():
-    return [Candidate(name, True, "") for name in installation.commands()]
 
 
 async def _arguments(command, before, word):
@@ -91,8 +85,7 @@ async def _words(parser, doc, before, word):
         offered = await _for_action(option, word, positional)
         if offered or option.nargs != "?":
             return offered
-        return await _positional(parser, doc, positional, word)
-    if word.startswith("-") and not ended:
+    elif word.startswith("-") and not ended:
         return await _options(parser, word, positional)
     return await _positional(parser, doc, positional, word)
 
@@ -136,9 +129,7 @@ async def _positional(parser, doc, positional, word):
         kinds = chosen[len(positional) - number :]
         if not kinds and chosen[-1:] == ["PATH"]:
             kinds = ["PATH"]
-        if kinds:
-            return await _of_kind(kinds[0], word, positional)
-        return []
+        return await _of_kind(kinds[0], word, positional) if kinds else []
     return await _for_action(action, word, positional)
 
 
@@ -150,11 +141,9 @@ def _uses(doc, prog):
     for line in (doc or "").partition("\nexamples:")[0].split("\n"):
         words = re.split(r" {2,}", line.strip())[0].replace(" ...", "").split(" ")
         if line.startswith(f"  {prog} PATH "):
-            names = [word.strip("[]") for word in words[2:] if word.strip("[]").islower()]
-            uses.update(
-                (name, [word.strip("[]") for word in words[2:] if word.strip("[]").isupper()])
-                for name in names
-            )
+            bare = [word.strip("[]") for word in words[2:]]
+            metavars = [word for word in bare if word.isupper()]
+            uses.update((name, metavars) for name in bare if name.islower())
     return uses
 
 
@@ -167,9 +156,7 @@ async def _for_action(action, word, positional):
 
 async def _of_kind(kind, word, positional):
     complete = KINDS.get(kind)
-    if complete and word is not None:
-        return await complete(word, positional)
-    return []
+    return await complete(word, positional) if complete and word is not None else []
 
 
 # ---- the RTC Tree ----
@@ -186,9 +173,7 @@ def _paths(kinds, port_types=(), port_needed=False):
         component, colon, _ = _cut_at_colon(last)
         is_port = colon and (parse(above or ".") != ROOT or lookup.is_path(component))
         if is_port:
-            if port_types:
-                return await _ports(above + component, port_types)
-            return []
+            return await _ports(above + component, port_types) if port_types else []
         offered = []
         for entry in await _all_entries(above):
             path = _no_option(above + entry.name)
@@ -227,9 +212,7 @@ async def _all_entries(above):
     (path,) = await lookup.paths([above or "."])
     entries = await _entries(path)
     if not above and lookup.is_found_by_name():
-        return entries + [
-            entry for entry in await _entries_below(lookup.EVERYWHERE) if entry.kind != "directory"
-        ]
+        entries += [entry for entry in await _entries_below(lookup.EVERYWHERE) if entry.kind != "directory"]
     return entries
 
 
@@ -248,20 +231,14 @@ async def _entries(path):
     if node.kind == "unsure":
         (node,) = await tree.check_alive([node])
     if node.kind in ("server", "directory"):
-        entries = []
-        for name, is_context in await tree.bound(node):
-            kind = "directory" if is_context else _BY_NAME.get(name.kind, "object")
-            entries.append(_Entry(str(name), kind))
-        return entries
+        return [
+            _Entry(str(name), "directory" if is_context else _BY_NAME.get(name.kind, "object"))
+            for name, is_context in await tree.bound(node)
+        ]
     if node.kind not in tree.DIRECTORIES:
         return []
-    entries = []
-    for child in await tree.children(node):
-        kind = child.kind
-        if kind == "server":
-            kind = "directory"
-        entries.append(_Entry(child.name, kind))
-    return entries
+    children = [(child.name, child.kind) for child in await tree.children(node)]
+    return [_Entry(name, "directory" if kind == "server" else kind) for name, kind in children]
 
 
 _BY_NAME = {"mgr": "manager", "rtc": "component"}  # kinds in names
@@ -272,13 +249,11 @@ async def _ports(component, types):
 
     (path,) = await lookup.paths([component])
     node = await tree.component(path)
+    size = len(str(node.path))
+    offered = [port for port in await ports.ports(node) if port.type in types]
     return [
-        Candidate(
-            component + ports.label(port)[len(str(node.path)) :], True,
-            port.properties.get("dataport.data_type", ""),
-        )
-        for port in await ports.ports(node)
-        if port.type in types
+        Candidate(component + ports.label(port)[size:], True, port.properties.get("dataport.data_type", ""))
+        for port in offered
     ]
 
 
@@ -293,12 +268,8 @@ async def _configuration(path):
 
 
 async def _sets(_, positional):
-    if positional:
-        return [
-            Candidate(printable(one_set.id), True, "")
-            for one_set in (await _configuration(positional[0])).sets()
-        ]
-    return []
+    sets = (await _configuration(positional[0])).sets() if positional else []
+    return [Candidate(printable(one_set.id), True, "") for one_set in sets]
 
 
 async def _parameters(_, positional):
@@ -338,10 +309,8 @@ def _listed(word):
         if is_hidden or not is_plain(name):
             continue
         path = _no_option(above + name)
-        if os.path.isdir(os.path.join(directory, name)):
-            offered.append(Candidate(path + "/", False, ""))
-        else:
-            offered.append(Candidate(path, True, ""))
+        is_directory = os.path.isdir(os.path.join(directory, name))
+        offered.append(Candidate(path + "/", False, "") if is_directory else Candidate(path, True, ""))
     return offered
 
 

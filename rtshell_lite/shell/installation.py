@@ -77,8 +77,7 @@ def commands():
     else:
         files = os.listdir(COMMANDS)
     paths = {name[: -len(".py")]: os.path.join(COMMANDS, name) for name in files if _is_command(name, ".py")}
-    if not paths:
-        paths = _of_checkout()
+    paths = paths or _of_checkout()
     if not paths:
         raise errors.Error(f"the commands are missing: they are not in {PACKAGE}")
     return paths

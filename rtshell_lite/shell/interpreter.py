@@ -20,6 +20,11 @@ _TOKEN = re.compile(
 
 
 LONGEST = 4 << 20  # characters of a line
+OWN = (  # in the help: what no other shell has
+    "  cd  changes the working directory, as rtcwd does",
+    "  wait FILE  waits until all is as an RtsProfile says, as rtkeep --once does",
+    "  exit [STATUS]  ends rtsh",
+)
 
 
 class Left(Exception):
@@ -38,13 +43,11 @@ def split(line):
     while position < len(line):
         token = _TOKEN.match(line, position)
         if not token:
-            raise errors.BadLine(
-                "a quote or a backslash without its other half: " + printable(line[position:].strip())
-            )
+            rest = printable(line[position:].strip())
+            raise errors.BadLine(f"a quote or a backslash without its other half: {rest}")
         if token.group("operator"):
-            raise errors.BadLine(
-                f"{token.group('operator')}: only a real shell has that; quote it if it belongs to a word"
-            )
+            why = "only a real shell has that; quote it if it belongs to a word"
+            raise errors.BadLine(f"{token.group('operator')}: {why}")
         if token.group("word"):
             words.append(_unquoted(token.group("word")))
         elif words:
@@ -140,17 +143,8 @@ class Interpreter:
     def _help(self, words):
         if words:
             return self.run(words + ["--help"])
-        self.show(
-            "\n".join(
-                ["commands, with or without rt; help COMMAND says more:"]
-                + installation.summaries()
-                + [
-                    "  cd  changes the working directory, as rtcwd does",
-                    "  wait FILE  waits until all is as an RtsProfile says, as rtkeep --once does",
-                    "  exit [STATUS]  ends rtsh",
-                ]
-            )
-        )
+        lines = ["commands, with or without rt; help COMMAND says more:", *installation.summaries(), *OWN]
+        self.show("\n".join(lines))
         return 0
 
     def _run(self, name, words):

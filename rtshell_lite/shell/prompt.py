@@ -39,10 +39,7 @@ class Editor:
         self.readline.set_completer(self._complete)
         self.readline.set_completer_delims(" \t;")
         is_libedit = "libedit" in (self.readline.__doc__ or "")
-        if is_libedit:
-            self.readline.parse_and_bind("bind ^I rl_complete")
-        else:
-            self.readline.parse_and_bind("tab: complete")
+        self.readline.parse_and_bind("bind ^I rl_complete" if is_libedit else "tab: complete")
         try:
             self.readline.read_history_file(os.path.expanduser(HISTORY))
         except OSError:
@@ -53,12 +50,10 @@ class Editor:
         if self.readline is None:
             return
         last = self.readline.get_current_history_length()
-        lines = []
-        for i in range(max(1, last - LENGTH + 1), last + 1):
-            line = self.readline.get_history_item(i) or ""
-            lines.append(line + "\n")
+        numbers = range(max(1, last - LENGTH + 1), last + 1)
+        lines = [self.readline.get_history_item(number) or "" for number in numbers]
         try:
-            files.write(os.path.expanduser(HISTORY), "".join(lines))
+            files.write(os.path.expanduser(HISTORY), "".join(line + "\n" for line in lines))
         except OSError:
             pass  # the home directory is read-only, say
 
@@ -83,8 +78,6 @@ class Editor:
     def _names(self, typed):
         """Names of commands without rt, or with it if `typed` has it."""
         full = sorted(self.interpreter.files)
-        if typed.startswith("rt"):
-            names = full
-        else:
-            names = sorted(["cd", "exit", "help"] + [name[len("rt") :] for name in full])
+        short = sorted(["cd", "exit", "help"] + [name[len("rt") :] for name in full])
+        names = full if typed.startswith("rt") else short
         return [name + " " for name in names if name.startswith(typed)]

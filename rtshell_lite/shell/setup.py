@@ -78,10 +78,9 @@ _COMPLETIONS = {"bash": _COMPLETE_BASH, "zsh": _COMPLETE_ZSH, "fish": _COMPLETE_
 
 def code(shell, commands):
     """The code for a shell: its function rtcwd and, for most shells, completion of the `commands`."""
-    completion = _COMPLETIONS.get(shell)
-    if completion is None:
+    if shell not in _COMPLETIONS:
         return FUNCTIONS[shell]
-    return FUNCTIONS[shell] + completion % " ".join(sorted(commands))
+    return FUNCTIONS[shell] + _COMPLETIONS[shell] % " ".join(sorted(commands))
 
 
 # ---- words on a line that is being typed ----
@@ -165,15 +164,8 @@ def answers(shell, line, candidates, typed):
 
 def _answers_for_fish(candidates):
     """fish quotes by itself, and adds a blank after all but / : ="""
-    written = []
-    for text, _, help in candidates:
-        if help:
-            text += "\t" + help
-        written.append(text)
-    for text, final, _ in candidates:
-        if not final and text[-1] not in "/:=":
-            written.append(text + ":")
-    return written
+    written = [text + "\t" + help if help else text for text, _, help in candidates]
+    return written + [text + ":" for text, final, _ in candidates if not final and text[-1] not in "/:="]
 
 
 def _quoted(s, quote):

@@ -91,11 +91,9 @@ class Files:
         above = os.path.dirname(package)
         for directory, subdirectories, names in os.walk(package):
             subdirectories[:] = [name for name in subdirectories if name != "__pycache__"]
-            for path in [
-                os.path.join(directory, name) for name in names if not name.endswith((".pyc", ".tmp"))
-            ]:
-                with open(path, "rb") as file:
-                    parts = os.path.relpath(path, above).split(os.sep)
+            for name in [name for name in names if not name.endswith((".pyc", ".tmp"))]:
+                with open(os.path.join(directory, name), "rb") as file:
+                    parts = os.path.relpath(file.name, above).split(os.sep)
                     self.add("/".join(["lib"] + parts), file.read())
 
     def add_wheel(self, path):
@@ -182,9 +180,7 @@ def _target(wheel, name):
     data = re.match(r"[^/]+\.data/([^/]+)/(.*)", name)
     if data is None:
         return "lib/" + name
-    if data.group(1) in ("purelib", "platlib"):
-        return "lib/" + data.group(2)
-    return None
+    return "lib/" + data.group(2) if data.group(1) in ("purelib", "platlib") else None
 
 
 def _check_tags(path):
@@ -211,9 +207,7 @@ def _python():
         return "#!/usr/bin/env python3\n"
     if re.search(r"\s", python) or len(os.fsencode(python)) > 120:
         raise errors.Error(f"{python}: cannot be named in the first line of a script (blanks, or too long)")
-    if _finds_modules_alone(python):
-        return f"#!{python} -S\n"
-    return f"#!{python}\n"
+    return f"#!{python}{' -S' * _finds_modules_alone(python)}\n"
 
 
 def _finds_modules_alone(python):
