@@ -14,12 +14,8 @@ import sys
 
 # `python3 -m` looks for modules in the working directory first, even for those of Python itself; what is
 # there may be anybody's. What Python has imported before it comes here cannot be helped (README, "Install").
-if (
-    __name__ == "__main__"
-    and not sys.flags.isolated
-    and not getattr(sys.flags, "safe_path", False)
-    and sys.path
-):
+is_safe = sys.flags.isolated or getattr(sys.flags, "safe_path", False)
+if __name__ == "__main__" and not is_safe and sys.path:
     del sys.path[0]
 
 from rtshell_lite import bytecode

@@ -184,9 +184,8 @@ class Component:
     async def configure(self, values, set_id=None):
         """Set values (a dict of texts) in a configuration set (default: the active one)."""
         configuration = await self._configuration()
-        await configuration.store(
-            {name: str(value) for name, value in values.items()}, configuration.set(set_id, with_hidden=True)
-        )
+        texts = {name: str(value) for name, value in values.items()}
+        await configuration.store(texts, configuration.set(set_id, with_hidden=True))
 
     @_plain
     async def activate_set(self, set_id):
@@ -203,13 +202,11 @@ class Component:
         """Its Ports, a list."""
         from rtshell_lite.robot import ports
 
-        return [
-            Port(
-                ports.label(port), port.type, dict(port.properties),
-                [connector.id for connector in port.connectors],
-            )
-            for port in await ports.ports(await self._node())
-        ]
+        listed = []
+        for port in await ports.ports(await self._node()):
+            ids = [connector.id for connector in port.connectors]
+            listed.append(Port(ports.label(port), port.type, dict(port.properties), ids))
+        return listed
 
     @_plain
     async def profile(self):
@@ -285,10 +282,8 @@ def _context(entry):
     context = entry.context
     if context is None:  # of another component, which does not answer
         return Context(entry.index, None, None, None, entry.state, "", [])
-    running = bool(context.running)
-    return Context(
-        entry.index, context.kind, context.rate, running, entry.state, entry.owner, entry.participants
-    )
+    described = entry.index, context.kind, context.rate, bool(context.running)
+    return Context(*described, entry.state, entry.owner, entry.participants)
 
 
 @_plain
@@ -342,12 +337,8 @@ async def _found(*words):
 def _properties(given):
     from rtshell_lite.robot import connector_properties
 
-    properties = {}
-    for name, value in given.items():
-        if "." not in name:
-            name = "dataport." + name
-        properties[name] = str(value)
-    return connector_properties.complete(properties)
+    texts = {name if "." in name else "dataport." + name: str(value) for name, value in given.items()}
+    return connector_properties.complete(texts)
 
 
 @_plain
@@ -446,10 +437,8 @@ async def connections(path):
     from rtshell_lite.robot import places, ports, tree
 
     where = await _path(path)
-    if where.port is None:
-        near = await ports.ports(await tree.component(where))
-    else:
-        near = await _found(path)
+    is_port = where.port is not None
+    near = await _found(path) if is_port else await ports.ports(await tree.component(where))
     name_of = await places.far_names(near)
     own = {orb.identity(port.ref): ports.label(port) for port in near}
     connections = {}
@@ -618,10 +607,7 @@ class _Feed:
 
     def _wait(self, seconds):
         """Wait until something has come: whether it has."""
-        if seconds is None:
-            has_come = self._news.acquire()
-        else:
-            has_come = self._news.acquire(timeout=max(seconds, 0))
+        has_come = self._news.acquire(timeout=-1 if seconds is None else max(seconds, 0))
         self.check()
         return has_come
 
@@ -680,8 +666,7 @@ class _Values(_Feed):
         self._types = [await _type(port, idl) for port in ports]
         box = inbox.Inbox()
         readers = [
-            reading.Reader(port, box.taker(number), properties=properties)
-            for number, port in enumerate(ports)
+            reading.Reader(port, box.taker(key), properties=properties) for key, port in enumerate(ports)
         ]
         self._where = ", ".join(reader.where for reader in readers)
         async with connection.Connections(readers):
@@ -841,9 +826,8 @@ class Service:
             raise AttributeError(name)
         operations = self._found().operations()
         if name not in operations:
-            raise AttributeError(
-                f"{self._path}: no such operation: {name}{text.candidates(name, operations)}"
-            )
+            words = text.candidates(name, operations)
+            raise AttributeError(f"{self._path}: no such operation: {name}{words}")
         return functools.partial(self._call, name)
 
     @_plain
@@ -1031,9 +1015,8 @@ async def examine(*tops, profile=None, state="Active", measure=0.0):
 
     compare = None
     if profile is not None:
-        file = "FILE"  # in the commands that mend it
-        if isinstance(profile, str):
-            file = text.shell_word(profile)
+        # in the commands that mend it
+        file = text.shell_word(profile) if isinstance(profile, str) else "FILE"
         compare = _profile(profile), file, state
     all_findings = []
     async for findings in examination.examine([await _path(top) for top in tops], compare, measure):

@@ -84,11 +84,8 @@ class Store:
         archive_path = os.path.abspath(archive)
         made_of = archive_path, status.st_size, status.st_mtime_ns, sys.version
         self._identity = MAGIC_NUMBER + os.fsencode(repr(made_of))
-        self._end = ".%08x.%s-%d" % (
-            zlib.crc32(os.fsencode(archive_path)),
-            sys.implementation.cache_tag,
-            sys.flags.optimize,
-        )
+        checksum = zlib.crc32(os.fsencode(archive_path))
+        self._end = f".{checksum:08x}.{sys.implementation.cache_tag}-{sys.flags.optimize}"
         self._above = len(archive) + 1
         self._directory = directory
 

@@ -59,12 +59,8 @@ def _refuse_endless(name, status):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
     if stat.S_ISREG(status.st_mode) or _is_descriptor(name) or os.path.samestat(status, os.stat(os.devnull)):
         return
-    if stat.S_ISFIFO(status.st_mode):
-        what = "FIFO"
-    elif stat.S_ISSOCK(status.st_mode):
-        what = "socket"
-    else:
-        what = "device"
+    kinds = {stat.S_IFIFO: "FIFO", stat.S_IFSOCK: "socket"}
+    what = kinds.get(stat.S_IFMT(status.st_mode), "device")
     raise errors.Failed(printable(name), f"a {what}; only files are read by name")
 
 
@@ -131,9 +127,8 @@ def destination(name):
         for_all = above.st_mode & stat.S_ISVTX and above.st_mode & stat.S_IWOTH
         own = os.geteuid() if hasattr(os, "geteuid") else link.st_uid
         if for_all and link.st_uid not in (own, above.st_uid):
-            raise errors.Failed(
-                printable(name), "a link that somebody else has put there; remove it or write elsewhere"
-            )
+            why = "a link that somebody else has put there; remove it or write elsewhere"
+            raise errors.Failed(printable(name), why)
         following = os.path.join(folder, os.readlink(name))
         if is_special(name) and not os.path.lexists(following):
             return name  # of /proc, as /dev/stdout in a pipeline: there is nothing but the link
@@ -227,10 +222,8 @@ def create(path, mode=0o666, buffering=-1):
     """A new file, open for appending. Raises FileExistsError for whatever has that name,
     even a broken link.
     """
-    fd = os.open(
-        path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, mode
-    )
-    return loop.world().file(fd, "ab", buffering)
+    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
+    return loop.world().file(os.open(path, flags, mode), "ab", buffering)
 
 
 def append(path):

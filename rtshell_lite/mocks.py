@@ -87,9 +87,8 @@ class Robot:
             if self._is_over:
                 raise self._failure or RuntimeError("the robot has ended")
             if loop.now() > end:
-                raise errors.Unreachable(
-                    self.path(port), f"{len(there.values)} of {count} values within {timeout:g}s"
-                )
+                why = f"{len(there.values)} of {count} values within {timeout:g}s"
+                raise errors.Unreachable(self.path(port), why)
             there.came.acquire(timeout=min(LOOK, max(0.0, end - loop.now())))
         values = there.values[:]
         del there.values[: len(values)]

@@ -71,12 +71,8 @@ class Path(Record):
     def __str__(self):
         if self.server is None:
             return "/"
-        text = _spelt_server(self.server)
-        for name in self.names:
-            text += "/" + str(name)
-        if self.port is not None:
-            text += ":" + _spelt(self.port)
-        return text
+        text = "/".join([_spelt_server(self.server), *map(str, self.names)])
+        return text if self.port is None else f"{text}:{_spelt(self.port)}"
 
     def child(self, name):
         """The path of `name` (a Name) in this directory."""
@@ -169,11 +165,7 @@ def follow(above, elements, text):
 
 def working_directory():
     """The Path of $RTCSH_CWD, where relative paths start. Raises BadPath."""
-    return _directory(_typed_directory())
-
-
-def _typed_directory():
-    return os.environ.get("RTCSH_CWD") or "/"
+    return _directory(os.environ.get("RTCSH_CWD") or "/")
 
 
 @cached(10)
@@ -308,9 +300,7 @@ def _is_hexadecimal(text):
 def _server(element, text):
     """A server address; its colons belong to it."""
     address = _unescaped(element, text)
-    if address.startswith(_NO_HOST):
-        return address
-    if address.partition(":")[0] in PROTOCOLS:
+    if address.startswith(_NO_HOST) or address.partition(":")[0] in PROTOCOLS:
         return address
     host, port = split_address(address)
     if host in ("", ".", "..") or port is None:

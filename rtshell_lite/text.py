@@ -94,9 +94,9 @@ def counted(number, noun):
 
 def is_plain(s):
     """True where nothing in `s` but backslashes has to be escaped."""
-    return s.isprintable() and (
-        is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in printable_flags(s))
-    )
+    if not s.isprintable():
+        return False
+    return is_ascii(s) or max(s) < "\u0300" or all(plain for _, plain in printable_flags(s))
 
 
 def printable_flags(s):
@@ -227,12 +227,8 @@ def literal(word):
     import re
 
     prefix = word[: min(word.index(quote) for quote in "'\"" if quote in word)].lower()
-    if (
-        "r" not in prefix
-        and "\\" in re.sub(_ESCAPES, "", word)
-        or "b" in prefix
-        and re.search(r"\\[uU]", word)
-    ):
+    is_bad = "r" not in prefix and "\\" in re.sub(_ESCAPES, "", word)
+    if is_bad or "b" in prefix and re.search(r"\\[uU]", word):
         raise ValueError("bad escape")
     try:
         return ast.literal_eval(word)
@@ -246,12 +242,8 @@ def shell_word(s):
     """
     if _is_one_word(s):
         return s
-    import itertools
-
-    pieces = [
-        (plain, "".join(c for c, _ in piece))
-        for plain, piece in itertools.groupby(printable_flags(s), lambda pair: pair[1] or pair[0] == "\n")
-    ]
+    grouped = itertools.groupby(printable_flags(s), lambda pair: pair[1] or pair[0] == "\n")
+    pieces = [(plain, "".join(c for c, _ in piece)) for plain, piece in grouped]
     return "".join(_quoted(piece) if plain else _by_printf(piece) for plain, piece in pieces) or "''"
 
 
@@ -330,9 +322,8 @@ def columns(words, total, shown=None):
     lines = []
     for start in range(0, len(words), count):
         row = range(start, min(start + count, len(words)))
-        lines.append(
-            "  ".join(shown[i] + " " * (wide[i - start] - sizes[i] if i != row[-1] else 0) for i in row)
-        )
+        padding = [" " * (wide[i - start] - sizes[i]) for i in row[:-1]] + [""]
+        lines.append("  ".join(shown[i] + blanks for i, blanks in zip(row, padding)))
     return lines
 
 
@@ -394,12 +385,8 @@ COLOURS = {
 
 def colour_wanted():
     """True when stdout is a terminal that wants colour (https://no-color.org, TERM=dumb)."""
-    return bool(
-        sys.stdout
-        and sys.stdout.isatty()
-        and not os.environ.get("NO_COLOR")
-        and os.environ.get("TERM") != "dumb"
-    )
+    is_wanted = not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    return bool(sys.stdout and sys.stdout.isatty() and is_wanted)
 
 
 def painter():

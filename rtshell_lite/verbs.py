@@ -87,10 +87,8 @@ class Verbs:
         others = [other for other in self.by_name if self._options([other]).named(option)]
         if not others:
             return None
-        last = others.pop()
-        if others:
-            last = f"{', '.join(others)} and {last}"
-        return f"{option} is for {self.top.prog} {last}, not for {self.top.prog} {name}"
+        verbs = " and ".join(filter(None, (", ".join(others[:-1]), others[-1])))
+        return f"{option} is for {self.top.prog} {verbs}, not for {self.top.prog} {name}"
 
     def _options(self, names):
         """The _Options of these verbs."""
