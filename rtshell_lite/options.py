@@ -501,11 +501,15 @@ def wait(parser, what):
     )
 
 
-def all_below(parser, verb):
-    """--all: args.all."""
+def transition(parser, verb, state):
+    """Which components change their state, where, and whether to wait for that: for transitions.asked."""
+    paths(parser)
+    execution_context(parser)
+    wait(parser, f"the components are {state}")
     parser.option(
         "--all", f"{verb} all components at and below each PATH, in parallel, and print what became of each"
     )
+    dry_run(parser)
 
 
 def dry_run(parser):

@@ -23,6 +23,13 @@ ACCEPTED = "accepted"  # what became of a component that has accepted a request,
 ContextState = record("ContextState", "index ref is_own state")
 
 
+async def asked(args, transition):
+    """What `change_all` or, with --all, `change_below` returns for the options of options.transition."""
+    change_them = change_below if args.all else change_all
+    paths = await lookup.paths(args.paths)
+    return await change_them(paths, transition, args.exec_context, args.wait, args.dry_run)
+
+
 async def change_all(paths, transition, index=None, wait=None, dry_run=False):
     """`change` for the component at each path, in parallel: a line that says what was done, or an
     errors.Error, for each.
