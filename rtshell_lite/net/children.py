@@ -2,6 +2,7 @@
 that watches it, and on Linux the kernel.
 """
 
+import contextlib
 import os
 import sys
 
@@ -52,10 +53,8 @@ class Guardian:
         self._write("-%d" % pid)
 
     def _write(self, line):
-        try:
+        with contextlib.suppress(BrokenPipeError):  # it has been killed; `begin` will be called
             os.write(self._writing, line.encode() + b"\n")
-        except BrokenPipeError:  # it has been killed; `begin` will be called
-            pass
 
     def close(self):
         """Kill what is left."""
@@ -69,13 +68,11 @@ def reap(ended):
     """
 
     def take():
-        try:
+        with contextlib.suppress(ChildProcessError):
             pid, status = os.waitpid(-1, os.WNOHANG)
             while pid:
                 ended(pid, status)
                 pid, status = os.waitpid(-1, os.WNOHANG)
-        except ChildProcessError:
-            pass
 
     loop.current().hear(real.SIGCHLD, take)
     take()  # those that have ended before
@@ -89,10 +86,8 @@ def output_of(child):
 
 def kill(pid, number):
     """Send a signal to the group of a process."""
-    try:
+    with contextlib.suppress(ProcessLookupError, PermissionError):
         os.killpg(pid, number)
-    except (ProcessLookupError, PermissionError):
-        pass
 
 
 def listening_ports(groups):
@@ -111,9 +106,8 @@ def listening_ports(groups):
                 rows = [row.split() for row in list(file)[1:]]
         except OSError:
             continue
-        for row in rows:
-            if row[3] == LISTENING and row[9] in inodes:
-                ports.add(int(row[1].rpartition(":")[2], 16))
+        own = [row[1] for row in rows if row[3] == LISTENING and row[9] in inodes]
+        ports.update(int(address.rpartition(":")[2], 16) for address in own)
     return ports
 
 

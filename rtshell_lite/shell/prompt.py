@@ -1,5 +1,6 @@
 """Typing commands into rtsh: line editing, a history, and completion, where Python has readline."""
 
+import contextlib
 import os
 
 from rtshell_lite import errors, files
@@ -40,10 +41,8 @@ class Editor:
         self.readline.set_completer_delims(" \t;")
         is_libedit = "libedit" in (self.readline.__doc__ or "")
         self.readline.parse_and_bind("bind ^I rl_complete" if is_libedit else "tab: complete")
-        try:
+        with contextlib.suppress(OSError):  # it does not exist yet, or it cannot be read
             self.readline.read_history_file(os.path.expanduser(HISTORY))
-        except OSError:
-            pass  # it does not exist yet, or it cannot be read
         return self
 
     def __exit__(self, *_):
@@ -52,10 +51,8 @@ class Editor:
         last = self.readline.get_current_history_length()
         numbers = range(max(1, last - LENGTH + 1), last + 1)
         lines = [self.readline.get_history_item(number) or "" for number in numbers]
-        try:
+        with contextlib.suppress(OSError):  # the home directory is read-only, say
             files.write(os.path.expanduser(HISTORY), "".join(line + "\n" for line in lines))
-        except OSError:
-            pass  # the home directory is read-only, say
 
     def _complete(self, typed, number):
         """Called by readline with 0, 1, …: the completions of `typed`, then None."""

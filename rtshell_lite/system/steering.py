@@ -3,6 +3,7 @@
 A request and each line of its answer are JSON. The first line of an answer has `error`, a text or null.
 """
 
+import contextlib
 import fcntl
 import json
 import os
@@ -29,10 +30,8 @@ def directory():
     Raises OSError, Failed where it is not ours.
     """
     path = _directory()
-    try:
+    with contextlib.suppress(FileExistsError):
         os.mkdir(path, 0o700)
-    except FileExistsError:
-        pass
     status = os.lstat(path)
     is_ours = stat.S_ISDIR(status.st_mode) and status.st_uid == os.geteuid()
     if not is_ours or status.st_mode & 0o077:
@@ -77,10 +76,8 @@ class Lock:
 
     def release(self):
         """Let another one have it, and leave no file."""
-        try:
+        with contextlib.suppress(OSError):  # /tmp may have been cleaned
             os.unlink(self.path)
-        except OSError:  # /tmp may have been cleaned
-            pass
         os.close(self.fd)
 
 
@@ -122,10 +119,8 @@ class Door:
             self._remove()
 
     def _remove(self):
-        try:
+        with contextlib.suppress(FileNotFoundError):  # /tmp may have been cleaned
             os.unlink(self.path)
-        except FileNotFoundError:  # /tmp may have been cleaned
-            pass
 
     async def _open(self):
         while True:
