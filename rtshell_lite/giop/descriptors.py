@@ -176,8 +176,8 @@ def union(type_id, name, switched_by, given, default=-1):
     other = given[default] if default >= 0 else None
     by_label = {case.label: case for case in given if case is not other}
     members = {label: case.member for label, case in by_label.items()}
-    known = {"_NP_RepositoryId": type_id, "_def_m": other and other.member, "_d_to_m": members}
-    new_class = type(name, (Union,), known)
+    attributes = {"_NP_RepositoryId": type_id, "_def_m": other and other.member, "_d_to_m": members}
+    new_class = type(name, (Union,), attributes)
     return (UNION, new_class, type_id, name, switched_by, default, given, other, by_label)
 
 

@@ -58,13 +58,13 @@ async def ask(node, brief=False, states=True, everything=False):
                 a quarter of the memory
     everything  all that rtcat shows, too, which stays in a snapshot.Snapshot
     """
-    parts = {"configuration": FULL, "organisations": FULL}
-    parts.update(ports=BRIEF if brief else FULL, profile=NAMES if brief else FULL)
-    parts.update(owned=FULL if everything else PROFILE)
+    parts = {"ports": FULL, "owned": PROFILE, "configuration": FULL, "organisations": FULL, "profile": FULL}
+    if brief:
+        parts.update(ports=BRIEF, profile=NAMES)
     if states:
         parts.update(participating=BRIEF, states=FULL)
     if everything:
-        parts.update(participating=FULL, composites=FULL, members=FULL, names=FULL)
+        parts.update(owned=FULL, participating=FULL, composites=FULL, members=FULL, names=FULL)
     shown = await snapshot.of(node, **parts)
     if states and not everything and len(shown.contexts) > 1:  # one context counts, whether it runs or not
         shown.owned = [await _with_running(shown, context) for context in shown.owned]
@@ -87,13 +87,15 @@ def found_in(shown, brief=False):
     if brief:
         contexts = [context._replace(ref=None, owner=None, properties=()) for context in contexts]
     configuration = shown.configuration
+    sets = configuration.sets(with_hidden=True) if configuration else []
+    active = configuration.active if configuration else ""
     return ComponentState(
         node=node,
         ports=ports.in_system(shown.ports),
         owned=contexts,
         states={context.handle: state for context, state in zip(shown.contexts, shown.states)},
-        sets=configuration.sets(with_hidden=True) if configuration else [],
-        active=configuration.active if configuration else "",
+        sets=sets,
+        active=active,
         members=[member for organisation in shown.organisations for member in organisation.members],
         profile=shown.profile,
         snapshot=None,
