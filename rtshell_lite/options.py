@@ -457,9 +457,8 @@ def one_of(*words):
 def state(word):
     """An option type: a state of a component, in any case."""
     if word.lower() not in state.words:
-        raise argparse.ArgumentTypeError(
-            f"no such state: {text.printable(word)}{text.candidates(word, state.words)}"
-        )
+        candidates = text.candidates(word, state.words)
+        raise argparse.ArgumentTypeError(f"no such state: {text.printable(word)}{candidates}")
     return word
 
 
@@ -480,9 +479,8 @@ def command(args, words):
         return
     if args.path in words:
         raise errors.Usage(f"the path comes first: {text.shell_word(args.command)} {args.path} …")
-    raise errors.Usage(
-        f"no such command: {text.printable(args.command)}{text.candidates(args.command, words)}"
-    )
+    candidates = text.candidates(args.command, words)
+    raise errors.Usage(f"no such command: {text.printable(args.command)}{candidates}")
 
 
 def execution_context(parser):
@@ -732,4 +730,4 @@ def pairs(words):
     for word in words:
         if not word.partition("=")[0] or "=" not in word:
             raise errors.Usage(f"not KEY=VALUE: {text.printable(word)}")
-    return {key: value for key, _, value in (word.partition("=") for word in words)}
+    return dict(word.split("=", 1) for word in words)

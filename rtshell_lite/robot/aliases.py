@@ -39,11 +39,8 @@ async def within(nodes):
     away = None
     own_nodes = []
     for node in nodes:
-        if (
-            away is not None
-            and node.path.server == away.server
-            and node.path.names[: len(away.names)] == away.names
-        ):
+        is_away = away is not None and node.path.names[: len(away.names)] == away.names
+        if is_away and node.path.server == away.server:
             continue
         away = None
         if node.kind in ("server", "directory"):

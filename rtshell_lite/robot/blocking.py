@@ -43,12 +43,10 @@ async def until_safe(port, connector):
     """
     properties = dict(connector.properties)
     if ports.is_fetched(connector):
-        raise errors.Refused(
-            ports.label(port),
-            f"connection {printable(connector.id)} is that of a tool which fetches values: to remove it "
-            f"while the tool runs may end the process of {_owner(port)}; first: end the tool "
-            "(if it was killed: rtdis --force)",
-        )
+        why = f"connection {printable(connector.id)} is that of a tool which fetches values"
+        danger = f"to remove it while the tool runs may end the process of {_owner(port)}"
+        cure = "first: end the tool (if it was killed: rtdis --force)"
+        raise errors.Refused(ports.label(port), f"{why}: {danger}; {cure}")
     if len(connector.ports) < 2 or not may_wait(properties):
         return
     readers, writers = await _ends(port, connector)
@@ -63,12 +61,10 @@ async def until_safe(port, connector):
             cure = f"rtdeact {shell_word(where)}"
         else:
             continue
-        raise errors.Refused(
-            ports.label(port),
-            f"connection {printable(connector.id)} makes its writers wait (full_policy=block), {reason}: "
-            f"to remove it now may end the process of {', '.join(readers)}; first: {cure} (rtdis --force "
-            "removes it all the same)",
-        )
+        why = f"connection {printable(connector.id)} makes its writers wait (full_policy=block), {reason}"
+        danger = f"to remove it now may end the process of {', '.join(readers)}"
+        remedy = f"first: {cure} (rtdis --force removes it all the same)"
+        raise errors.Refused(ports.label(port), f"{why}: {danger}; {remedy}")
     await loop.sleep(_longest_wait(properties) + MORE)
 
 

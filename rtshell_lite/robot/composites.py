@@ -142,9 +142,8 @@ async def together(members):
     for m in members:
         first = merged.setdefault(m.instance, m)
         if not await _is(m, first.node.ref):
-            raise errors.Failed(
-                str(m.node.path), f"has the same name as {first.node.path!s}; a composite cannot have both"
-            )
+            why = f"has the same name as {first.node.path!s}; a composite cannot have both"
+            raise errors.Failed(str(m.node.path), why)
         merged[m.instance] = first._replace(ports=list(dict.fromkeys(first.ports + m.ports)))
     return list(merged.values())
 

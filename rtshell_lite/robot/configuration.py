@@ -78,9 +78,8 @@ class Configuration:
         """Raise NoSuch unless the Set `within` has every one of these parameters."""
         for name in names:
             if name not in within.values:
-                raise errors.NoSuch(
-                    self.where, "configuration parameter", printable(name) + candidates(name, within.values)
-                )
+                words = printable(name) + candidates(name, within.values)
+                raise errors.NoSuch(self.where, "configuration parameter", words)
 
     def check_values(self, values, within):
         """The same for values ({name: value}); raises BadValue for one that cannot be sent, too."""

@@ -15,9 +15,8 @@ def refuse_duplicate(ends, name, connector_id):
     for port, connector in [(port, connector) for port in ends for connector in port.connectors]:
         for what, expected, value in (("id", connector_id, connector.id), ("name", name, connector.name)):
             if expected and expected == value:
-                raise errors.Failed(
-                    ports.label(port), f"has a connection with {what} {printable(value)} already"
-                )
+                why = f"has a connection with {what} {printable(value)} already"
+                raise errors.Failed(ports.label(port), why)
     for connector in ports.joining(ends):
         raise errors.Failed(ports.between(ends), f"already connected (id {printable(connector.id)})")
 
@@ -49,8 +48,7 @@ def _differing(connector, name, connector_id, given):
     """What a Connector has, each as text, where something else is asked for."""
     properties = dict(connector.properties)
     has = [("id", connector.id, connector_id), ("name", connector.name, name)]
-    for key, value in sorted(given.items()):
-        has.append((key, properties.get(key, ""), value))
+    has += [(key, properties.get(key, ""), value) for key, value in sorted(given.items())]
     return [
         f"its {key} is {printable(now) or 'empty'}" for key, now, asked in has if asked and asked != now
     ]
@@ -203,9 +201,8 @@ async def _forgetting_failed(port, operation, connector_id):
         return None
     # BAD_PARAMETER: it does not know the connector; or another end, which it has asked to inform the others,
     # does not
-    return errors.Refused(
-        ports.label(port), f"cannot remove connection {printable(from_wire(connector_id))} ({code})"
-    )
+    why = f"cannot remove connection {printable(from_wire(connector_id))} ({code})"
+    return errors.Refused(ports.label(port), why)
 
 
 def removal(port, connector, is_forced=False):

@@ -45,6 +45,13 @@ def with_components(result, remedy="rtfind {} -t c prints the components in it")
     return errors.WrongKind(where, expected, kind)
 
 
+def need_ports(paths):
+    """Raise Usage for a Path that names no port."""
+    for path in paths:
+        if path.port is None:
+            raise errors.Usage(f"{path!s}: no port specified")
+
+
 async def tops(words, dotted=False):
     """Like `paths`, for what a command looks at as a whole: a word without a dot (robot1), or with one if
     these are name servers in the first place (robot1.local), is a name server, too, where the working

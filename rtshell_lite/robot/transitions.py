@@ -145,11 +145,9 @@ async def _members_first(node, ref, wait):
     if not orb.address(ref).type_id.endswith("/ExtTrigExecutionContextService:1.0"):
         return
     raw = await orb.call(node.path, ref, "get_profile")
-    if (
-        not orb.same(raw.owner, node.ref)
-        or not raw.participants
-        or not await node.call("get_owned_organizations")
-    ):
+    if not orb.same(raw.owner, node.ref) or not raw.participants:
+        return
+    if not await node.call("get_owned_organizations"):
         return
     for member in raw.participants:
         if await component.state_of(node, ref, member) == "Active":
@@ -229,9 +227,8 @@ async def _leave(node, contexts, transition, wait, stage=_ignore):
     for context in leaving:
         try:
             _check_that_one_answers(node, [context])
-            asked.append(
-                (context, await _request(node, context.ref, transition, wait, _number(context.index), stage))
-            )
+            called = _number(context.index)
+            asked.append((context, await _request(node, context.ref, transition, wait, called, stage)))
         except errors.Error as e:
             failures.append(e)
     for context, code in asked:
@@ -266,11 +263,9 @@ async def _to_activate(node, contexts):
     settled = _all_in(contexts, "Active") or _all_in(contexts, "Error")
     if settled or len(contexts) == 1:
         return (settled or contexts)[0]
-    answering = [context for context in contexts if context.state != "Unknown"]
-    for context in answering:
-        if await component.or_default(
-            node, context.ref, orb.call(node.path, context.ref, "is_running"), False
-        ):
+    for context in [context for context in contexts if context.state != "Unknown"]:
+        asked = orb.call(node.path, context.ref, "is_running")
+        if await component.or_default(node, context.ref, asked, False):
             return context
     _check_that_one_answers(node, _all_in(contexts, "Unknown"))
     return contexts[0]
@@ -282,9 +277,8 @@ async def _where(node, context, now):
         return now
     if context.is_own:
         return f"{now} in {_number(context.index)}"
-    profile = await component.or_default(
-        node, context.ref, orb.call(node.path, context.ref, "get_profile"), None
-    )
+    asked = orb.call(node.path, context.ref, "get_profile")
+    profile = await component.or_default(node, context.ref, asked, None)
     owner = printable(await component.instance_name(node, profile.owner)) if profile else ""
     return f"{now} in the context of {owner or 'another component'}"
 
@@ -350,9 +344,8 @@ async def _reach(node, ref, transition, code, before, wait, start):
         return ACCEPTED
     now = await component.uncertain_if_refused(component.state_in(node, ref))
     if code not in ("RTC_OK", "RTC_ERROR") and now != transition.target:
-        raise errors.Refused(
-            str(node.path), f"cannot {transition.name}: {_reason(code, before, now, transition)}"
-        )
+        why = f"cannot {transition.name}: {_reason(code, before, now, transition)}"
+        raise errors.Refused(str(node.path), why)
     seconds = session.current().timeout if wait is None else wait
     await _until(node, ref, transition, now, seconds, start)
     if wait is not None:
@@ -406,9 +399,8 @@ async def check_still_active(node, ref, transition, seconds):
     limit = start + max(seconds, component.POLL)
     while loop.now() < end:
         if loop.now() > limit:
-            raise errors.Late(
-                str(node.path), f"Active, but not yet for a period ({1 / rate:g}s) of its execution context"
-            )
+            why = f"Active, but not yet for a period ({1 / rate:g}s) of its execution context"
+            raise errors.Late(str(node.path), why)
         await loop.sleep(max(0, min(component.POLL, end - loop.now())))
         now = await component.uncertain_if_refused(component.state_in(node, ref))
         if now != transition.target:
