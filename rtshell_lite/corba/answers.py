@@ -61,9 +61,7 @@ def _guarded(objref, operation):
     safe = tuple(ior.guarded(descriptor, _taker, _holder) for descriptor in returned or ())
     failures = {name: ior.guarded(descriptor, _taker, _holder) for name, descriptor in (raised or {}).items()}
     same = all(new is old for new, old in zip(safe, returned or ())) and failures == (raised or {})
-    if same:
-        return None
-    return (given, safe, failures or None)
+    return None if same else (given, safe, failures or None)
 
 
 # fault: why the answer that this thread is reading must not be used. Functions called meanwhile must not

@@ -251,7 +251,7 @@ class _Queue:
         may_go_on = self.waiting or self.waiting_for_others and self._turns
         if may_go_on and self._threads < IN_FLIGHT:
             self._threads += 1
-            _Worker.give(self)
+            loop.begun_on_thread(self.work)
 
     def work(self):
         """Make calls until none waits; on a thread."""
@@ -350,32 +350,6 @@ class _Queue:
     def _give_up(self, item, failure):
         self.open.discard(item)
         item.wait.failed(failure)
-
-
-class _Worker:
-    """A thread that makes the calls of one _Queue after another."""
-
-    _idle = []  # type: list
-
-    def __init__(self):
-        self._queue = None  # type: _Queue
-        self._begin = threading.Lock()
-        self._begin.acquire()
-        loop.world().start_thread(self._run)
-
-    @classmethod
-    def give(cls, queue):
-        """Let an idle worker, or a new one, make the calls of a queue. Raises Shortage."""
-        worker = cls._idle.pop() if cls._idle else cls()
-        worker._queue = queue
-        worker._begin.release()
-
-    def _run(self):
-        while True:
-            self._begin.acquire()
-            self._queue.work()
-            self._queue = None
-            self._idle.append(self)
 
 
 def _made(item):

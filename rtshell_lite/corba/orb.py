@@ -49,10 +49,8 @@ def _chosen():
 def _setting_unknown_to(client):
     """The first setting in RTCTREE_ORB_ARGS that our own ORB does not obey; '' if it obeys all."""
     words = [word for word in os.environ.get("RTCTREE_ORB_ARGS", "").split(";") if word]
-    options = words[::2]
-    unknown = [
-        word for word in options if not (word.startswith("-ORB") and word[len("-ORB") :] in client.HEEDED)
-    ]
+    heeded = ["-ORB" + option for option in client.HEEDED]
+    unknown = [word for word in words[::2] if word not in heeded]
     return "RTCTREE_ORB_ARGS: " + printable(unknown[0]) if unknown else ""
 
 
@@ -171,9 +169,7 @@ def as_corbaloc(ref):
 def _corbaloc(host, port, key):
     if ":" in host:
         host = f"[{host}]"
-    octets = "".join(
-        chr(octet) if chr(octet).isalnum() and octet < 128 else f"%{octet:02x}" for octet in key
-    )
+    octets = "".join(chr(octet) if octet < 128 and chr(octet).isalnum() else f"%{octet:02x}" for octet in key)
     return "corbaloc:iiop:1.2@%s:%d/%s" % (printable(host), port, octets)
 
 

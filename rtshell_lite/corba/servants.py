@@ -78,6 +78,5 @@ class Served:
 
 def _address_given():
     """True if the user sets what the ORB publishes, for NAT say."""
-    return "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "") or any(
-        name.startswith("ORBendPoint") for name in os.environ
-    )
+    is_variable = any(name.startswith("ORBendPoint") for name in os.environ)
+    return is_variable or "ORBendPoint" in os.environ.get("RTCTREE_ORB_ARGS", "")

@@ -161,8 +161,7 @@ def current():
     here = loop.current()
     if here is None:
         return Session()
-    if here.session is None:
-        here.session = Session()
+    here.session = here.session or Session()
     return here.session
 
 

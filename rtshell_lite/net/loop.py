@@ -502,18 +502,23 @@ async def on_thread(function, *args):
 
     A cancelled task does not wait for it; the thread goes on, as nothing can end it.
     """
+    return await begun_on_thread(function, *args)
+
+
+def begun_on_thread(function, *args):
+    """The Wait for the result of a function that a thread runs. Raises Shortage."""
     here = current()
     wait = Wait()
     if here.world is not real:  # which runs one thing at a time
         here.world.start_thread(_end_with, wait, function, args)
-        return await wait
+        return wait
     here.make_bell()
     try:
         thread = _Thread.idle.pop()
     except IndexError:
         thread = _Thread()
     thread.give((here, wait, function, args))
-    return await wait
+    return wait
 
 
 def _outcome(function, args):

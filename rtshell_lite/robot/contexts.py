@@ -29,11 +29,10 @@ async def _entry(node, index, ref):
     context = await component.or_default(node, ref, component.context(node, ref), None)
     if context is None:
         return Entry(index, None, "Unknown", "", [])
-    return Entry(
-        index, context, (await component.states(node, [ref]))[0],
-        await component.instance_name(node, context.owner),
-        [await component.instance_name(node, ref) for ref in context.participants],
-    )
+    (state,) = await component.states(node, [ref])
+    owner = await component.instance_name(node, context.owner)
+    participants = [await component.instance_name(node, ref) for ref in context.participants]
+    return Entry(index, context, state, owner, participants)
 
 
 # ---- changing ----
@@ -84,9 +83,7 @@ async def _run(node, index, operation, is_started):
     running = await component.uncertain_if_refused(orb.call(where, ref, "is_running"))
     if bool(running) != is_started:
         raise errors.Refused(where, f"its execution context does not {operation} ({code})")
-    if is_started:
-        return f"{where}: running"
-    return f"{where}: stopped"
+    return f"{where}: {'running' if is_started else 'stopped'}"
 
 
 async def one_by_one(change, node, index, participants):
@@ -114,11 +111,9 @@ async def attach(node, index, participant):
         raise errors.Failed(where, f"{participant.path!s} owns this execution context")
     if not _takes_part(profile, participant):
         code = str(await orb.call(where, ref, "add_component", participant.typed))
-        is_taken = code == "RTC_OK"
-        if is_taken:
+        if code == "RTC_OK":
             profile = await component.uncertain_if_refused(orb.call(where, ref, "get_profile"))
-            is_taken = _takes_part(profile, participant)
-        if not is_taken:
+        if not _takes_part(profile, participant):
             raise errors.Refused(where, f"its execution context does not take {participant.path!s} ({code})")
 
     async def is_executed():
@@ -139,9 +134,7 @@ async def detach(node, index, participant):
     if not _takes_part(profile, participant):
         raise errors.NoSuch(where, "participant", str(participant.path))
     code = str(await orb.call(where, ref, "remove_component", participant.typed))
-    seconds = SETTLE_TIME
-    if profile.rate > 0:
-        seconds = max(seconds, 3 / profile.rate)
+    seconds = max(SETTLE_TIME, 3 / profile.rate) if profile.rate > 0 else SETTLE_TIME
     if not await component.until(lambda: _has_left(where, ref, participant), seconds):
         raise errors.Refused(where, f"its execution context does not let go of {participant.path!s} ({code})")
     return f"{node.path}: {participant.path} left"

@@ -33,11 +33,9 @@ def parse(restart=None, burst=None, delay=None, usual=USUAL):
 
     Raises ValueError with the name of the word that is wrong and what it is not.
     """
-    policy = usual
     if restart and restart not in RESTARTS:
         raise ValueError("restart: not one of " + ", ".join(RESTARTS))
-    if restart:
-        policy = policy._replace(restart=restart)
+    policy = usual._replace(restart=restart or usual.restart)
     if burst:
         number, within = _two_numbers(burst, "/", "burst: not NUMBER/SECONDS")
         policy = policy._replace(burst=int(number), within=within)
@@ -83,10 +81,8 @@ class Trial:
         self.failures.append(now)
         recent = [when for when in self.failures if now - when < self.policy.within]
         self.given_up = len(recent) > self.policy.burst
-        delay = 0.0
-        if len(self.failures) > 1:
-            doublings = min(len(self.failures) - 2, 20)
-            delay = min(self.policy.most, self.policy.first * 2**doublings)
+        doublings = min(len(self.failures) - 2, 20)
+        delay = min(self.policy.most, self.policy.first * 2**doublings) if doublings >= 0 else 0.0
         jitter = loop.world().octets(1)[0] / 1020  # at most a quarter; `random` would take 300 kB
         self.until = now + delay * (1 + jitter)
 

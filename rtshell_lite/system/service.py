@@ -137,10 +137,7 @@ class Service:
                 is_ready = steering.notify(READY=1)
             if is_ready and every is None:
                 return
-            if every is None:
-                await loop.sleep(LOOK)
-            else:
-                await loop.sleep(min(LOOK, every))
+            await loop.sleep(LOOK if every is None else min(LOOK, every))
 
     def is_settled(self):
         """Whether all is as the files say, as far as is known."""

@@ -8,6 +8,7 @@ for each address, for a second, and for what they may ask.
 """
 
 import binascii
+import contextlib
 import os
 import re
 import struct
@@ -249,10 +250,8 @@ class Server:
             self.turn_away([Caller(connection, host)])
             return
         connection.setblocking(False)
-        try:
+        with contextlib.suppress(OSError):  # on macOS, where it has ended already
             real.send_at_once(connection)
-        except OSError:  # on macOS, where it has ended already
-            pass
         caller = Caller(connection, host)
         self.callers[caller] = True
         self._watch(caller)
@@ -349,11 +348,9 @@ class Server:
         if caller in self.callers:
             self.callers.pop(caller, None)
             self.loop.unwatch(caller.socket.fileno())
-        try:
+        with contextlib.suppress(OSError):
             if not caller.out:
                 caller.socket.send(messages.whole(last, minor=caller.minor))
-        except OSError:
-            pass
         caller.socket.close()
 
     # ---- requests ----
@@ -471,9 +468,7 @@ def _written(request, writers, result):
 
 
 def _raised(request, interface, exception):
-    try:
+    with contextlib.suppress(ValueError, struct.error, KeyError):  # members of another type
         if isinstance(exception, requests.Thrown):
             return requests.thrown(request, interface, exception)
-    except (ValueError, struct.error, KeyError):
-        pass  # members of another type
     return requests.failed(request, "UNKNOWN", requests.MAYBE)
