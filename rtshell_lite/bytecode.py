@@ -45,13 +45,10 @@ class Finder:
             is_package = zipimporter(above).is_package(name)
         except ZipImportError:
             return None
-        if is_package:
-            file = os.path.join(stem, "__init__.py")
-            return spec_from_file_location(
-                name, file, loader=Loader(name, file), submodule_search_locations=[stem]
-            )
-        file = stem + ".py"
-        return spec_from_file_location(name, file, loader=Loader(name, file))
+        file = os.path.join(stem, "__init__.py") if is_package else stem + ".py"
+        below = [stem] if is_package else None
+        loader = Loader(name, file)
+        return spec_from_file_location(name, file, loader=loader, submodule_search_locations=below)
 
 
 class Loader(SourceFileLoader):

@@ -90,11 +90,12 @@ class Maker:
         return write
 
     def read_struct(self, descriptor):
-        return self.row_reader([inner for _, inner in members(descriptor)], factory(descriptor))
+        readers = [self.reader(inner) for _, inner in members(descriptor)]
+        return self.row_reader(readers, factory(descriptor))
 
-    def row_reader(self, types, make):
-        """read(data, at) of values of these types in a row: make(*values)."""
-        readers = [self.reader(descriptor) for descriptor in types]
+    @staticmethod
+    def row_reader(readers, make):
+        """read(data, at) of values in a row, by their readers: make(*values)."""
 
         def read(data, offset):
             values = []

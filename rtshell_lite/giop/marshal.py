@@ -90,9 +90,8 @@ class Maker(cdr.Maker):
 
     def results_reader(self, types):
         """read(data, at) of what an operation returns: None, one value, or a tuple of them."""
-        if len(types) == 1:
-            return self.reader(types[0])
-        return self.row_reader(types, lambda *values: values or None)
+        readers = [self.reader(descriptor) for descriptor in types]
+        return readers[0] if len(readers) == 1 else self.row_reader(readers, lambda *values: values or None)
 
     def read_part(self, structure, part):
         """Read a part of a structure, as in orb.call."""
@@ -103,15 +102,7 @@ class Maker(cdr.Maker):
             readers = [self.reader(member) for member in inner[:-1]] + [self._pair_reader(part.encode())]
         rest = [None] * (len(inner) - len(readers))
         make = descriptors.factory(structure)
-
-        def read(data, offset):
-            values = []
-            for member in readers:
-                value, offset = member(data, offset)
-                values.append(value)
-            return make(*values, *rest), offset
-
-        return read
+        return self.row_reader(readers, lambda *values: make(*values, *rest))
 
     def _pair_reader(self, name):
         """Of an NVList at the end, the pair with this name, or the first pair for b"": [], or one pair."""

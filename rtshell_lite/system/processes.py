@@ -13,9 +13,8 @@ from rtshell_lite.system import output, policy
 TICK = 0.1  # seconds between looks whether one is ready
 SEEK = 1.0  # seconds between looks whether one that somebody else has started is still there
 PATIENCE = 5.0  # seconds after which it is reported that one is not ready yet, and looked at less often
-_SIGNALS = {}  # type: dict  # names, by number; some of real time have none
-for name, number in real.signals().items():
-    _SIGNALS.setdefault(number, name)
+# names, by number: of several the first; some of real time have none
+_SIGNALS = {number: name for name, number in sorted(real.signals().items(), reverse=True)}
 ANSWERS = "answers already"
 HANGS = "does not answer, but is not gone"
 UNKNOWN = "cannot be looked for: its name server does not answer"

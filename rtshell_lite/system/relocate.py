@@ -227,12 +227,10 @@ def mapped(where, maps):
     """A Path after the Maps: each element is replaced once, by the longest Map that fits."""
     if where.server is None:
         return where
+    tails = [where.names[index:] for index in range(len(where.names))]
     for map in maps:
-        if map.at_start(where) is not None:
+        if map.at_start(where) is not None or any(map.fits(tail) for tail in tails):
             map.used = True
-        for i in range(len(where.names)):
-            if map.fits(where.names[i:]):
-                map.used = True
     fitting = [(map.at_start(where), map) for map in maps if map.at_start(where) is not None]
     server = where.server
     index = 0
