@@ -39,9 +39,9 @@ async def within(nodes):
     away = None
     own_nodes = []
     for node in nodes:
-        is_away = away is not None and node.path.names[: len(away.names)] == away.names
-        if is_away and node.path.server == away.server:
-            continue
+        if away is not None and node.path.server == away.server:
+            if node.path.names[: len(away.names)] == away.names:
+                continue
         away = None
         if node.kind in ("server", "directory"):
             directories[node.path] = node
