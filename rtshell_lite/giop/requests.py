@@ -64,10 +64,7 @@ class Request:
         offset += 4
         if self.is_request:
             self.is_answered = bool(data[offset] & 1)
-            if self.minor:
-                offset += 4
-            else:
-                offset += 1
+            offset += 4 if self.minor else 1
         if self.minor == 2:
             self.key = None
             if short.unpack_from(data, offset)[0]:
@@ -145,10 +142,8 @@ def thrown(request, interface, exception):
 
 def needs_key(request):
     """The answer to who names an object by a profile or a reference."""
-    if request.is_request:
-        out = answer(request, messages.NEEDS_ADDRESSING_MODE)
-    else:
-        out = located(request, messages.NEEDS_ADDRESSING_MODE)
+    begin = answer if request.is_request else located
+    out = begin(request, messages.NEEDS_ADDRESSING_MODE)
     return sized(out + struct.pack("<H", messages.KEY))
 
 

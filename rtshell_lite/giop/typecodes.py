@@ -101,9 +101,7 @@ class _Reader:
             descriptor = by_offset.get(self.at - 4 + offset)
             if descriptor is None:
                 raise Fault("an indirection to nowhere")
-            if isinstance(descriptor, list):
-                return (INDIRECT, descriptor)
-            return descriptor
+            return (INDIRECT, descriptor) if isinstance(descriptor, list) else descriptor
         if kind in PLAIN:
             return kind
         if kind in (STRING, WSTRING):

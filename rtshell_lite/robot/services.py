@@ -4,6 +4,7 @@
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
 from rtshell_lite.net import loop
+from rtshell_lite.records import record
 from rtshell_lite.robot import ports
 from rtshell_lite.text import printable, to_wire
 
@@ -11,21 +12,9 @@ PROFILE = "RTC.ConnectorProfile"
 NAME = "rtshell_lite_call"  # of the connector by which a reference is got; see ports.is_of_tool
 
 
-class Service:
-    """One interface that a port provides.
-
-    port           the ports.Port
-    instance       its name, and type_name its type, as the port's profile has them
-    ref            its reference
-    repository_id  of its interface, as the reference says
-    """
-
-    def __init__(self, port, instance, type_name, ref):
-        self.port = port
-        self.instance = instance
-        self.type_name = type_name
-        self.ref = ref
-        self.repository_id = orb.address(ref).type_id
+# One interface that a port, a ports.Port, provides: its name and its type, as the port's profile has them;
+# its reference, and the id of its interface, as that says.
+Service = record("Service", "port instance type_name ref repository_id")
 
 
 def label(service):
@@ -57,7 +46,7 @@ def _service(port, given, instance, type_name):
         why = f"its connection has no reference of interface {printable(instance)}"
         raise errors.Garbled(ports.label(port), why)
     ref = orb.from_text(f"{ports.label(port)}.{printable(instance)}", text)
-    return Service(port, instance, type_name, ref)
+    return Service(port, instance, type_name, ref, orb.address(ref).type_id)
 
 
 async def _connected_once(port):

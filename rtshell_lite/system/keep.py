@@ -353,11 +353,8 @@ class Keeper(follow.Presence):
         now = loop.now()
         due = []
         for kept in absent:
-            if not placements.is_gone(kept.error) or kept.repairs.until > now:
-                continue
-            if kept.repairs.given_up or kept.is_paused or kept.is_busy:
-                continue
-            if loop.wall() - kept.since > FAREWELL:
+            is_to_wait = kept.repairs.until > now or kept.repairs.given_up or kept.is_paused or kept.is_busy
+            if not is_to_wait and placements.is_gone(kept.error) and loop.wall() - kept.since > FAREWELL:
                 due.append(kept)
         for kept in due:
             kept.is_busy = True

@@ -332,13 +332,9 @@ class Server:
         self.loop.call_later(SWEEP, self.sweep)
         now = loop.now()
         for caller in list(self.callers):
-            if caller.is_unfinished():
-                limit = UNFINISHED
-            elif caller.awaited:
-                continue
-            else:
-                limit = IDLE
-            if now - caller.since > limit:
+            is_unfinished = caller.is_unfinished()
+            limit = UNFINISHED if is_unfinished else IDLE
+            if (is_unfinished or not caller.awaited) and now - caller.since > limit:
                 self.close(caller)
 
     def close(self, caller, last=messages.CLOSE):
