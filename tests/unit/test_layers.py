@@ -297,7 +297,6 @@ class OneColour(unittest.TestCase):
                     "mocks.py",
                     "net/hosts.py",
                     "net/loop.py",
-                    "corba/omniorb.py",
                     "doctor/limits.py",
                 )
             },
