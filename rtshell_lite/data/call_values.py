@@ -182,9 +182,7 @@ def as_text(operation, value, dump=text.json_line):
     from rtshell_lite.data import values
 
     plain = values.json(part)
-    if isinstance(plain, str):
-        return plain
-    return dump(plain)
+    return plain if isinstance(plain, str) else dump(plain)
 
 
 def _parts(operation, value):
@@ -218,9 +216,7 @@ def shown_exception(e):
             members.append(f"{name}={part!r}")
         else:
             members.append(f"{name}={values.text(part)}")
-    shown = ""
-    if members:
-        shown = f"({', '.join(members)})"
+    shown = f"({', '.join(members)})" if members else ""
     return errors.Raised(e.where, e.name, e.value, shown)
 
 

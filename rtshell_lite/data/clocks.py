@@ -24,9 +24,7 @@ def seconds(message):
         return 0
     order = "<LL" if message.little else ">LL"
     whole, nanoseconds = struct.unpack_from(order, message.data)
-    if not whole:
-        return 0
-    return whole + nanoseconds / 1e9
+    return whole + nanoseconds / 1e9 if whole else 0
 
 
 def distance(received, stamp):

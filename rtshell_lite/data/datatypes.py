@@ -211,9 +211,7 @@ class Types:
         if name.startswith("IDL:"):
             return self.library.type(name)
         parts = _parts(name)
-        if not parts:
-            return None
-        return _best(self.library.types(parts[-1]), name)
+        return _best(self.library.types(parts[-1]), name) if parts else None
 
 
 def _parts(name):

@@ -191,9 +191,7 @@ class _Parser:
         try:
             return int(word, 0)
         except ValueError:
-            if word.lstrip("+-").isdigit():
-                return int(word)
-            return build_value.real(word)
+            return int(word) if word.lstrip("+-").isdigit() else build_value.real(word)
 
     def string(self):
         try:

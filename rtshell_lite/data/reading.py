@@ -132,9 +132,7 @@ class Reader(PortConnection):
         """Whether too much has come before the byte order is known, or the connector before this one has
         ended; on any thread.
         """
-        held = 0
-        if self.seam is not None:
-            held = self.seam.held_bytes
+        held = self.seam.held_bytes if self.seam is not None else 0
         return self.early_bytes + held > BUFFER_BYTES
 
     async def _connect(self, requested):
@@ -282,9 +280,7 @@ class Reader(PortConnection):
 
     def why_left(self):
         has_unanswered_fetch = self.dataflow == "pull" and isinstance(self.failure, errors.Unanswered)
-        if has_unanswered_fetch:
-            return BUSY
-        return SILENT
+        return BUSY if has_unanswered_fetch else SILENT
 
     def is_due(self):
         seen = self.seen
@@ -453,9 +449,7 @@ def fetcher(reader):
             raise
         if str(status) in ("UNKNOWN_ERROR", "PORT_ERROR"):
             raise errors.Unreachable(reader.where, reader.lost())
-        if str(status) == "PORT_OK":
-            return data
-        return None
+        return data if str(status) == "PORT_OK" else None
 
     return fetch
 

@@ -77,9 +77,7 @@ class Seam:
 
     def _delivered_number(self, message):
         """The number of the old connector's value that this one is, or None."""
-        first = 0
-        if not self._is_stamped(message):
-            first = self._sure
+        first = 0 if self._is_stamped(message) else self._sure
         for number, old in self._old:
             if number >= first and old.data == message.data and old.little == message.little:
                 return number

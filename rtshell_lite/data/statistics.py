@@ -34,9 +34,7 @@ class Spread:
         self._squares += step * (number - self.mean)
 
     def deviation(self):
-        if self.count:
-            return math.sqrt(self._squares / self.count)
-        return None
+        return math.sqrt(self._squares / self.count) if self.count else None
 
 
 class Stretch:

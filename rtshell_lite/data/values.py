@@ -97,9 +97,7 @@ def text(value, limit=None):
 
 def _line(value, limit):
     if _sort(value) != "struct":
-        if not isinstance(value, str):
-            return _text(value, limit)
-        return printable(value)
+        return printable(value) if isinstance(value, str) else _text(value, limit)
     members = vars(value)
     stamp = timestamp(value)
     if stamp is None:
@@ -321,9 +319,7 @@ def _step(value, step, path):
         there = "there are " + ", ".join(vars(value))
     elif sort == "union":
         if name == "_d" or name == _case(value):
-            if name == "_d":
-                return value._d
-            return value._v
+            return value._d if name == "_d" else value._v
         there = f"it holds {_case(value)} now"
     elif sort == "list":
         there = "a sequence has no fields"
@@ -351,9 +347,7 @@ def raw(data, little=True, limit=None):
 
 
 def _character(byte):
-    if 32 <= byte < 127:
-        return chr(byte)
-    return "."
+    return chr(byte) if 32 <= byte < 127 else "."
 
 
 def _guesses(data, order):

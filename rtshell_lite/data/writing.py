@@ -93,9 +93,7 @@ class Audience:
 
     async def _rate(self, ref):
         rate = await component.or_default(self.node, ref, orb.call(self.node.path, ref, "get_rate"), 0)
-        if 0 < rate < math.inf:
-            return rate
-        return None
+        return rate if 0 < rate < math.inf else None
 
 
 def _why_not(node, cycles):
@@ -113,9 +111,7 @@ def _why_not(node, cycles):
 
 
 def _option(index):
-    if index:
-        return " -e %d" % index
-    return ""
+    return " -e %d" % index if index else ""
 
 
 async def _do_any_write(ref, others):
@@ -582,7 +578,5 @@ def _needed(writer, seconds):
             return UNKNOWN
         return 0
     writer.backlog.drain(loop.now())
-    longest = LONGEST
-    if seconds is not None:
-        longest = seconds
+    longest = seconds if seconds is not None else LONGEST
     return min(writer.backlog.seconds(), longest)

@@ -111,9 +111,7 @@ class Decoder:
         """
         try:
             value = self.value(entry)
-            if value is None:
-                return None
-            return form(value)
+            return None if value is None else form(value)
         except (errors.Failed, errors.BadValue):
             self.unreadable += 1
             return None
@@ -157,9 +155,7 @@ def place_of_timestamp(descriptor):
         return None
     for index, (name, type) in enumerate(descriptors.members(descriptor)):
         if name == "tm" and build_value.is_time(type):
-            if index:
-                return INSIDE
-            return FIRST
+            return INSIDE if index else FIRST
     return None
 
 
@@ -246,9 +242,7 @@ def as_dict(log):
 
 
 def _seconds(moment):
-    if moment is None:
-        return None
-    return moment / 1e9
+    return None if moment is None else moment / 1e9
 
 
 def date(moment):

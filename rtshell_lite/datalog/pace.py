@@ -93,9 +93,7 @@ class Pace:
 
     def _number_at(self, moment):
         number = self._log.since(moment)
-        if number is None:
-            return max(self._log.count - 1, 0)
-        return number
+        return max(self._log.count - 1, 0) if number is None else number
 
     async def _from(self, first, end):
         is_begin = True

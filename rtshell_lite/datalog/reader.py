@@ -56,9 +56,7 @@ class Log:
             raise errors.Failed(self.where, compression.refusal(self._compressed))
         if self.started is None:
             self.started = self.first or 0
-        self.torn = 0
-        if not self.closed:
-            self.torn = size - self.end
+        self.torn = 0 if self.closed else size - self.end
         self.gaps = self._find_gaps()
 
     def __enter__(self):
@@ -581,7 +579,5 @@ def _make_channel(topic, schema, encoding, about):
         return Channel(topic, about["type"], description, sources, encoding, None, more)
     if schema is None:
         return Channel(topic, "", b"", sources, encoding, None, more)
-    identifier = schema[0]
-    if encoding == "cdr":
-        identifier = schemas.type_id(schema[0])
+    identifier = schemas.type_id(schema[0]) if encoding == "cdr" else schema[0]
     return Channel(topic, identifier, b"", sources, encoding, schema, more)

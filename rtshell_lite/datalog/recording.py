@@ -260,9 +260,7 @@ class _Recording:
         return reader
 
     def _reader(self, port, properties):
-        dataflow = None
-        if self._plan.pull:
-            dataflow = "pull"
+        dataflow = "pull" if self._plan.pull else None
         return reading.Reader(port, None, dataflow, properties, "rtlog")
 
     def _taker(self, number):

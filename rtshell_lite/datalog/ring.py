@@ -76,9 +76,7 @@ class Parts:
 
     def _begin(self, begun, append=False):
         self._number += 1
-        name = self.name
-        if not self._is_single:
-            name = self._part_name(self._number)
+        name = self.name if self._is_single else self._part_name(self._number)
         self._due = loop.now() + (self.limits.seconds or 0)
         self._writer = writer.LogWriter(name, self.channels, begun, append)
 

@@ -198,9 +198,7 @@ class _Plain:
             self.left -= len(data)
             if self.left < 0:
                 raise pickles.Refused("a value that never ends")
-            if isinstance(data, str):
-                return text.from_wire(data)
-            return data
+            return text.from_wire(data) if isinstance(data, str) else data
         if data is None or isinstance(data, (bool, int, float)):
             return data
         raise pickles.Refused("a value that no message has")

@@ -63,9 +63,7 @@ class Table:
         return self._place_cells(cells, names, row, (entry.channel, sizes))
 
     def _time(self, parts):
-        if self._is_ns:
-            return str(parts[0] * 10**9 + parts[1])
-        return "%d.%09d" % parts
+        return str(parts[0] * 10**9 + parts[1]) if self._is_ns else "%d.%09d" % parts
 
     def _plan(self, number):
         channel = self.decoder.log.channels[number]
@@ -155,9 +153,7 @@ def _words(scalar):
 
 def cell(words):
     """Text as a cell."""
-    if _ODD.search(words):
-        return '"' + words.replace('"', '""') + '"'
-    return words
+    return '"' + words.replace('"', '""') + '"' if _ODD.search(words) else words
 
 
 def _parts(descriptor, path):

@@ -198,9 +198,7 @@ class LogWriter:
         key = (channel.name, schema, channel.encoding, tuple(sorted(about.items())))
         if key not in self._known:
             number = max(self._known.values(), default=-1) + 1
-            schema_number = 0
-            if schema:
-                schema_number = self._schema_id(schema)
+            schema_number = self._schema_id(schema) if schema else 0
             record = mcap.channel_record(number, schema_number, channel.name, channel.encoding, about)
             self._put([record])
             self.contents.records[mcap.CHANNEL].append(record)
@@ -224,9 +222,7 @@ class LogWriter:
         for channel, received, little, data in messages:
             stream = self.streams[channel]
             moment = max(received, 0)
-            prefix = b""
-            if not stream.is_plain:
-                prefix = mcap.PREFIXES[little]
+            prefix = b"" if stream.is_plain else mcap.PREFIXES[little]
             packer.add(stream.id, stream.count, moment, stream.published(moment, little, data), prefix, data)
             stream.count += 1
             if packer.size >= CHUNK_SIZE:

@@ -70,9 +70,7 @@ def refusal(port):
     for connector in port.connectors:
         properties = dict(connector.properties)
         asked = next((properties[key] for key in KEYS if properties.get(key)), asked)
-    if asked in POLICIES:
-        return asked
-    return ""
+    return asked if asked in POLICIES else ""
 
 
 def _writers(port, writers):

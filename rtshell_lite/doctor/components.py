@@ -216,9 +216,7 @@ def _names(snapshot):
         cure = "name of another"
     else:
         message = "somebody else's name: this component calls itself " + printable(own)
-        cure = "name taken"
-        if len(nodes) == 1:
-            cure = "renamed"
+        cure = "renamed" if len(nodes) == 1 else "name taken"
     findings = [_on_name(node, message, cure) for node in strange[:MOST]]
     if strange[MOST:]:
         more = f"and {counted(len(strange) - MOST, 'name')} like it"
@@ -232,9 +230,7 @@ def _on_name(node, message, cure):
 
 
 def _spelt(name):
-    if name.kind:
-        return name.id + "." + name.kind
-    return name.id
+    return name.id + "." + name.kind if name.kind else name.id
 
 
 def _bound_as(node):

@@ -308,9 +308,7 @@ def _is_reference(key, value):
 
 
 def _plain(key, value):
-    if value is not None and key in ports.ANY_CASE:
-        return value.lower()
-    return value
+    return value.lower() if value is not None and key in ports.ANY_CASE else value
 
 
 def _shown(value):

@@ -39,9 +39,7 @@ def fail(check, path, message, remedy, cause=None):
 
 
 def _process(endpoint):
-    if endpoint is None:
-        return ""
-    return f"{printable(endpoint[0])}:{endpoint[1]}"
+    return "" if endpoint is None else f"{printable(endpoint[0])}:{endpoint[1]}"
 
 
 async def published(ref):
@@ -134,6 +132,4 @@ async def meaning_of(host):
 
 def reason(e):
     """The reason in an errors.Error, without its object, or in an OSError."""
-    if isinstance(e, errors.Error):
-        return e.why
-    return str(e)
+    return e.why if isinstance(e, errors.Error) else str(e)

@@ -56,9 +56,7 @@ def slowdown():
     report that.
     """
     ran, waited = loop.world().scheduled()
-    if not ran:
-        return 1.0
-    return 1 + waited / ran
+    return 1 + waited / ran if ran else 1.0
 
 
 def late(check, where):

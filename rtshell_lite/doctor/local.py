@@ -82,9 +82,7 @@ def _programs():
 
 
 def _number(word):
-    if word.isdigit():
-        return int(word)
-    return 0
+    return int(word) if word.isdigit() else 0
 
 
 # ---- settings of the ORB ----

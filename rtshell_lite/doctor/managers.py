@@ -80,8 +80,6 @@ async def _no_answer(node, where, e):
     if isinstance(e, errors.NotAsked):
         cure = remedies.not_asked(e, where)
         return warn("manager", where, reason(e), cure, node.endpoint)
-    name = "restart"
-    if isinstance(e, errors.Silent):
-        name = "restart manager or slave"
+    name = "restart manager or slave" if isinstance(e, errors.Silent) else "restart"
     cure = await remedies.of_silence(e, node.endpoint, where, remedies.words(name, port=node.endpoint[1]))
     return fail("manager", where, f"does not report what it has ({reason(e)})", cure)

@@ -165,9 +165,7 @@ class Line(str):
 
 
 def _quoted(part):
-    if isinstance(part, Line):
-        return part
-    return shell_word(str(part))
+    return part if isinstance(part, Line) else shell_word(str(part))
 
 
 def command(name, **values):
@@ -178,9 +176,7 @@ def command(name, **values):
         if not isinstance(value, list):
             value = [value]
         text = " ".join(_quoted(part) for part in value)
-        if text:
-            return match.group(1) + text
-        return ""
+        return match.group(1) + text if text else ""
 
     return Remedy(name, re.sub(r"( ?)\{(\w+)\}", word, COMMANDS[name]))
 
@@ -192,9 +188,7 @@ def words(name, **values):
 
 def option(index):
     """The words that choose an execution context."""
-    if index:
-        return ["-e", str(index)]
-    return []
+    return ["-e", str(index)] if index else []
 
 
 def reconnect(connector_id, port, rtcon):

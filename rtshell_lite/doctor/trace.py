@@ -340,9 +340,7 @@ class Trace:
                 bound.append(node)
         if len(bound) > 1:
             bound = [node for node in await tree.check_alive(bound) if isinstance(node.error, errors.Silent)]
-        if len(bound) == 1:
-            return str(bound[0].path)
-        return None
+        return str(bound[0].path) if len(bound) == 1 else None
 
     async def _limit(self, to, clock, seconds):
         """`limit` to a Port; where no way leads there, the one from there is followed against the data."""
@@ -415,9 +413,7 @@ class Trace:
 
     def _depth(self, fault):
         """Where data comes first, as a number."""
-        if self.against:
-            return -fault[2]
-        return fault[2]
+        return -fault[2] if self.against else fault[2]
 
     def _faults(self):
         for stage in self.in_order():
@@ -534,9 +530,7 @@ class Trace:
 
     def _doubt(self, fault):
         """A Fault that a busy machine may explain; None where it is not busy."""
-        if self.slower > 1:
-            return fault._replace(sure=DOUBTFUL)
-        return None
+        return fault._replace(sure=DOUBTFUL) if self.slower > 1 else None
 
     def _usual(self, stage):
         """Seconds that a Stage may take with a value."""
@@ -592,9 +586,7 @@ class Trace:
     def _written(self, link):
         """The rate, in Hz, at which a Link would be written to if nothing held its writer up."""
         writer = next(stage for stage in self.stages.values() if link.watch in stage.watches)
-        if buffers.refusal(link.port) == "block":
-            return writer.rate
-        return 0
+        return writer.rate if buffers.refusal(link.port) == "block" else 0
 
 
 async def _ports_of(node):
@@ -632,9 +624,7 @@ def _sure(faults):
 def _slowdown():
     """How many times longer all takes than on an idle machine, 1 where this one is not busy."""
     slower = limits.slowdown()
-    if slower < SLOWED:
-        return 1.0
-    return slower
+    return 1.0 if slower < SLOWED else slower
 
 
 class _Clock:

@@ -38,9 +38,7 @@ async def culprits(snapshots, hung):
 
 def blamed(process, culprits):
     """The endpoint of the process to blame for what a process does not answer, by what `culprits` returns."""
-    if process in culprits:
-        return culprits[process].endpoint
-    return process
+    return culprits[process].endpoint if process in culprits else process
 
 
 async def _culprits_of(process, hung):

@@ -42,9 +42,7 @@ def located(directory):
     """
     parent, name = os.path.split(directory.rstrip("/"))
     path = os.path.join(os.path.realpath(parent), name)
-    if path in mounted():
-        return path
-    return os.path.realpath(directory)
+    return path if path in mounted() else os.path.realpath(directory)
 
 
 def _unescaped(word):

@@ -386,9 +386,7 @@ def link_text(path, above):
         parsed = parse(path) if path.startswith("/") else None
     except errors.BadPath:
         parsed = None
-    if parsed:
-        return relative(mounted(parsed), above)
-    return path
+    return relative(mounted(parsed), above) if parsed else path
 
 
 def mounted(path):

@@ -67,9 +67,7 @@ class OpenFile:
 
 
 def _text(data):
-    if data:
-        return data.decode("utf-8", "surrogateescape").rstrip("\n")
-    return None
+    return data.decode("utf-8", "surrogateescape").rstrip("\n") if data else None
 
 
 class Listing:

@@ -95,9 +95,7 @@ class Sender(Carrier):
         kind = given.get("dataport.subscription_type", "flush").lower()
         policy = self._of_side("publisher.push_policy", "new")
         self.is_newest = kind != "flush" and policy == "new"
-        self.pause = 0.0
-        if kind == "periodic":
-            self.pause = _period(given)
+        self.pause = _period(given) if kind == "periodic" else 0.0
         self.every = 1
         if policy == "skip":
             self.every += _number(self._of_side("publisher.skip_count", "0"), 0)
@@ -257,9 +255,7 @@ _PROVIDERS = {"corba_cdr": OutPortCdr, "data_service": DataPullService}
 
 
 def _number(text, default):
-    if text.isdecimal() and len(text) < 7:
-        return int(text)
-    return default
+    return int(text) if text.isdecimal() and len(text) < 7 else default
 
 
 def _seconds(text):

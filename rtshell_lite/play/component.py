@@ -280,9 +280,7 @@ class Component:
         if handle >= FIRST_PARTICIPATING:
             contexts = self.participating
             handle -= FIRST_PARTICIPATING
-        if 0 <= handle < len(contexts):
-            return contexts[handle].reference
-        return None
+        return contexts[handle].reference if 0 <= handle < len(contexts) else None
 
     def get_context_handle(self, reference):
         for first, contexts in ((0, self.contexts), (FIRST_PARTICIPATING, self.participating)):
@@ -333,9 +331,7 @@ class Component:
         raise Thrown(_SDO + "InterfaceNotImplemented", "a recording has none")
 
     def get_owned_organizations(self):
-        if self.organisation is None:
-            return []
-        return [self.organisation.reference]
+        return [] if self.organisation is None else [self.organisation.reference]
 
     def get_organizations(self):
         return [organisation.reference for organisation in self.organisations]

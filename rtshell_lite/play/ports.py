@@ -96,9 +96,7 @@ class Port:
 
     async def notify_connect(self, profile):
         profile = _plain(profile)
-        indexes = []
-        if _is_possible(profile):
-            indexes = self._own_indexes(profile)
+        indexes = self._own_indexes(profile) if _is_possible(profile) else []
         if len(indexes) != 1:
             return code("BAD_PARAMETER"), profile
         name = profile.connector_id

@@ -156,9 +156,7 @@ def _details(log, attachment):
 def text_in(fields, key, default=""):
     """A text in a dict of JSON."""
     value = fields.get(key)
-    if isinstance(value, str):
-        return value
-    return default
+    return value if isinstance(value, str) else default
 
 
 def dicts_in(fields, key):

@@ -79,9 +79,7 @@ class Show:
         else:
             port = orb.listen(host, port)
         nameserver.Names(host)
-        address = f"{host}:{port}"
-        if ":" in host:
-            address = f"[{host}]:{port}"
+        address = f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
         return host, tree.name_server(address)
 
     async def _bind(self, has_begun=False):
@@ -158,15 +156,11 @@ class Show:
         if report is None:
             return
         scenes = self._recording.scenes
-        following = None
-        if self._scene + 1 < len(scenes):
-            following = scenes[self._scene + 1]
+        following = scenes[self._scene + 1] if self._scene + 1 < len(scenes) else None
         self._stage.take(report, following)
 
     def _send(self, entry):
-        moment = None
-        if not self._is_absolute:
-            moment = int(loop.wall() * 1e9)
+        moment = None if self._is_absolute else int(loop.wall() * 1e9)
 
         def data_of(little):
             return self._decoder.data(entry, little, moment)

@@ -155,9 +155,7 @@ def port_lines(port, instance, level, ends, paint, tag="", more=""):
         if not far:
             continue
         listed += len(far)
-        sign = "+"
-        if level > 1:
-            sign = "-"
+        sign = "-" if level > 1 else "+"
         yield f"{more} {sign}{how}  {paint(far[0], 'bold')}"
         for end in far[1:]:
             yield more + " " * 16 + paint(end, "bold")

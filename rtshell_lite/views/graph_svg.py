@@ -108,9 +108,7 @@ def _kind(state):
 
 
 def _colour(state):
-    if state is None:
-        return "white"
-    return graph.COLOURS.get(state, "lightgrey")
+    return "white" if state is None else graph.COLOURS.get(state, "lightgrey")
 
 
 def _text(x, y, anchor, text):

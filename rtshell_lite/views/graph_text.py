@@ -119,9 +119,7 @@ def _passing(count, nets):
     passing = {}
     for row in range(count):
         while to_come and to_come[0].first == row:
-            lane = len(passing)
-            if free:
-                lane = heapq.heappop(free)
+            lane = heapq.heappop(free) if free else len(passing)
             passing[lane] = to_come.popleft()
         yield passing
         for lane, net in list(passing.items()):

@@ -27,9 +27,7 @@ def shown(value, width, indent="", used=0):
 
 def _line(value):
     line = json.dumps(value, ensure_ascii=False)
-    if text.is_plain(line):
-        return line
-    return json.dumps(value)
+    return line if text.is_plain(line) else json.dumps(value)
 
 
 def _filled(parts, width):

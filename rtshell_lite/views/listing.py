@@ -157,9 +157,7 @@ def short(node, paint, name=None):
 
 def first_name(node):
     """` -> PATH` for a directory that a walk has entered by another name, else ''."""
-    if node.alias:
-        return " -> " + str(node.alias)
-    return ""
+    return " -> " + str(node.alias) if node.alias else ""
 
 
 def row(node, figures, paint, name=None):

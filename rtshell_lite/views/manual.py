@@ -57,9 +57,7 @@ async def collect(node, graph=False):
 
 
 def _values(sets, set_id):
-    if set_id in sets.raw:
-        return sets.set(set_id, with_hidden=True).values
-    return {}
+    return sets.set(set_id, with_hidden=True).values if set_id in sets.raw else {}
 
 
 def _order(texts):

@@ -183,9 +183,7 @@ def _connections(picture, profile, rows):
 
 def _origin(box):
     """The key of a box: components of a profile cannot be hashed."""
-    if isinstance(box.origin, model.Component):
-        return id(box.origin)
-    return box.origin
+    return id(box.origin) if isinstance(box.origin, model.Component) else box.origin
 
 
 def _end(end, locate, numbers):

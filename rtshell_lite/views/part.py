@@ -270,6 +270,4 @@ def _joined(boxes, folded, start, end, service, both):
 def _one(ports):
     """The name of the only port, or how many there are."""
     distinct = set(ports)
-    if len(distinct) == 1:
-        return ports[0]
-    return f"{len(distinct)} ports"
+    return ports[0] if len(distinct) == 1 else f"{len(distinct)} ports"

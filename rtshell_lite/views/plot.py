@@ -57,9 +57,7 @@ class Field:
             self._take(inner, f"{name}.{member}" if name else member, index + 1, numbers)
             return
         first = int(start)
-        last = first + 1
-        if end is not None:
-            last = int(end)
+        last = int(end) if end is not None else first + 1
         if not isinstance(value, (list, tuple, bytes)):
             raise errors.NoSuch(self.path, "field", f"[{first}] (it is not a sequence)")
         for number, element in enumerate(value[first:last], first):
@@ -94,9 +92,7 @@ def _leaves(value, name, numbers, is_all):
     elif hasattr(value, "_n") and hasattr(value, "_v"):
         numbers.append((name, value._v, value._n))
     elif not isinstance(value, str) and value is not None:
-        members = value
-        if not isinstance(value, dict):
-            members = vars(value)
+        members = value if isinstance(value, dict) else vars(value)
         for member, inner in members.items():
             if member != "tm" or not is_all:
                 _leaves(inner, f"{name}.{member}" if name else member, numbers, is_all)
@@ -207,9 +203,7 @@ class Series:
 
     def said(self, value):
         """A value in words: the name of an enumerator, else the number."""
-        if value in self.names:
-            return printable(self.names[value])
-        return number(value)
+        return printable(self.names[value]) if value in self.names else number(value)
 
 
 class Rate:

@@ -56,9 +56,7 @@ svg { background: #0d1117; color: #e6edf3; }
 def lines(picture):
     """The lines of an SVG file."""
     names = _shared_names(picture)
-    begin = 0
-    if names:
-        begin = LINE * _rows(names) + ROOM
+    begin = LINE * _rows(names) + ROOM if names else 0
     heights = [ROOM + _head_height(panel, names) + _axes_height(panel) for panel in picture.panels]
     marks = _kept_apart(picture)
     height = begin + sum(heights) + FOOT + LINE * (marks != [])
@@ -141,9 +139,7 @@ def _head_height(panel, names):
 
 
 def _axes_height(panel):
-    if panel.is_of_states():
-        return BAND * len(panel.series)
-    return HEIGHT
+    return BAND * len(panel.series) if panel.is_of_states() else HEIGHT
 
 
 def _legend(words, y):
@@ -216,9 +212,7 @@ def _scale(panel):
 
 
 def _short(name):
-    if cells(name) < 11:
-        return name
-    return name[:9] + "…"
+    return name if cells(name) < 11 else name[:9] + "…"
 
 
 def _x(picture, moment):
@@ -340,9 +334,7 @@ def _words_of_marks(marks, y):
 
 def _foot(picture, y):
     marks, unit = plot.time_ticks(picture.first, picture.last, 10)
-    after = f" {unit}"
-    if ":" in unit:
-        after = ""
+    after = "" if ":" in unit else f" {unit}"
     for moment, words in marks:
         yield _text(_x(picture, moment), y + 18, words + after, "middle", "small")
     said = f"0 is {plot.date(picture.first)}"

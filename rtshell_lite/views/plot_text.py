@@ -181,9 +181,7 @@ def _cut(words, width):
 
 def _caption(series, number, paint, is_braille, width):
     """`name  min 1  max 3  last 2`"""
-    sample = "⠤⠤"
-    if not is_braille:
-        sample = _letter(number)
+    sample = "⠤⠤" if is_braille else _letter(number)
     if series.last is None:
         said = "  no values"
     else:

@@ -46,9 +46,7 @@ class Channel:
             value = self.type.decode(message.data, message.little)
         except errors.BadData as e:
             raise errors.BadData(self.path, "%s: %s" % e.args)
-        if self.field:
-            return values.field(value, self.field)
-        return value
+        return values.field(value, self.field) if self.field else value
 
     def line(self, message):
         """A Message as a line for people; its bytes are several lines."""
@@ -238,9 +236,7 @@ def figure_line(figures):
 
 
 def _ms(seconds):
-    if abs(seconds) < 1:
-        return f"{seconds * 1000:.3g}"
-    return f"{seconds * 1000:.0f}"
+    return f"{seconds * 1000:.3g}" if abs(seconds) < 1 else f"{seconds * 1000:.0f}"
 
 
 def _bytes(number):

@@ -31,9 +31,7 @@ def exact(field):
 def clark(name):
     """The model's form of a name from expat."""
     space, separator, local = name.rpartition(SEPARATOR)
-    if separator:
-        return f"{{{space}}}{local}"
-    return name
+    return f"{{{space}}}{local}" if separator else name
 
 
 def parts(clark_name):
@@ -50,9 +48,7 @@ def parts(clark_name):
 def raw(clark_name):
     """expat's form of a name of the model."""
     space, local = parts(clark_name)
-    if space:
-        return space + SEPARATOR + local
-    return local
+    return space + SEPARATOR + local if space else local
 
 
 def _spellings(field):

@@ -50,9 +50,7 @@ def load(data, name, form=None):
 def form_of(data):
     """XML or YAML, by the first character of a file."""
     start = data[:1024].lstrip(b"\xef\xbb\xbf\xff\xfe\x00 \t\r\n")  # byte order marks, in UTF-16 too
-    if start.startswith(b"<"):
-        return XML
-    return YAML
+    return XML if start.startswith(b"<") else YAML
 
 
 def dump(profile, form):

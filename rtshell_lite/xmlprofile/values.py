@@ -11,9 +11,7 @@ _LONGEST_NUMBER = 100  # characters: long ones take quadratic time
 def from_text(field, text):
     """The value of a field for its text in a file."""
     if field.kind == fields.TEXT:
-        if field.choices:
-            return _choice(field, text)
-        return text
+        return _choice(field, text) if field.choices else text
     if field.kind == fields.DATE:
         return text
     word = text.strip()
@@ -30,9 +28,7 @@ def from_text(field, text):
 
 def _choice(field, text):
     word = text.strip().lower()
-    if word:
-        return field.choices.get(word, text)
-    return field.default
+    return field.choices.get(word, text) if word else field.default
 
 
 def _boolean(word):
@@ -72,9 +68,7 @@ def from_number(field, value):
 def to_text(field, value):
     """The text of a value in XML."""
     if field.kind == fields.BOOLEAN:
-        if value:
-            return "true"
-        return "false"
+        return "true" if value else "false"
     if field.kind == fields.NUMBER:
         return _SPECIAL.get(repr(float(value)), repr(float(value)))
     return str(value)

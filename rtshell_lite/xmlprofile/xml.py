@@ -403,6 +403,4 @@ class _Writer:
             else:
                 pieces.append(self.foreign(item))
         content = "".join(pieces)
-        if content:
-            return f"{head}>{content}</{tag}>"
-        return head + "/>"
+        return f"{head}>{content}</{tag}>" if content else head + "/>"

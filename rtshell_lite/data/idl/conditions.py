@@ -134,6 +134,4 @@ def _of_macro(macro):
     if macro is None or len(macro.body) != 1:
         return 0
     _, word = macro.body[0]
-    if not scanner.is_whole(word):
-        return 0
-    return scanner.whole(word)
+    return scanner.whole(word) if scanner.is_whole(word) else 0

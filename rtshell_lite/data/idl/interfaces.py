@@ -100,9 +100,7 @@ class Operation:
 
     def idl(self):
         """It as one line of IDL, with its semicolon."""
-        words = "void"
-        if self.result is not None:
-            words = spelled(self.result)
+        words = spelled(self.result) if self.result is not None else "void"
         if self.oneway:
             words = f"oneway {words}"
         listed = [
@@ -178,9 +176,7 @@ class Attribute:
 
 
 def _raising(word, exceptions):
-    if not exceptions:
-        return ""
-    return f" {word} ({', '.join(map(spelled, exceptions))})"
+    return f" {word} ({', '.join(map(spelled, exceptions))})" if exceptions else ""
 
 
 def spelled(descriptor):

@@ -58,9 +58,7 @@ class Library:
 
     def _types(self, path):
         contents = self._parsed(path)
-        if contents is None:
-            return {}
-        return contents.types
+        return {} if contents is None else contents.types
 
     def _first(self, type_id, table):
         for path in self._candidates(_last(type_id), type_id):

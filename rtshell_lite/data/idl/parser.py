@@ -278,9 +278,7 @@ class Parser:
             raise self.fault("nested too deep")
         if self.accept(";"):  # one too many, as people write
             return
-        word = ""
-        if self.token.kind == "name":
-            word = self.token.word
+        word = self.token.word if self.token.kind == "name" else ""
         if word == "module":
             self._module(depth)
         elif word in ("interface", "local", "abstract"):
@@ -388,9 +386,7 @@ class Parser:
         skipped = []
         while closing or not self.is_mark(";"):
             token = self.token
-            expected = ";"
-            if closing:
-                expected = closing[-1]
+            expected = closing[-1] if closing else ";"
             if token.kind == "end":
                 raise self.unexpected(expected, start)
             if self.is_mark(*BRACKETS):

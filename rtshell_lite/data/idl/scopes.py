@@ -36,9 +36,7 @@ class Entry:
     @property
     def scope(self):
         """The Scope of the names in it; None where it holds none."""
-        if isinstance(self.what, Scope):
-            return self.what
-        return self.members
+        return self.what if isinstance(self.what, Scope) else self.members
 
 
 class Scope:
@@ -62,9 +60,7 @@ class Scope:
 
     def inner_prefix(self, name):
         """The prefix of the repository ids of what is declared inside a name of this scope."""
-        if not self.prefix:
-            return name
-        return f"{self.prefix}/{name}"
+        return f"{self.prefix}/{name}" if self.prefix else name
 
     def own(self, name):
         """The Entry of a name declared here or in an interface that this one inherits from, or None."""

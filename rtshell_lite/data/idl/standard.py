@@ -27,9 +27,7 @@ def _operation(name, given, returned, raised, parameters):
     for word in parameters.split():
         plain = word.lstrip("<>")
         direction = DIRECTIONS[word[: -len(plain)]]
-        descriptor = None
-        if direction != "in":
-            descriptor = received.pop(0)
+        descriptor = received.pop(0) if direction != "in" else None
         if direction != "out":
             descriptor = sent.pop(0)
         operation.parameters.append(Parameter(direction, plain, descriptor))

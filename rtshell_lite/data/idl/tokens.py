@@ -58,9 +58,7 @@ def tokens(path, include=(), find=None):
 
 
 def _ended(source, path):
-    last = Token("", "", path, 1, 1)
-    if source.found:
-        last = source.found[-1]
+    last = source.found[-1] if source.found else Token("", "", path, 1, 1)
     column = last.column + len(last.word)
     source.found.append(Token("end", "the end of the file", last.file, last.line, column))
     return source.found

@@ -57,9 +57,7 @@ def type_spec(parser, depth):
     if parser.is_word("sequence"):
         return _sequence(parser, depth + 1)
     if parser.is_word("string", "wstring"):
-        bound = 0
-        if parser.advance() and parser.is_mark("<"):
-            bound = _bound(parser)
+        bound = _bound(parser) if parser.advance() and parser.is_mark("<") else 0
         return (STRING if token.word == "string" else WSTRING, bound)
     if parser.is_word("fixed"):
         return _fixed(parser)
@@ -164,9 +162,7 @@ def constructed(parser, depth):
         raise parser.twice(name, entry, token)
     if word == "struct" or not parser.is_word("switch"):
         parser.take("{")
-    read = _union
-    if word == "struct":
-        read = _struct
+    read = _struct if word == "struct" else _union
     descriptor = within(parser, entry, lambda: read(parser, entry, name, depth))
     parser.take("}")
     entry.sort = "type"

@@ -245,6 +245,4 @@ def _between(left, right):
 
 def _on_circle(rank, y, side):
     where = rank * _FAR + y
-    if side:
-        return where - _FAR * _FAR
-    return -where
+    return where - _FAR * _FAR if side else -where

@@ -30,9 +30,7 @@ def key_end(doc, pos):
     c = doc.text[pos]
     if c in "'\"":
         end = _closing(doc, pos)
-        if not _has_break(doc.text[pos:end]):
-            return end
-        return None
+        return None if _has_break(doc.text[pos:end]) else end
     if c == "*":
         alias = _ALIAS.match(doc.text, pos)
         return alias and alias.end()
@@ -159,9 +157,7 @@ def quoted(doc, pos):
 
 def _meant_space(match):
     space = match.group()
-    if _has_break(space):
-        return folded(space)
-    return space
+    return folded(space) if _has_break(space) else space
 
 
 def _closing(doc, pos):

@@ -66,9 +66,7 @@ def scalar(value):
     if value is None:
         return "null"
     if isinstance(value, bool):
-        if value:
-            return "true"
-        return "false"
+        return "true" if value else "false"
     if isinstance(value, float):
         return _float(value)
     if isinstance(value, str):
@@ -78,9 +76,7 @@ def scalar(value):
     if isinstance(value, int):
         digits = str(value)
         # it was read like that
-        if len(digits) <= scalars.LONGEST_NUMBER:
-            return digits
-        return hex(value)
+        return digits if len(digits) <= scalars.LONGEST_NUMBER else hex(value)
     if isinstance(value, dict):
         return "{}"
     return "[]"
