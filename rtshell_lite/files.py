@@ -99,15 +99,11 @@ def _replace(target, data):
         with open_special(target) as pipe:
             pipe.write(data)
         return
-    temporary = Temporary(target)
-    try:
-        with temporary.file as out:
-            out.write(data)
-            out.flush()
-            sync(out)
-            temporary.take_place()
-    finally:  # Ctrl-C may have come, too
-        temporary.remove()
+    with Temporary(target) as temporary, temporary.file as out:
+        out.write(data)
+        out.flush()
+        sync(out)
+        temporary.take_place()
 
 
 def destination(name):
@@ -158,8 +154,8 @@ def open_special(target, buffering=-1):
 
 
 class Temporary:
-    """A new file beside `target`, open for appending as `file`, that replaces it when complete. Raises
-    OSError.
+    """A new file beside `target`, open for appending as `file`, that replaces it when complete, or is removed
+    at the end of a `with` statement, also after Ctrl-C. Raises OSError.
 
     Names are unique: of two processes that write to one target at a time, the last one wins, and the file is
     whole.
@@ -192,8 +188,10 @@ class Temporary:
                 mode &= 0o707  # the permissions were for another group
         return mode
 
-    def remove(self):
-        """Remove the file, unless it has replaced the target."""
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
         if self.path:
             try:
                 os.remove(self.path)

@@ -165,10 +165,7 @@ class _Builder(Visitor):
         is_number = isinstance(name, int) and not isinstance(name, bool)
         if is_number and 0 <= name < len(enumerators):
             return enumerators[name]
-        listed = ", ".join(item._n for item in enumerators[:MOST_LISTED])
-        if len(enumerators) > MOST_LISTED:
-            listed += ", …"
-        shown = f"{_shown(written)} (they are {listed})"
+        shown = f"{_shown(written)} (they are {_listed([item._n for item in enumerators])})"
         raise errors.BadValue(where, f"no {words(descriptor)}: {shown}")
 
     def sequence(self, descriptor, written, where, depth):
@@ -251,9 +248,7 @@ class _Builder(Visitor):
         given = {_member(names, name): value for name, value in given.items()}
         unknown = sorted(str(name) for name in given if name not in names)
         if unknown:
-            raise errors.BadValue(
-                where, f"no member {printable(unknown[0])}{_members(descriptor)}"
-            )
+            raise errors.BadValue(where, f"no member {printable(unknown[0])}{_members(descriptor)}")
         return given
 
     def _arguments(self, names, call, where):
@@ -367,11 +362,11 @@ def _unfit(descriptor, written, where, hint=""):
 
 
 def _members(descriptor):
-    names = [name for name, _ in members(descriptor)]
-    listed = ", ".join(names[:MOST_LISTED])
-    if len(names) > MOST_LISTED:
-        listed += ", …"
-    return f" (its members: {printable(listed)})"
+    return f" (its members: {printable(_listed([name for name, _ in members(descriptor)]))})"
+
+
+def _listed(names):
+    return ", ".join(names[:MOST_LISTED]) + (", …" if len(names) > MOST_LISTED else "")
 
 
 def _a(descriptor):

@@ -210,12 +210,10 @@ def shown_exception(e):
     """An errors.Raised whose message has the members of the exception."""
     from rtshell_lite.data import values
 
-    members = []
-    for name, part in vars(e.value).items():
-        if isinstance(part, str):
-            members.append(f"{name}={part!r}")
-        else:
-            members.append(f"{name}={values.text(part)}")
+    members = [
+        f"{name}={part!r}" if isinstance(part, str) else f"{name}={values.text(part)}"
+        for name, part in vars(e.value).items()
+    ]
     shown = f"({', '.join(members)})" if members else ""
     return errors.Raised(e.where, e.name, e.value, shown)
 

@@ -72,12 +72,8 @@ class Provider:
 
     def members(self):
         """Its Operations and Attributes, the inherited ones after its own."""
-        members = []
-        if self.interface is None:
-            return members
-        for interface in self.interface.ancestry():
-            members += interface.attributes + interface.operations
-        return members
+        ancestry = self.interface.ancestry() if self.interface else []
+        return [member for interface in ancestry for member in interface.attributes + interface.operations]
 
     def operation(self, name):
         """The Operation of a name; that of an attribute reads it. Raises NoSuch with candidates."""

@@ -134,10 +134,7 @@ class Types:
         """Names of the Python modules in which omniidl puts the user's types, as far as they have been read:
         Arm, Arm.Joint.
         """
-        modules = set()
-        for type_id in self._users or ():
-            modules.add(".".join(_parts(type_id)[:-1]) or "_GlobalIDL")
-        return sorted(modules)
+        return sorted({".".join(_parts(type_id)[:-1]) or "_GlobalIDL" for type_id in self._users or ()})
 
     def named(self, name):
         """The Type of a name: TimedLong, RTC.TimedLong, RTC::TimedLong, IDL:RTC/TimedLong:1.0.
@@ -224,11 +221,7 @@ def _parts(name):
 def standard(name):
     """The descriptor of a standard type by any spelling of its name, or None."""
     parts = _parts(name)
-    if not parts:
-        return None
-    if len(parts) > 2:
-        return None
-    if len(parts) == 2 and parts[0] not in STANDARD:
+    if not parts or len(parts) > 2 or len(parts) == 2 and parts[0] not in STANDARD:
         return None
     return next(
         filter(None, [idl.known(f"IDL:{module}/{parts[-1]}:1.0") for module in parts[:-1] or STANDARD]), None
@@ -242,10 +235,7 @@ def _best(types, name):
     if name in types:
         return types[name]
     parts = _parts(name)
-    ids = []
-    for key in types:
-        if parts and _parts(key)[-len(parts) :] == parts:
-            ids.append(key)
+    ids = [key for key in types if parts and _parts(key)[-len(parts) :] == parts]
     same = [key for key in ids if _parts(key) == parts]
     if len(ids) > 1 and len(same) != 1:
         raise errors.NoSuch(

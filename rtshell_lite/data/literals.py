@@ -116,9 +116,8 @@ class _Parser:
     def __init__(self, text):
         self.text = text
         self.at = 0
-        self.match = re.compile(
-            _TOKEN, re.VERBOSE | re.ASCII | re.DOTALL
-        ).match  # rtprint need not pay for it
+        # here, as rtprint need not pay for it
+        self.match = re.compile(_TOKEN, re.VERBOSE | re.ASCII | re.DOTALL).match
         self.advance()
 
     def advance(self):

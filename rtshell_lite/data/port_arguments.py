@@ -33,12 +33,10 @@ async def find(targets, kind):
     await need_ports(meant, kind)
     targets = [target._replace(path=path) for target, path in zip(targets, meant)]
     listed = await tree.on_components([target.path.object() for target in targets], ports.ports)
-    answers = []
-    for target, answer in zip(targets, listed):
-        if not isinstance(answer, errors.Error):
-            answer = _named(target, answer)
-        answers.append(answer)
-    return answers
+    return [
+        answer if isinstance(answer, errors.Error) else _named(target, answer)
+        for target, answer in zip(targets, listed)
+    ]
 
 
 async def need_ports(meant, kind):

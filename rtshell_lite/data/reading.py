@@ -67,10 +67,8 @@ class Reader(PortConnection):
         self.deliver = deliver
         offer = ports.offer_without(port, "dataport.dataflow_type", "push")
         self.dataflow = self.user.get("dataport.dataflow_type", "").lower() or dataflow
-        if not self.dataflow and offer:
-            self.dataflow = "pull"
-        elif not self.dataflow:
-            self.dataflow = "push"
+        if not self.dataflow:
+            self.dataflow = "pull" if offer else "push"
         self.room = BUFFER  # values that the port may queue
         self.heaviest = 0  # bytes of the largest one so far
         self.answered = 0.0  # when the last fetch ended
@@ -458,9 +456,8 @@ async def count_writes(port, seconds):
     """(number of values that a component writes to a DataOutPort, in how many seconds),
     measured for about `seconds`.
     """
-    async with Reader(
-        port, lambda message: None, "pull", properties={"dataport.buffer.length": str(QUEUE)}
-    ) as reader:
+    properties = {"dataport.buffer.length": str(QUEUE)}
+    async with Reader(port, lambda message: None, "pull", properties) as reader:
         await loop.sleep(2 * POLL)  # fetch older values first
         before = reader.count
         start = loop.now()

@@ -133,10 +133,7 @@ class Injection:
         """[(Writer, its index)] to send to: those without a failure, else silent ones,
         which would delay the others.
         """
-        healthy = []
-        for i, writer in enumerate(self.writers):
-            if writer.failure is None:
-                healthy.append((writer, i))
+        healthy = [(writer, i) for i, writer in enumerate(self.writers) if writer.failure is None]
         return healthy or [
             (writer, i)
             for i, writer in enumerate(self.writers)

@@ -168,11 +168,7 @@ def constructor(value):
 def _constructor(value):
     sort = _sort(value)
     if isinstance(value, float) and not math.isfinite(value):
-        if math.isnan(value):
-            return "NaN"
-        if value > 0:
-            return "Infinity"
-        return "-Infinity"
+        return _not_finite(value)
     if isinstance(value, str):
         pieces = []
         for c, is_plain in printable_flags(value):
@@ -199,6 +195,13 @@ def _constructor(value):
     )
 
 
+def _not_finite(number):
+    """The word for NaN or an infinity; build_value.NUMBERS has the reverse."""
+    if math.isnan(number):
+        return "NaN"
+    return "Infinity" if number > 0 else "-Infinity"
+
+
 def _escaped(c):
     n = ord(c)
     if n < 256:
@@ -223,11 +226,7 @@ def json(value):
 
 def _json(value):
     if isinstance(value, float) and not math.isfinite(value):
-        if math.isnan(value):
-            return "NaN"
-        if value > 0:
-            return "Infinity"
-        return "-Infinity"
+        return _not_finite(value)
     if isinstance(value, bytes):
         return base64.b64encode(value).decode("ascii")
     sort = _sort(value)
@@ -268,10 +267,7 @@ def _flat(value, column):
     if isinstance(value, bytes):
         return [(column, value.hex())]
     if sort == "list":
-        cells = []
-        for i, element in enumerate(value):
-            cells += _flat(element, f"{column}[{i}]")
-        return cells
+        return [cell for i, element in enumerate(value) for cell in _flat(element, f"{column}[{i}]")]
     if sort in ("struct", "union", "dict"):
         if sort == "dict":
             members = value

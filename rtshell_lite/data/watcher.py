@@ -53,13 +53,9 @@ class Watcher:
 
     def skip(self):
         """Do not report present failures: they have been."""
-        self.reported.update(
-            {
-                connection: connection.failure
-                for connection in self.connections
-                if connection.failure is not None
-            }
-        )
+        for connection in self.connections:
+            if connection.failure is not None:
+                self.reported[connection] = connection.failure
 
     def count(self, tally, useless=()):
         """Add each connection's failure or success to a Tally; what has been reported is not reported again.

@@ -69,10 +69,7 @@ class Audience:
         Raises errors.Error.
         """
         cycles = await self._cycles()
-        reading = []
-        for cycle in cycles:
-            if cycle.state == "Active" and cycle.running:
-                reading.append(cycle)
+        reading = [cycle for cycle in cycles if cycle.state == "Active" and cycle.running]
         if not reading:
             return _why_not(self.node, cycles)
         rates = [await self._rate(cycle.ref) for cycle in reading]
@@ -178,9 +175,7 @@ class Backlog:
         self.waiting += 1
         excess = max(0.0, self.waiting - self.length)
         self.waiting -= excess
-        if self.refuses:
-            self.lost += 0
-        else:
+        if not self.refuses:
             self.lost += excess
 
     def fill(self, now):
@@ -292,10 +287,9 @@ class Writer(PortConnection):
 
     async def put(self, data, little=True):
         """Send CDR bytes. Raises Refused (buffer full, bad data, wrong byte order), Unreachable, Silent."""
-        if little != self.little and self.little:
-            raise errors.Refused(self.where, "wants little-endian data")
         if little != self.little:
-            raise errors.Refused(self.where, "wants big-endian data")
+            order = "little" if self.little else "big"
+            raise errors.Refused(self.where, f"wants {order}-endian data")
         if self.unanswered:  # by a component that may hang: nobody waits for it after Ctrl-C
             await self._put(data)
         else:
@@ -334,11 +328,7 @@ class Writer(PortConnection):
 
     def waits_for_room(self, refusal, until):
         """Whether a value that was answered by this errors.Error is to be offered again, before `until`."""
-        if not self.is_short:
-            return False
-        if getattr(refusal, "name", None) != "BUFFER_FULL":
-            return False
-        if self.failure:
+        if not self.is_short or self.failure or getattr(refusal, "name", None) != "BUFFER_FULL":
             return False
         now = loop.now()
         patience = max(STUCK, STUCK / (self.backlog.rate or USUAL))
@@ -364,10 +354,9 @@ class Writer(PortConnection):
         """The errors.Unread that says how many of several values were refused, or None."""
         if not self.refused or self.refused + self.taken == 1:
             return None
+        why = ""
         if self.backlog.measured():
             why = f": they came faster than it reads them ({_hertz(self.backlog.rate)})"
-        else:
-            why = ""
         return errors.Unread(
             self.where, f"it refused {self.refused} of {self.refused + self.taken} values{why}"
         )
@@ -463,11 +452,7 @@ class Writer(PortConnection):
         If somebody else has connected meanwhile, only change the policy back: the values may be theirs.
         """
         unread = self.taken and self.alone and self.audience and (self.failure or not self.lingered)
-        if self.left:
-            return
-        if not self.was_connected:
-            return
-        if not self.is_short and not unread:
+        if self.left or not self.was_connected or not (self.is_short or unread):
             return
         if self.failure is None and not self.lingered and self.unread():  # interrupted while lingering
             notes.fail(self.unread())

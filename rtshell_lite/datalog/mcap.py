@@ -4,6 +4,7 @@ A file is a magic word, records, the same magic word. A record: opcode (1 octet)
 numbers are little-endian. The names are those of MCAP's specification.
 """
 
+import collections
 import struct
 import zlib
 
@@ -77,21 +78,19 @@ class Fields:
 
     def texts(self):
         """A map of texts."""
-        inner = Fields(self.blob())
-        texts = {}
-        while inner.at < len(inner.body):
-            name = inner.string()
-            texts[name] = inner.string()
-        return texts
+        return self._map(Fields.string, Fields.string)
 
     def numbers(self):
         """A map of uint16 to uint64."""
+        return self._map(Fields.short, Fields.number)
+
+    def _map(self, key, value):
         inner = Fields(self.blob())
-        numbers = {}
+        pairs = {}
         while inner.at < len(inner.body):
-            name = inner.short()
-            numbers[name] = inner.number()
-        return numbers
+            name = key(inner)
+            pairs[name] = value(inner)
+        return pairs
 
 
 class Chunk:
@@ -330,7 +329,7 @@ class Contents:
 
     def __init__(self):
         self.records = {SCHEMA: [], CHANNEL: [], ATTACHMENT_INDEX: [], METADATA_INDEX: []}
-        self.counts = {}  # messages by channel's id
+        self.counts = collections.Counter()  # messages by channel's id
         self.chunks = 0
         self.first = NEVER
         self.last = 0
@@ -343,8 +342,7 @@ class Contents:
         self.chunks += 1
         self.first = min(self.first, first)
         self.last = max(self.last, last)
-        for channel, count in counts.items():
-            self.counts[channel] = self.counts.get(channel, 0) + count
+        self.counts.update(counts)
 
     def statistics(self):
         messages = sum(self.counts.values())

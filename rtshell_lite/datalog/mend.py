@@ -35,16 +35,11 @@ def _complete(name, log):
 
 
 def _copy(log, out):
-    temporary = files.Temporary(files.destination(out))
-    try:
-        with temporary.file as file:
-            for octets in log.sound_records():
-                file.write(octets)
-            file.flush()
-            writer.LogWriter(temporary.path, None, 0, append=True).close()
-            temporary.take_place()
-    finally:
-        temporary.remove()
+    with files.Temporary(files.destination(out)) as temporary, temporary.file as file:
+        file.writelines(log.sound_records())
+        file.flush()
+        writer.LogWriter(temporary.path, None, 0, append=True).close()
+        temporary.take_place()
 
 
 def name_beside(name):

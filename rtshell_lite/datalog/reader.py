@@ -266,7 +266,7 @@ class Log:
         self._defined = {}  # Schema and Channel records, in chunks or not: bodies by (opcode, id)
         self._numbers = {}  # our number of a channel, by its id
         self._indexes_by_type = {}  # the same, by its name and type
-        self._counts = counted or {}
+        self._counts = collections.Counter(counted)
         self._stretches = []
         self._others = []  # (opcode, begin, end) of Metadata and Attachment records
         self._compressed = None
@@ -309,10 +309,8 @@ class Log:
             return
         counts = mcap.counts(self._times(last))
         if last.is_chunk and sum(counts.values()) != last.count:
-            for channel, count in self._indexes(last.end)[0].items():
-                self._counts[channel] -= count
-            for channel, count in counts.items():
-                self._counts[channel] = self._counts.get(channel, 0) + count
+            self._counts.subtract(self._indexes(last.end)[0])
+            self._counts.update(counts)
             self._stretches[-1] = last._replace(count=sum(counts.values()))
 
     def _take_chunk(self, end, index, is_known):
@@ -332,8 +330,7 @@ class Log:
         if not counts or not set(counts) <= set(self._numbers):
             counts = self._look_inside(end, counts)
         if not is_known:
-            for channel, count in counts.items():
-                self._counts[channel] = self._counts.get(channel, 0) + count
+            self._counts.update(counts)
         self._add(end, chunk.first, chunk.last, sum(counts.values()), True)
         return after
 
@@ -344,7 +341,7 @@ class Log:
         """({channel's id: messages} as the MessageIndex records at `offset` say, {id: their offsets}, the
         offset after them)
         """
-        counts = {}
+        counts = collections.Counter()
         offsets = {}
         while True:
             head = self._head(offset)
@@ -352,7 +349,7 @@ class Log:
                 return counts, offsets, offset
             fields = self._octets(offset + HEAD.size, 6)
             channel = int.from_bytes(fields[:2], "little")
-            counts[channel] = counts.get(channel, 0) + int.from_bytes(fields[2:], "little") // 16
+            counts[channel] += int.from_bytes(fields[2:], "little") // 16
             offsets[channel] = offset
             offset = head[1]
 
@@ -383,7 +380,7 @@ class Log:
             after = offset + HEAD.size + length
             if kind != mcap.MESSAGE or after > self.size or offset + mcap.MESSAGE_HEAD.size > after:
                 break
-            self._counts[channel] = self._counts.get(channel, 0) + 1
+            self._counts[channel] += 1
             times.append(moment)
             offset = after
         if not times:

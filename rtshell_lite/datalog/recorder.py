@@ -3,6 +3,7 @@
 What arrives in an inbox.Inbox is written on a thread, so that no sender waits for a disk.
 """
 
+import collections
 import json
 import os
 
@@ -144,18 +145,16 @@ class Recorder:
     async def run(self):
         """Write what comes."""
         while self.count != self._most and self.failure is None:
-            batch = await self.box.get(self._patience())
+            batch = await self.box.get(BUSY if self._is_busy() else TICK)
             taken = loop.wall() * 1e9  # the box has nothing that came before
-            self._take_losses(taken, self._incidents is not None and self._incidents.is_busy())
+            self._take_losses(taken, self._is_busy())
             if batch or self._incidents or loop.now() >= self._sync_at:
                 await loop.finish(self._write(batch, taken))
         self.done.ring()
 
-    def _patience(self):
-        """Seconds to wait for messages: few while something else is to be written."""
-        if self._incidents is not None and self._incidents.is_busy():
-            return BUSY
-        return TICK
+    def _is_busy(self):
+        """Whether something else is to be written than messages."""
+        return self._incidents is not None and self._incidents.is_busy()
 
     async def close(self):
         """Write what is left, and flush it to the disk. Raises OSError, errors.Failed: why writing failed."""
@@ -205,11 +204,10 @@ class Recorder:
         lost = self._losses.take(now, is_end)
         if lost is None:
             return
-        counts = {}
+        counts = collections.Counter()
         for channel, count in lost[2].items():
-            name = self.channels.found[channel].name
-            counts[name] = counts.get(name, 0) + count
-        self._add_gap(gaps.Gap(lost[0], lost[1], counts, gaps.DROPPED))
+            counts[self.channels.found[channel].name] += count
+        self._add_gap(gaps.Gap(lost[0], lost[1], dict(counts), gaps.DROPPED))
 
     def put_json(self, channel, fields):
         """Put a message of JSON, which comes now, into a channel."""

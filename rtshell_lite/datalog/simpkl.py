@@ -5,6 +5,8 @@ is written when recording ends; then the entries: (number, EntryTS, (port's name
 the one before).
 """
 
+import collections
+
 from rtshell_lite import errors, text
 from rtshell_lite.datalog import pickles
 from rtshell_lite.datalog.records import Channel, Entry, is_moment
@@ -71,18 +73,14 @@ class PickledLog:
         found by reading the whole file.
         """
         if self._known_extent is None:
-            count = 0
-            first = None
-            last = None
-            counts = {}
+            first = last = None
+            counts = collections.Counter()
             for entry in self.entries():
-                if count == 0:
+                if first is None:
                     first = entry.received
-                count = count + 1
                 last = entry.received
-                name = self.channels[entry.channel].name
-                counts[name] = counts.get(name, 0) + 1
-            self._known_extent = count, first, last, counts
+                counts[self.channels[entry.channel].name] += 1
+            self._known_extent = sum(counts.values()), first, last, dict(counts)
         return self._known_extent
 
     def entries(self, start=0):
@@ -93,13 +91,9 @@ class PickledLog:
             offset = machine.position
             try:
                 entry = self._entry(number, machine.load(), machine.position - offset)
-            except pickles.Refused as e:
+            except (pickles.Refused, TypeError, ValueError, KeyError, AttributeError, OverflowError) as e:
                 self.torn = self.size - offset
-                self.trouble = str(e)
-                return
-            except (TypeError, ValueError, KeyError, AttributeError, OverflowError):
-                self.torn = self.size - offset
-                self.trouble = "no entry of a log"
+                self.trouble = str(e) if isinstance(e, pickles.Refused) else "no entry of a log"
                 return
             if number >= start:
                 yield entry
@@ -109,10 +103,7 @@ class PickledLog:
 
     def since(self, moment):
         """The number of the first entry that arrived at `moment` (ns) or later, or None."""
-        for entry in self.entries():
-            if entry.received >= moment:
-                return entry.number
-        return None
+        return next((entry.number for entry in self.entries() if entry.received >= moment), None)
 
     def notes(self):
         """What is wrong with the file, in words."""

@@ -294,7 +294,10 @@ def write(decoder, entries, directory, is_ns=False):
     for number, spool in sorted(spools.items()):
         names.append(os.path.join(directory, _file_name(decoder.log.channels[number].name, names)))
         with files.Naming(names[-1]):
-            _replace(names[-1], spool)
+            with files.Temporary(files.destination(names[-1])) as temporary, temporary.file as file:
+                file.writelines(line.encode("utf-8", "backslashreplace") + b"\n" for line in spool.lines())
+                file.flush()
+                temporary.take_place()
     return names
 
 
@@ -307,15 +310,3 @@ def _file_name(channel, taken):
         number += 1
         name = f"{stem}-{number}.csv"
     return name
-
-
-def _replace(name, spool):
-    temporary = files.Temporary(files.destination(name))
-    try:
-        with temporary.file as file:
-            for line in spool.lines():
-                file.write(line.encode("utf-8", "backslashreplace") + b"\n")
-            file.flush()
-            temporary.take_place()
-    finally:
-        temporary.remove()

@@ -98,13 +98,10 @@ class LogWriter:
     def _replace(self, channels):
         with open(self._target, "rb") as old:
             self._lock(old, self._target)
-            temporary = files.Temporary(self._target, 0)
-            try:
+            with files.Temporary(self._target, 0) as temporary:
                 self._file = temporary.file
                 self._begin(channels, temporary.path)
                 temporary.take_place()
-            finally:
-                temporary.remove()
 
     def _lock(self, file, path):
         """Lock a file against other recorders.
