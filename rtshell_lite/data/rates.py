@@ -37,23 +37,23 @@ async def written(out_ports, seconds):
     rates = [None] * len(out_ports)  # type: list
     waiting = list(range(len(out_ports)))
     while waiting:
-        batch, waiting = _batch(out_ports, waiting)
+        batch, waiting = next_batch(waiting, lambda number: orb.endpoint(out_ports[number].ref))
         results = await loop.each(batch, lambda number: reading.count_writes(out_ports[number], seconds))
         for number, result in zip(batch, results):
             rates[number] = result if isinstance(result, errors.Error) else result[0] / result[1]
     return rates
 
 
-def _batch(out_ports, waiting):
-    """(numbers of the ports to be measured at once, the rest of them)."""
+def next_batch(waiting, process_of):
+    """(what is to be measured at once, the rest), where process_of(what waits) is its (host, port)."""
     taken = collections.Counter()
     batch = []
     rest = []
-    for number in waiting:
-        process = orb.endpoint(out_ports[number].ref)
+    for member in waiting:
+        process = process_of(member)
         if taken[process] < TOGETHER:
-            batch.append(number)
+            batch.append(member)
         else:
-            rest.append(number)
+            rest.append(member)
         taken[process] += 1
     return batch, rest

@@ -190,8 +190,7 @@ def _constructor(value):
             parts.append(_constructor(value._v))
         return f"{called}({', '.join(parts)})"
     return "%s(%s)" % (
-        called,
-        ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()),
+        called, ", ".join("%s=%s" % (name, _constructor(inner)) for name, inner in vars(value).items()),
     )
 
 

@@ -169,8 +169,7 @@ def _reference(descriptor, definitions):
     if sort == SEQUENCE:
         most = descriptors.length(descriptor)
         return "sequence<%s%s>" % (
-            _reference(descriptors.element(descriptor), definitions),
-            ", %d" % most if most else "",
+            _reference(descriptors.element(descriptor), definitions), ", %d" % most if most else "",
         )
     if sort not in descriptors.VALUES + (STRING, descriptors.WSTRING):
         raise _NotExpressible
@@ -188,8 +187,7 @@ def _definition(descriptor, definitions):
     sort = kind(descriptor)
     if sort == ENUM:
         return "enum %s { %s };" % (
-            descriptor[2],
-            ", ".join(item._n for item in descriptors.items(descriptor)),
+            descriptor[2], ", ".join(item._n for item in descriptors.items(descriptor)),
         )
     if sort == ALIAS:
         return "typedef %s;" % _declared(descriptors.aliased(descriptor), descriptor[2], definitions)

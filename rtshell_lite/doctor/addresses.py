@@ -150,30 +150,29 @@ async def _answer(look, endpoint, size):
         connection.close()
 
 
+def _ip(host):
+    """The ipaddress object for an IP address, with or without its interface; None for a name."""
+    try:
+        return ipaddress.ip_address(host.partition("%")[0])
+    except ValueError:
+        return None
+
+
 def is_numeric(host):
     """True for an IP address, not a name."""
-    try:
-        ipaddress.ip_address(host.partition("%")[0])
-    except ValueError:
-        return False
-    return True
+    return _ip(host) is not None
 
 
 def is_incomplete(host):
     """True for an IPv6 address of one link only, fe80::1, without its interface: fe80::1%eth0."""
-    if ":" not in host or "%" in host:
-        return False
-    return is_numeric(host) and ipaddress.ip_address(host).is_link_local
+    return ":" in host and "%" not in host and is_numeric(host) and _ip(host).is_link_local
 
 
 def is_loopback(address):
     """True for an IP address that means the host that uses it: 127.0.0.0/8, ::1."""
-    try:
-        ip = ipaddress.ip_address(address.partition("%")[0])
-    except ValueError:
-        return False
+    ip = _ip(address)
     mapped = getattr(ip, "ipv4_mapped", None)  # of ::ffff:127.0.0.1
-    return ip.is_loopback or bool(mapped and mapped.is_loopback)
+    return bool(ip and (ip.is_loopback or mapped and mapped.is_loopback))
 
 
 def why_not_bound(host, port):

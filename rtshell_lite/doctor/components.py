@@ -32,10 +32,7 @@ async def logs(snapshots, nodes):
         for slave in answer
     ]
     ends = {snapshot.node.endpoint for snapshot in broken}
-    asked = []
-    for node in bound + slaves:
-        if node.kind == "manager" and node.endpoint in ends:
-            asked.append(node)
+    asked = [node for node in bound + slaves if node.kind == "manager" and node.endpoint in ends]
     files = {}
     for node, settings in zip(asked, await session.each(asked, manager.configuration)):
         settings = {} if isinstance(settings, errors.Error) else dict(settings)
@@ -120,21 +117,12 @@ async def _troubles(snapshot, log):
 
 async def _summary(snapshot):
     """Active, claims 1000 Hz, 2 ports, 1 connection, at 127.0.0.1:4000."""
-    state = component.merged(snapshot.states)
-    rate = next(
-        (f"claims {context.rate:g} Hz" for context in snapshot.contexts if _is_periodic(context)),
-        "not periodic",
-    )
+    rates = [f"claims {context.rate:g} Hz" for context in snapshot.contexts if _is_periodic(context)]
+    rate = rates[0] if rates else "not periodic"
     number = len({connector.id for port in snapshot.ports for connector in port.connectors})
-    return ", ".join(
-        [
-            state,
-            rate,
-            counted(len(snapshot.ports), "port"),
-            counted(number, "connection"),
-            "at " + await published(snapshot.node.ref),
-        ]
-    )
+    ports_and_connections = f"{counted(len(snapshot.ports), 'port')}, {counted(number, 'connection')}"
+    address = await published(snapshot.node.ref)
+    return f"{component.merged(snapshot.states)}, {rate}, {ports_and_connections}, at {address}"
 
 
 async def _stopped_answering(snapshot, culprits, reporting):
@@ -173,10 +161,8 @@ async def _hangs(snapshot, culprits, reporting):
     message = "hangs when asked for " + snapshot.asking
     if culprits and culprits.paths and "port" in snapshot.asking:
         # a port asks the far ends of its connections before it answers
-        if culprits.is_certain:
-            message += ", waiting for a far end that does not answer"
-        else:
-            message += ", maybe waiting for a far end that does not answer"
+        maybe = "" if culprits.is_certain else "maybe "
+        message += f", {maybe}waiting for a far end that does not answer"
         cure = remedies.words("hung first", paths=" and ".join(culprits.paths))
         return fail("component", where, message, cure, culprits.endpoint)
     if endpoint in reporting:  # large answers of its process arrive
@@ -206,10 +192,7 @@ def _names(snapshot):
         return []
     own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
     nodes = [snapshot.node, *snapshot.others]
-    near = []
-    for node in nodes:
-        if _bound_as(node) in own.split(","):
-            near.append(node)
+    near = [node for node in nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in nodes if node not in near]
     if near:
         message = "the same component as " + str(near[0].path)

@@ -24,12 +24,8 @@ async def findings(snapshots):
                 all_findings.append(limits.late("composite", where))
                 continue
             message = f"does not report its members ({reason(answer)})"
-            all_findings.append(
-                warn(
-                    "composite", where, message,
-                    await remedies.of_silence(answer, snapshot.node.endpoint, where),
-                )
-            )
+            cure = await remedies.of_silence(answer, snapshot.node.endpoint, where)
+            all_findings.append(warn("composite", where, message, cure))
             continue
         for organisation in answer:
             all_findings += [

@@ -28,10 +28,7 @@ async def findings(snapshots, ends, culprits):
         troubles = await _troubles(link, ends, culprits)
         if troubles:
             again = await _again(link, ends)
-            if again:
-                troubles = await _troubles(again, ends, culprits)
-            else:
-                troubles = []
+            troubles = await _troubles(again, ends, culprits) if again else []
         all_findings += troubles
     return sorted(
         all_findings + await _forgotten(snapshots) + _unserved(snapshots), key=lambda finding: finding.path
@@ -56,13 +53,9 @@ async def _forgotten(snapshots):
     ):
         is_dead = isinstance(answer, errors.Error) and await refusals.shows_death(answer, orb.endpoint(ref))
         if is_dead and await networks.is_certain(ref, await networks.homes_of(snapshot.node.ref)):
-            findings.append(
-                warn(
-                    "connection", ports.label(port),
-                    f"connection {_called(connector)} was left by a tool that is gone",
-                    remedies.command("disconnect", id=connector.id, port=ports.label(port)),
-                )
-            )
+            message = f"connection {_called(connector)} was left by a tool that is gone"
+            cure = remedies.command("disconnect", id=connector.id, port=ports.label(port))
+            findings.append(warn("connection", ports.label(port), message, cure))
     return findings
 
 
@@ -105,16 +98,9 @@ def _unserved(snapshots):
                 f"requires {printable(' and '.join(sorted(required)))} and is not connected, though "
                 f"{listed(fitting)} provides it to nobody"
             )
-            findings.append(
-                warn(
-                    "connection",
-                    ports.label(port),
-                    message,
-                    remedies.words(
-                        "connect provider", one=shell_word(ports.label(port)), other=shell_word(fitting[0])
-                    ),
-                )
-            )
+            one, other = shell_word(ports.label(port)), shell_word(fitting[0])
+            cure = remedies.words("connect provider", one=one, other=other)
+            findings.append(warn("connection", ports.label(port), message, cure))
     return findings
 
 
@@ -289,11 +275,7 @@ def _differences(link, end, remedy):
     for key in sorted(keys):
         here = near.get(key)
         there = far.get(key)
-        if _is_reference(key, here):
-            continue
-        if _is_reference(key, there):
-            continue
-        if _plain(key, here) == _plain(key, there):
+        if _is_reference(key, here) or _is_reference(key, there) or _plain(key, here) == _plain(key, there):
             continue
         message = f"{printable(key)} is {_shown(here)} here, {_shown(there)} at {_name(end)}"
         differing.append(warn("connection", where, message, remedy))
@@ -323,10 +305,7 @@ def _mismatches(link, where, joined, undo):
     """
     if any(port.node is None for port in joined):
         return []
-    properties = {}
-    for key, value in link.connector.properties:
-        if key in SETTLED:
-            properties[key] = _plain(key, value)
+    properties = {key: _plain(key, value) for key, value in link.connector.properties if key in SETTLED}
     if properties.get("dataport.dataflow_type") == "pull":
         properties.pop("dataport.subscription_type", None)  # it has no effect then
     reasons = []

@@ -98,10 +98,7 @@ async def _robot(tops, seconds, stated, keep, pause):
     answers = await managers.asked(nodes)
     managed = await managers.findings(answers)
     members = await composites.findings(examined)
-    if seconds:
-        rates = await _rates(examined, seconds)
-    else:
-        rates = {}
+    rates = await _rates(examined, seconds) if seconds else {}
     logs = await components.logs(examined, nodes)
     yield await components.findings(examined, rates, culprits, stated, logs)
     yield members
@@ -135,11 +132,7 @@ async def _same_server(visits):
             server = await tree.resolve(visit.path)
             first = seen.setdefault((address, orb.endpoint(server.ref)[1]), visit)
             if first is not visit:
-                findings.append(
-                    warn(
-                        "name server", str(visit.path), "the same name server as " + str(first.path),
-                        remedies.words("one address"),
-                    )
-                )
+                message = "the same name server as " + str(first.path)
+                findings.append(warn("name server", str(visit.path), message, remedies.words("one address")))
                 break
     return findings

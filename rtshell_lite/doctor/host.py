@@ -12,6 +12,7 @@ import sys
 import rtshell_lite
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.doctor import waiting
 from rtshell_lite.net import calendar, hosts, loop
 from rtshell_lite.text import quoted
 
@@ -31,7 +32,6 @@ OURS = re.compile(
 # What may come before a secret in the words of a command line.
 SECRET = re.compile(r"pass(w|phrase|$|[_-])|secret|token|credential|auth|(^|[_-])(api)?key$", re.IGNORECASE)
 HIDDEN = "(hidden)"
-LISTENING = "0A"  # the state of a socket in /proc/net/tcp
 
 
 def versions():
@@ -150,22 +150,8 @@ def _processes(ports):
 
 def _listening(ports):
     """{inode of a socket: port} of those that listen on these ports, from /proc/net/tcp and tcp6."""
-    ports_by_inode = {}
-    for name in ("/proc/net/tcp", "/proc/net/tcp6"):
-        for line in _whole(name).splitlines()[1:]:
-            words = line.split()
-            port = int(words[1].rpartition(":")[2], 16)
-            if words[3] == LISTENING and port in ports:
-                ports_by_inode[words[9]] = port
-    return ports_by_inode
-
-
-def _whole(name):
-    try:
-        with open(name) as file:
-            return file.read()
-    except OSError:
-        return ""
+    ports_by_inode = {inode: waiting.end(local)[1] for local, _, inode in waiting.rows(waiting.LISTENING)}
+    return {inode: port for inode, port in ports_by_inode.items() if port in ports}
 
 
 def _owners(inodes):

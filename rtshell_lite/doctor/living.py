@@ -85,10 +85,11 @@ async def _at_references(profile, missing):
     answers = await session.each(
         [ref for _, (ref, _) in asked], lambda ref: orb.is_alive("", ref), orb.at_object
     )
-    living = {}
-    for (path, (ref, words)), answer in zip(asked, answers):
-        if answer is True:
-            living[path] = f"{words} at {orb.at_address(ref)}"
+    living = {
+        path: f"{words} at {orb.at_address(ref)}"
+        for (path, (ref, words)), answer in zip(asked, answers)
+        if answer is True
+    }
     return living, doubts
 
 

@@ -53,31 +53,19 @@ def _programs():
     try:
         version = orb.version()
     except errors.MissingOmniORB:
-        return [
-            fail(
-                "ORB", HERE, f"{python} has no omniORBpy, which RTSHELL_ORB asks for",
-                remedies.command("unset", variable="RTSHELL_ORB"),
-            )
-        ]
+        message = f"{python} has no omniORBpy, which RTSHELL_ORB asks for"
+        return [fail("ORB", HERE, message, remedies.command("unset", variable="RTSHELL_ORB"))]
     findings = [ok("ORB", HERE, f"{python}, {version}")]
     name, _, number = version.partition(" ")
     if name == "omniORBpy" and _number(number.partition(".")[0]) < 4:
-        findings = [
-            warn(
-                "ORB", HERE, f"{python}, {version}: older than 4.0, untried",
-                remedies.words("newer omniORBpy"),
-            )
-        ]
+        message = f"{python}, {version}: older than 4.0, untried"
+        findings = [warn("ORB", HERE, message, remedies.words("newer omniORBpy"))]
     try:
         orb.start()
     except errors.Error:
         where = " or ".join(name for name, _ in _sources()) or "its settings"
-        findings.append(
-            fail(
-                "ORB", HERE, "the ORB does not start: it does not understand " + where,
-                remedies.words("correct settings"),
-            )
-        )
+        message = "the ORB does not start: it does not understand " + where
+        findings.append(fail("ORB", HERE, message, remedies.words("correct settings")))
     return findings
 
 
@@ -100,20 +88,13 @@ def _settings(started):
         findings.append(warn("ORB", HERE, message, remedies.command("unset", variable="OMNIORB_CONFIG")))
     for source, settings in sources:
         for option, value in settings:
-            why = _harm(option, value, OURS) if source == ARGUMENTS else _harm(option, value, THEIRS)
+            why = _harm(option, value, OURS if source == ARGUMENTS else THEIRS)
             if why and (source != ARGUMENTS or orb.obeys(option)):
-                findings.append(
-                    warn(
-                        "ORB", HERE, f"{source} sets {option} to {printable(value)}: {why}", _without(source)
-                    )
-                )
+                message = f"{source} sets {option} to {printable(value)}: {why}"
+                findings.append(warn("ORB", HERE, message, _without(source)))
     if not findings and sources and started:
-        findings.append(
-            ok(
-                "ORB", HERE,
-                "settings of omniORB that break nothing: " + ", ".join(name for name, _ in sources),
-            )
-        )
+        names = ", ".join(name for name, _ in sources)
+        findings.append(ok("ORB", HERE, "settings of omniORB that break nothing: " + names))
     return findings
 
 
@@ -126,10 +107,7 @@ def _sources():
         for key, value in sorted(os.environ.items())
         if re.match("ORB[a-z]+[A-Za-z]*$", key)
     ]
-    words = []
-    for word in os.environ.get(ARGUMENTS, "").split(";"):
-        if word:
-            words.append(word)
+    words = [word for word in os.environ.get(ARGUMENTS, "").split(";") if word]
     arguments = [(word[4:], value) for word, value in zip(words, words[1:] + [""]) if word.startswith("-ORB")]
     sources = [source for source in settings if source[1]]
     if words:
@@ -144,12 +122,8 @@ def _configured(name):
             lines = [line.partition("#")[0] for line in file]
     except OSError:
         return []
-    settings = []
-    for line in lines:
-        if line.strip():
-            option, _, value = line.partition("=")
-            settings.append((option.strip(), value.strip()))
-    return settings
+    pairs = [line.partition("=") for line in lines if line.strip()]
+    return [(option.strip(), value.strip()) for option, _, value in pairs]
 
 
 def _without(source):

@@ -2,8 +2,6 @@
 to this host, and to the one where the references are bound.
 """
 
-import collections
-
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, refusals
 from rtshell_lite.net import hosts
@@ -52,9 +50,7 @@ async def misled(check, where, ref, homes, elsewhere=""):
     if not await is_apart(ref, homes):
         return None
     if here:  # an address of another interface is one of this host
-        if not elsewhere:
-            return None
-        if not all(addresses.is_own(address) for address in numeric):
+        if not elsewhere or not all(addresses.is_own(address) for address in numeric):
             return None
         message = (
             f"publishes {shown}, of another network than {homes[0]}: what finds it there may not reach it"
@@ -95,13 +91,7 @@ async def names_here(ref, homes):
 async def is_apart(ref, homes):
     """True if all addresses that `ref` publishes are known to be of other networks than `homes`."""
     own = await _numeric(orb.addresses(ref))
-    if not own:
-        return False
-    for address in own:
-        for home in homes:
-            if hosts.together(home, address) is not False:
-                return False
-    return True
+    return bool(own) and all(hosts.together(home, address) is False for address in own for home in homes)
 
 
 async def homes_of(ref):
@@ -111,23 +101,14 @@ async def homes_of(ref):
 
 async def outside(refs):
     """The first address that references publish which is not of this host; '' if all are."""
-    offered = collections.OrderedDict()
-    for ref in refs:
-        for host, _ in orb.addresses(ref):
-            if host:
-                offered[host] = None
-    for host in offered:
-        if not await _is_here(host):
+    for host in dict.fromkeys(host for ref in refs for host, _ in orb.addresses(ref)):
+        if host and not await _is_here(host):
             return host
     return ""
 
 
 async def _is_here(host):
-    if _is_loopback(host):
-        numeric = ()
-    else:
-        numeric = await _numeric([(host, 0)])
-    return _is_loopback(host) or any(addresses.is_own(address) for address in numeric)
+    return _is_loopback(host) or any(addresses.is_own(address) for address in await _numeric([(host, 0)]))
 
 
 async def _numeric(offered):

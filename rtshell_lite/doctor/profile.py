@@ -28,38 +28,28 @@ async def findings(profile, file, state):
         if not _is_missing(difference) or absent[difference.path] is difference
     ]
     missing = [component for component in profile.components if capture.shown_path(component) in absent]
-    if missing:
-        addresses, doubts = await living.find_living(profile, missing)
-    else:
-        addresses = doubts = {}
+    addresses, doubts = await living.find_living(profile, missing) if missing else ({}, {})
     all_findings += living.findings(profile, missing, addresses)
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
         paths = ", ".join(difference.path for difference in idle)
-        all_findings.append(
-            fail(
-                "profile", str(path.ROOT),
-                f"{len(idle)} components are Inactive, in the file Active: {paths}",
-                remedies.command("start system", file=remedies.Line(file)),
-            )
-        )
+        message = f"{len(idle)} components are Inactive, in the file Active: {paths}"
+        cure = remedies.command("start system", file=remedies.Line(file))
+        all_findings.append(fail("profile", str(path.ROOT), message, cure))
         differences = [difference for difference in differences if difference not in idle]
     for difference in differences:
         report = fail if difference.required else warn
+        message = safe(difference.brief)
         if difference.path in addresses and _is_missing(difference):
-            message = f"{safe(difference.brief)}, but it lives: {safe(addresses[difference.path])}"
-            all_findings.append(report("profile", difference.path, message, remedies.words("bind again")))
-            continue
-        if difference.path in doubts and _is_missing(difference):
+            message += f", but it lives: {safe(addresses[difference.path])}"
+            cure = remedies.words("bind again")
+        elif difference.path in doubts and _is_missing(difference):
             why, port = doubts[difference.path]
-            message = f"{safe(difference.brief)}, but it may live: {safe(why)}"
-            all_findings.append(
-                report("profile", difference.path, message, remedies.words("firewall", port=port))
-            )
-            continue
-        all_findings.append(
-            report("profile", difference.path, safe(difference.brief), _remedy(difference, file))
-        )
+            message += f", but it may live: {safe(why)}"
+            cure = remedies.words("firewall", port=port)
+        else:
+            cure = _remedy(difference, file)
+        all_findings.append(report("profile", difference.path, message, cure))
     all_findings += await _rates(profile)
     content = (
         f"{counted(len(profile.components), 'component')}, {counted(len(profile.connectors), 'connection')}"
@@ -115,17 +105,9 @@ async def _rates(profile):
                         f"its execution context has a rate of {context.rate:g} Hz, in the file it is "
                         f"{described.rate:g} Hz"
                     )
-                    findings.append(
-                        report(
-                            "profile",
-                            where,
-                            message,
-                            remedies.command(
-                                "set rate", option=remedies.option(index), path=where,
-                                rate=f"{described.rate:g}",
-                            ),
-                        )
-                    )
+                    option, rate = remedies.option(index), f"{described.rate:g}"
+                    cure = remedies.command("set rate", option=option, path=where, rate=rate)
+                    findings.append(report("profile", where, message, cure))
     return findings
 
 

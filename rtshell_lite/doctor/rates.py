@@ -1,17 +1,15 @@
 """The rates that execution contexts keep, against those that they claim: measured at an out port."""
 
-import collections
-
 from rtshell_lite import errors, notes
 from rtshell_lite.corba import session
 from rtshell_lite.data import clocks, connection, datatypes, reading
+from rtshell_lite.data.rates import next_batch
 from rtshell_lite.doctor import buffers, remedies
 from rtshell_lite.doctor.finding import ok, reason, warn
 from rtshell_lite.net import loop
 from rtshell_lite.robot import component, ports
 from rtshell_lite.text import printable, shell_word
 
-TOGETHER = 4  # components of a process measured at a time: fetching their values is work for it
 ENOUGH = 0.9  # of the rate claimed
 PIECE = 0.01  # seconds slept at a time, to see how late this process is woken
 
@@ -51,7 +49,7 @@ async def measured(snapshots, seconds):
             findings[snapshot.where] = [ok("rate", snapshot.where, "rate not measured: " + why_not)]
     begun = loop.now()
     while waiting:
-        batch, waiting = _batch(waiting)
+        batch, waiting = next_batch(waiting, lambda watched: watched.snapshot.node.endpoint)
         if findings and loop.now() - begun > session.current().timeout:
             findings.update(
                 (watched.where, [_unmeasured(watched.where, errors.NoTime(watched.where, session.NO_TIME))])
@@ -63,20 +61,6 @@ async def measured(snapshots, seconds):
             for watched, finding in zip(batch, await _watch(batch, seconds))
         )
     return findings
-
-
-def _batch(waiting):
-    """The next components to be measured at once, and the rest."""
-    taken = collections.Counter()
-    batch = []
-    rest = []
-    for watched in waiting:
-        if taken[watched.snapshot.node.endpoint] < TOGETHER:
-            batch.append(watched)
-        else:
-            rest.append(watched)
-        taken[watched.snapshot.node.endpoint] += 1
-    return batch, rest
 
 
 def _watchable(snapshot):
@@ -135,13 +119,10 @@ async def _watch(batch, seconds):
             if watched.reader:
                 watched.count = watched.reader.count - before[watched.reader]
                 watched.failure = watched.reader.failure
-    findings = []
-    for watched in batch:
-        if watched.failure:
-            findings.append(_unmeasured(watched.where, watched.failure))
-        else:
-            findings.append(_finding(watched, spent, missed))
-    return findings
+    return [
+        _unmeasured(watched.where, watched.failure) if watched.failure else _finding(watched, spent, missed)
+        for watched in batch
+    ]
 
 
 async def _slept(seconds):
@@ -208,7 +189,4 @@ def _tracing(watched):
 
 def _is_fed(watched):
     """True if other components may send values to this one."""
-    for port in watched.snapshot.ports:
-        if port.type == "DataInPort" and port.connectors:
-            return True
-    return False
+    return any(port.type == "DataInPort" and port.connectors for port in watched.snapshot.ports)

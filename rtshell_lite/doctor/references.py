@@ -147,10 +147,7 @@ async def _unreached(visit, node, endpoint, shown):
 
 
 def _out_of_reach(visit, offered):
-    for endpoint in offered:
-        if not isinstance(visit.probes.get(endpoint), errors.Error):
-            return False
-    return True
+    return all(isinstance(visit.probes.get(endpoint), errors.Error) for endpoint in offered)
 
 
 def _half_reachable(visit, where, offered):
@@ -233,10 +230,7 @@ async def _stale_contexts(visit):
         below = content.get(names, [])
         if all(inner.kind == "zombie" or inner in forsaken for inner in below):
             stale.add(names)
-            if any(inner.kind == "zombie" for inner in below):
-                what = "only dead names are in it"
-            else:
-                what = "empty"
+            what = "only dead names are in it" if any(inner.kind == "zombie" for inner in below) else "empty"
             findings.append(warn("context", str(node.path), "stale: " + what, _emptied(node, below)))
     return findings
 

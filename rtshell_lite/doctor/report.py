@@ -38,9 +38,7 @@ def html(seen, findings, title, log=None, values=True, environment=True):
     system, lost, states = _system(seen)
     profile = rtsprofile.dump(system.profile, rtsprofile.YAML)
     drawing = live_graph.of_system(system, lost, states)
-    remarks = sorted_by_level(findings)
-    for line in drawing.notes:
-        remarks.append(page.Remark("note", "", "", line, ""))
+    remarks = sorted_by_level(findings) + [page.Remark("note", "", "", line, "") for line in drawing.notes]
     fields = page.fields(drawing.picture, drawing.profile, title, "", remarks)
     fields["what"] = page.origin("rtdoctor --report")
     sections = _sections(seen, environment) + [("This report", _contents(log, values, environment))]
@@ -243,9 +241,7 @@ def _events(log, where):
     """The last events of a component, as lines."""
     from rtshell_lite.datalog import schemas
 
-    numbers = {
-        number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT
-    }
+    numbers = {number for number, channel in enumerate(log.channels) if channel.type_id == schemas.EVENT}
     lines = []
     for entry in _last(log) if numbers else ():
         value = entry.value

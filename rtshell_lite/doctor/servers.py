@@ -35,12 +35,10 @@ async def visits(tops):
     answers = await session.each(
         paths, lambda server_path: _visit(server_path, by_server[server_path.server], used), tree.at_server
     )
-    all_visits = []
-    for server_path, visit in zip(paths, answers):
-        if isinstance(visit, errors.Error):
-            visit = _too_late(server_path, visit)
-        all_visits.append(visit)
-    return all_visits
+    return [
+        _too_late(server_path, visit) if isinstance(visit, errors.Error) else visit
+        for server_path, visit in zip(paths, answers)
+    ]
 
 
 async def _ports(paths):
@@ -134,10 +132,8 @@ async def _reach(visit, server, used):
     shown = ", ".join(f"{name} {1000 * seconds:.1f} ms" for name, seconds in times)
     slow = [name for name, seconds in times if seconds > SLOW]
     if slow:
-        if slow == ["name"]:
-            cure = remedies.words("host file", host=printable(server.endpoint[0]))
-        else:
-            cure = remedies.words("slow", host=printable(server.endpoint[0]))
+        name = "host file" if slow == ["name"] else "slow"
+        cure = remedies.words(name, host=printable(server.endpoint[0]))
         visit.findings.append(warn("name server", where, f"slow ({shown})", cure))
     else:
         visit.findings.append(
@@ -314,28 +310,17 @@ async def _below(visit, top):
             return []
         nodes = await aliases.within(await tree.walk(await tree.resolve(top), managers=False))
     except errors.Error as e:
-        visit.findings.append(
-            fail(
-                "path", str(top), reason(e),
-                remedies.words("no such path", path=shell_word(str(top.parent()))),
-            )
-        )
+        cure = remedies.words("no such path", path=shell_word(str(top.parent())))
+        visit.findings.append(fail("path", str(top), reason(e), cure))
         return []
     for node in nodes:
         if node.kind in ("server", "directory") and node.error is not None:
-            visit.findings.append(
-                fail(
-                    "context", str(node.path), f"its names cannot be listed ({reason(node.error)})",
-                    await _list_again(node),
-                )
-            )
+            where = str(node.path)
+            restart = remedies.words("restart name server")
+            cure = await remedies.of_silence(node.error, node.endpoint, where, restart)
+            message = f"its names cannot be listed ({reason(node.error)})"
+            visit.findings.append(fail("context", where, message, cure))
     return nodes
-
-
-async def _list_again(node):
-    return await remedies.of_silence(
-        node.error, node.endpoint, str(node.path), remedies.words("restart name server")
-    )
 
 
 async def _share(visit, tops):

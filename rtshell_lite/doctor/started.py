@@ -17,10 +17,7 @@ def findings(snapshots, failed):
 
     A system is what is connected. One with a failure is not judged: what is Inactive there may wait for it.
     """
-    answered = []
-    for snapshot in snapshots:
-        if snapshot.states:
-            answered.append((snapshot, component.merged(snapshot.states)))
+    answered = [(snapshot, component.merged(snapshot.states)) for snapshot in snapshots if snapshot.states]
     are_all_inactive = all(state == "Inactive" for _, state in answered)
     if not failed and answered and are_all_inactive:
         return [_nothing_moves([snapshot for snapshot, _ in answered])]
@@ -29,21 +26,15 @@ def findings(snapshots, failed):
     all_findings = []
     for snapshot, state in answered:
         group = groups[id(snapshot)]
-        if state != "Inactive":
-            continue
-        if any(other.where in failed for other in group):
+        if state != "Inactive" or any(other.where in failed for other in group):
             continue
         active = collections.Counter(states.get(id(other)) for other in group)["Active"]
         are = "is" if active == 1 else "are"
         if active:
             of_system = f"{counted(active, 'component')} of its system {are} Active"
             message = f"Inactive, while {of_system}; it may have been reset"
-            all_findings.append(
-                warn(
-                    "component", snapshot.where, message,
-                    remedies.words("activate", path=shell_word(snapshot.where)),
-                )
-            )
+            cure = remedies.words("activate", path=shell_word(snapshot.where))
+            all_findings.append(warn("component", snapshot.where, message, cure))
     return all_findings
 
 

@@ -228,10 +228,7 @@ class Trace:
         if self._measuring is not None:
             services = [port for port in listed if port.type == "CorbaPort"]
             self._following.start(self._look_closer(stage, services), stage.node.endpoint)
-        if self.against:
-            await self._go_on(stage, ins)
-        else:
-            await self._go_on(stage, outs)
+        await self._go_on(stage, ins if self.against else outs)
 
     async def _look_closer(self, stage, services):
         """Learn what is not needed to go on."""
@@ -318,10 +315,7 @@ class Trace:
     async def find_cause(self, stage):
         """Note what a Stage waits for, if it lives: asked for its ports, it asks their far ends."""
         session.current().ask_again(stage.node.endpoint)  # its process may answer smaller questions
-        others = []
-        for node in await _bound(stage.node):
-            if node.endpoint != stage.node.endpoint:
-                others.append(node)
+        others = [node for node in await _bound(stage.node) if node.endpoint != stage.node.endpoint]
         *others, itself = await tree.check_alive(others + [stage.node])
         silent = [node for node in others if isinstance(node.error, errors.Silent)]
         if len({node.endpoint for node in silent}) == 1 and itself.kind != "silent":
@@ -334,10 +328,7 @@ class Trace:
         them that does not answer; None if unknown.
         """
         endpoint = orb.endpoint(ref)
-        bound = []
-        for node in await _bound(near):
-            if orb.endpoint(node.ref) == endpoint:
-                bound.append(node)
+        bound = [node for node in await _bound(near) if orb.endpoint(node.ref) == endpoint]
         if len(bound) > 1:
             bound = [node for node in await tree.check_alive(bound) if isinstance(node.error, errors.Silent)]
         return str(bound[0].path) if len(bound) == 1 else None
@@ -368,10 +359,7 @@ class Trace:
         self.links = [link for link in self.links if link.stage in kept]
 
     def _leads_to(self, stage, kept):
-        for link in self.links:
-            if link.stage in kept and link.watch in stage.watches:
-                return True
-        return False
+        return any(link.stage in kept and link.watch in stage.watches for link in self.links)
 
     # ---- judging ----
 

@@ -128,10 +128,7 @@ def _watch(traced, out, depth, channels):
 def _measure(traced, log, channels, seconds):
     """Give the values of a log to the Watches."""
     watches = {watch.name: watch for stage in traced.stages.values() for watch in stage.watches}
-    by_channel = {}
-    for name, (number, _) in channels.items():
-        if name in watches:
-            by_channel[number] = watches[name]
+    by_channel = {number: watches[name] for name, (number, _) in channels.items() if name in watches}
     first = 0
     if seconds is not None and log.last is not None:
         first = log.since(log.last - int(seconds * 1e9)) or 0

@@ -54,10 +54,7 @@ async def _culprits_of(process, hung):
             others.setdefault(node.endpoint, str(node.path))
     # the rest may take until there is no time to ask
     numeric = {endpoint: await _numeric(endpoint) for endpoint in others}
-    if others:
-        own = await _sockets(process)
-    else:
-        own = set()
+    own = await _sockets(process) if others else set()
     called = _called_by(own)
     ends = [endpoint for endpoint in others if not own or numeric[endpoint] & called]
     if not ends:
@@ -80,7 +77,7 @@ async def _numeric(endpoint):
 
 def _called_by(own):
     """{(IP address, port)} of the far ends of the sockets whose inodes are `own`."""
-    return {_end(remote) for _, remote, inode in _rows(ESTABLISHED) if inode in own}
+    return {end(remote) for _, remote, inode in rows(ESTABLISHED) if inode in own}
 
 
 async def _sockets(endpoint):
@@ -90,10 +87,7 @@ async def _sockets(endpoint):
     numeric = await _numeric(endpoint)
     if not any(addresses.is_own(str(address)) for address, _ in numeric):
         return set()
-    listening = set()
-    for local, _, inode in _rows(LISTENING):
-        if _end(local)[1] == endpoint[1]:
-            listening.add(inode)
+    listening = {inode for local, _, inode in rows(LISTENING) if end(local)[1] == endpoint[1]}
     for process in glob.glob("/proc/[0-9]*"):
         inodes = _inodes(process)
         if inodes & listening:
@@ -113,21 +107,21 @@ def _inodes(process):
     return inodes
 
 
-def _rows(state):
-    """(local end, far end, inode) of each TCP socket of this host in a state, as texts; see `_end`."""
-    rows = set()
+def rows(state):
+    """(local end, far end, inode) of each TCP socket of this host in a state, as texts; see `end`."""
+    sockets = set()
     for name in TABLES * READINGS:
         try:
             with open(name) as file:
                 for row in map(str.split, file):
                     if row[3] == state:  # thousands that are closed may wait
-                        rows.add((row[1], row[2], row[9]))
+                        sockets.add((row[1], row[2], row[9]))
         except OSError:
             continue  # no Linux
-    return rows
+    return sockets
 
 
-def _end(text):
+def end(text):
     """(IP address, port) from 0100007F:1F90: words of 32 bits, each in this host's byte order."""
     host, _, port = text.partition(":")
     octets = b"".join(bytes.fromhex(host[i : i + 8])[::-1] for i in range(0, len(host), 8))

@@ -79,13 +79,7 @@ def _drawn(box, heads, corner, size):
     elif box.counts is not None:
         more = ' stroke-width="3"'
     yield '<rect class="%s" x="%d" y="%d" width="%d" height="%d" rx="5" fill="%s" stroke="black"%s/>' % (
-        _kind(box.state),
-        x,
-        y,
-        width,
-        height,
-        _colour(box.state),
-        more,
+        _kind(box.state), x, y, width, height, _colour(box.state), more,
     )
     for row, head in enumerate(heads):
         yield _text(x + width // 2, y + row * _ROW + 19, "middle", head)
