@@ -16,14 +16,19 @@ def is_stamped(port):
     return bool(members) and members[0] == ("tm", "Time")
 
 
-def seconds(message):
-    """The time that a reading.Message begins with, in s since 1970; 0 where a component sets none, as many
+def moment(data, little):
+    """The time that octets of a value begin with, in ns since 1970; 0 where a component sets none, as many
     do.
     """
-    if len(message.data) < 8:
+    if len(data) < 8:
         return 0
-    order = "<LL" if message.little else ">LL"
-    whole, nanoseconds = struct.unpack_from(order, message.data)
+    whole, nanoseconds = struct.unpack_from("<LL" if little else ">LL", data)
+    return whole * 10**9 + nanoseconds
+
+
+def seconds(message):
+    """The same of a reading.Message, in s since 1970; 0 also for less than a second."""
+    whole, nanoseconds = divmod(moment(message.data, message.little), 10**9)
     return whole + nanoseconds / 1e9 if whole else 0
 
 

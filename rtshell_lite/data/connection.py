@@ -74,7 +74,7 @@ class PortConnection:
                     "has no %s %s (it has: %s)" % (key.split(".")[1], printable(requested[key]), offer),
                 )
         await loop.finish(self._connect(requested))
-        self.little = _little(self.agreed) or await self.is_always_little()
+        self.little = is_little(self.agreed) is not False or await self.is_always_little()
 
     async def _connect(self, requested):
         try:
@@ -257,13 +257,13 @@ def check(user, flows):
             )
 
 
-def _little(properties):
-    """The byte order in the properties of a connector: both ends take the first word that they know."""
-    words = [word.strip() for word in properties.get("dataport.serializer.cdr.endian", "").split(",")]
-    for word in words:
-        if word in ("little", "big"):
-            return word == "little"
-    return True
+def is_little(properties):
+    """The byte order in the properties of a connector: both ends take the first word that they know. None
+    where none is known.
+    """
+    words = properties.get("dataport.serializer.cdr.endian", "little").split(",")
+    orders = [word.strip() for word in words if word.strip() in ("little", "big")]
+    return orders[0] == "little" if orders else None
 
 
 class Connections:

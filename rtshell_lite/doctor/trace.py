@@ -5,7 +5,6 @@ Harmless as rtprint is: one connector a port, made and left by its rules.
 """
 
 import collections
-import struct
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb, session
@@ -76,9 +75,7 @@ class Watch:
         stamp = 0
         data = message.data
         if self._is_stamped and len(data) >= STAMP:
-            order = "<" if message.little else ">"
-            seconds, nanoseconds = struct.unpack_from(order + "LL", data)
-            stamp = seconds * 10**9 + nanoseconds
+            stamp = clocks.moment(data, message.little)
             data = data[STAMP:]
         before = self.count
         self.flow.add(message.received, bytes(message.data), stamp)

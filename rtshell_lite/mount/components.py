@@ -136,11 +136,7 @@ def _field(name, profile):
 class MembersDirectory(Directory):
     """Links to the members of a composite."""
 
-    __slots__ = ("source",)
-
-    def __init__(self, above, name, source):
-        super().__init__(above, name)
-        self.source = source
+    __slots__ = ()
 
     def entries(self, members):
         names = unique(name if isinstance(name, str) else "unknown" for name, _ in members)
@@ -153,11 +149,7 @@ class MembersDirectory(Directory):
 class ConfigurationDirectory(Directory):
     """The configuration sets, and which is active."""
 
-    __slots__ = ("source",)
-
-    def __init__(self, above, name, source):
-        super().__init__(above, name)
-        self.source = source
+    __slots__ = ()
 
     def entries(self, configuration):
         return self._sets(configuration, with_hidden=False)
@@ -188,11 +180,10 @@ class ConfigurationDirectory(Directory):
 class SetDirectory(Directory):
     """The parameters of a configuration set."""
 
-    __slots__ = ("source", "_id")
+    __slots__ = ("_id",)
 
     def __init__(self, above, name, source, set_id):
-        super().__init__(above, name)
-        self.source = source
+        super().__init__(above, name, source)
         self._id = set_id
 
     def _named(self, configuration):
@@ -219,11 +210,7 @@ class SetDirectory(Directory):
 class ContextsDirectory(Directory):
     """The execution contexts, by their numbers as rtact -e counts them."""
 
-    __slots__ = ("source",)
-
-    def __init__(self, above, name, source):
-        super().__init__(above, name)
-        self.source = source
+    __slots__ = ()
 
     def entries(self, refs):
         owned, participating = refs
@@ -256,13 +243,11 @@ class ExecutionDirectory(Directory):
         return self.mount.answer(self.peer, lambda: orb.call(self.where, self._ref, operation), 0)
 
     def entries(self, value):
+        def shown(runs):
+            return "Running\n" if runs else "Stopped\n"
+
         return {
-            "state": (
-                Control,
-                self._asked("is_running"),
-                lambda runs: "Running\n" if runs else "Stopped\n",
-                self._run,
-            ),
+            "state": (Control, self._asked("is_running"), shown, self._run),
             "rate": (Control, self._asked("get_rate"), "{:g}\n".format, self._set_rate),
             "kind": (Text, self._profile, lambda context: context.kind + "\n"),
             "owner": (Text, self.mount.answer(self.peer, self._owner), line),

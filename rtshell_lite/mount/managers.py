@@ -52,7 +52,7 @@ class ManagerDirectory(Directory):
 class ManagedDirectory(Directory):
     """The components of a manager: links to where they are bound, or those that are bound nowhere."""
 
-    __slots__ = ("source",)
+    __slots__ = ()
 
     def __init__(self, above, name):
         super().__init__(above, name)
@@ -63,11 +63,9 @@ class ManagedDirectory(Directory):
         bound = places.Places()
         listed = []
         for node in await tree.managed(self.above.node):
-            is_live = node.kind == "component"
-            if is_live:
+            path = None
+            if node.kind == "component":
                 path = await bound.path(node.path.names[-1].id, node.ref, self.above.node)
-            else:
-                path = None
             listed.append((node, path))
         return listed
 

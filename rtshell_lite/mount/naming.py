@@ -124,7 +124,7 @@ def _server_path(name):
 class ContextDirectory(Directory):
     """A naming context."""
 
-    __slots__ = ("node", "source", "_bindings")
+    __slots__ = ("node", "_bindings")
     mode = stat.S_IFDIR | 0o755
 
     def __init__(self, above, name, node):
@@ -230,9 +230,6 @@ class Zombie(Link):
     """The name of a component that is gone."""
 
     __slots__ = ()
-
-    def __init__(self, above, name, node):
-        super().__init__(above, name, node)
 
     async def target(self):
         return "zombie: its object is gone"

@@ -197,6 +197,12 @@ class FileNode:
         """What errors call it."""
         return posixpath.join(self.mount.directory, self.path)
 
+    def own(self, named):
+        """What a dict has for its name. Raises Absent."""
+        if self.name not in named:
+            raise Absent(self.where)
+        return named[self.name]
+
 
 class File(FileNode):
     """A regular file of text."""
@@ -259,10 +265,7 @@ class Item(File):
     __slots__ = ()
 
     async def content(self):
-        texts = self.above.texts(await self.above.source.get())
-        if self.name not in texts:
-            raise Absent(self.where)
-        return line(texts[self.name])
+        return line(self.own(self.above.texts(await self.above.source.get())))
 
 
 class WritableItem(Item):
@@ -302,16 +305,18 @@ class Link(FileNode):
 
 
 class Directory(FileNode):
-    """A directory. `known` are its nodes that the kernel knows, by name."""
+    """A directory, made of what `source`, a CachedAnswer, has. `known` are its nodes that the kernel knows,
+    by name.
+    """
 
-    __slots__ = ("mount", "known", "__weakref__")
+    __slots__ = ("mount", "known", "source", "__weakref__")
     mode = stat.S_IFDIR | 0o555
-    source = NOTHING  # what it is made of
 
-    def __init__(self, above, name):
+    def __init__(self, above, name, source=NOTHING):
         super().__init__(above, name)
         self.mount = above and above.mount
         self.known = {}
+        self.source = source
 
     def entries(self, value):
         """{file name: (class, its arguments)} of what it lists, given the value of `source`."""
@@ -355,21 +360,16 @@ class Directory(FileNode):
 class Items(Directory):
     """A directory of texts: `texts_of(value)` gives (name, text) pairs."""
 
-    __slots__ = ("source", "_texts_of")
+    __slots__ = ("_texts_of",)
 
     def __init__(self, above, name, source, texts_of):
-        super().__init__(above, name)
-        self.source = source
+        super().__init__(above, name, source)
         self._texts_of = texts_of
 
     def texts(self, value):
         """{file name: text}"""
-        names = []
-        texts = []
-        for name, text in self._texts_of(value):
-            names.append(name)
-            texts.append(text)
-        return dict(zip(unique(names), texts))
+        pairs = list(self._texts_of(value))
+        return dict(zip(unique(name for name, _ in pairs), [text for _, text in pairs]))
 
     def entries(self, value):
         return {name: (Item,) for name in self.texts(value)}

@@ -18,11 +18,7 @@ Far = collections.namedtuple("Far", "connector ref")
 class PortsDirectory(Directory):
     """The ports of a component; `source` gives the Snapshot with them."""
 
-    __slots__ = ("source",)
-
-    def __init__(self, above, name, source):
-        super().__init__(above, name)
-        self.source = source
+    __slots__ = ()
 
     def named(self, snapshot):
         """{file name: Port}"""
@@ -40,19 +36,15 @@ class PortsDirectory(Directory):
 class PortDirectory(Directory):
     """One port."""
 
-    __slots__ = ("source", "stream")
+    __slots__ = ("stream",)
 
     def __init__(self, above, name):
-        super().__init__(above, name)
-        self.source = above.source
+        super().__init__(above, name, above.source)
         self.stream = None
 
     def port(self, snapshot):
         """Its ports.Port. Raises Absent."""
-        try:
-            return self.above.named(snapshot)[self.name]
-        except LookupError:
-            raise Absent(self.where)
+        return self.own(self.above.named(snapshot))
 
     async def fresh(self):
         """Its Port as it is now."""
@@ -68,7 +60,7 @@ class PortDirectory(Directory):
                 lambda snapshot: line(self.port(snapshot).properties.get("dataport.data_type", "")),
             )
         else:
-            entries["interfaces"] = (InterfacesDirectory,)
+            entries["interfaces"] = (InterfacesDirectory, self.source)
         entries["properties"] = (Items, self.source, lambda snapshot: self.port(snapshot).properties.items())
         entries["connections"] = (ConnectionsDirectory,)
         return entries
@@ -87,12 +79,11 @@ class PortDirectory(Directory):
 class ConnectionsDirectory(Directory):
     """The connections of a port: a link to each other end."""
 
-    __slots__ = ("source", "far")
+    __slots__ = ("far",)
     mode = stat.S_IFDIR | 0o755
 
     def __init__(self, above, name):
-        super().__init__(above, name)
-        self.source = above.source
+        super().__init__(above, name, above.source)
         self.far = self.mount.answer(self.peer, self._far)
 
     async def _far(self):
@@ -159,10 +150,7 @@ class ConnectionLink(Link):
         pass
 
     async def target(self):
-        texts = await self.above.far.get()
-        if self.name not in texts:
-            raise Absent(self.where)
-        return texts[self.name]
+        return self.own(await self.above.far.get())
 
     async def remove(self):
         await self.above.disconnect(self.name)
@@ -171,8 +159,7 @@ class ConnectionLink(Link):
 async def _walk(start, target, where):
     """The node that the target of a link in the directory `start` leads to. Raises Absent."""
     mount = start.mount
-    path = posixpath.join(start.where, target)
-    path = posixpath.normpath(path)
+    path = posixpath.normpath(posixpath.join(start.where, target))
     if not path.startswith(mount.directory + "/"):
         raise errors.BadValue(where, f"{line(target).strip()} leads out of the mount at {mount.directory}")
     node = start

@@ -19,11 +19,7 @@ _IDENTIFIER = r"_?[A-Za-z]\w*\Z"
 class InterfacesDirectory(Directory):
     """The interfaces of a service port."""
 
-    __slots__ = ("source",)
-
-    def __init__(self, above, name):
-        super().__init__(above, name)
-        self.source = above.source
+    __slots__ = ()
 
     def named(self, snapshot):
         """{file name: ports.Interface}"""
@@ -37,19 +33,15 @@ class InterfacesDirectory(Directory):
 class InterfaceDirectory(Directory):
     """One interface."""
 
-    __slots__ = ("source", "_provider")
+    __slots__ = ("_provider",)
 
     def __init__(self, above, name):
-        super().__init__(above, name)
-        self.source = above.source
+        super().__init__(above, name, above.source)
         self._provider = None  # that of the last call, which is good as long as the process lives
 
     def interface(self, snapshot):
         """Its ports.Interface. Raises Absent."""
-        try:
-            return self.above.named(snapshot)[self.name]
-        except LookupError:
-            raise Absent(self.where)
+        return self.own(self.above.named(snapshot))
 
     def entries(self, snapshot):
         def shown(now):

@@ -8,21 +8,11 @@ from rtshell_lite import errors, notes
 from rtshell_lite.corba import orb, servants
 from rtshell_lite.net import loop
 
-INTERFACES = ("corba_cdr", "data_service")
 MOST = 10000  # values that wait for a slow reader
 MOST_OCTETS = 64 << 20
 LENGTH = 8  # of a buffer, unless the connector says otherwise
 BLOCK = 1.0  # seconds that a fetch waits by default
 _PUSH = {"corba_cdr": ("OpenRTM.InPortCdr", "put"), "data_service": ("RTC.DataPushService", "push")}
-
-
-def is_little(properties):
-    """The byte order that the properties of a connector agree upon; None where they name none."""
-    words = properties.get("dataport.serializer.cdr.endian", "little").split(",")
-    orders = [word.strip() for word in words if word.strip() in ("little", "big")]
-    if not orders:
-        return None
-    return orders[0] == "little"
 
 
 class Carrier:

@@ -8,6 +8,7 @@ each publishes what the others need, calls the next one, and uses what has come 
 
 from rtshell_lite import errors
 from rtshell_lite.corba import orb
+from rtshell_lite.data import connection
 from rtshell_lite.net import loop
 from rtshell_lite.play import carriers
 from rtshell_lite.play.component import code, nvlist, wire
@@ -37,9 +38,10 @@ class Port:
         describe = orb.struct("RTC.PortInterfaceProfile")
         provided, required = orb.items("RTC.PortInterfacePolarity")
         polarities = {"Provided": provided, "Required": required}
-        interfaces = []
-        for instance, kind, polarity in self.interfaces:
-            interfaces.append(describe(wire(instance), wire(kind), polarities[polarity]))
+        interfaces = [
+            describe(wire(instance), wire(kind), polarities[polarity])
+            for instance, kind, polarity in self.interfaces
+        ]
         return orb.struct("RTC.PortProfile")(
             wire(f"{self.component.instance_name}.{self.name}"), interfaces, self.reference,
             list(self.connectors.values()), self.component.reference, nvlist(self.properties.items()),
@@ -144,10 +146,10 @@ class Port:
         if given.get("dataport.allow_dup_connection", "").upper() == "YES":
             return False
         others = {orb.identity(end) for end in profile.ports if not orb.same(end, self.reference)}
-        for other_profile in self.connectors.values():
-            if others.intersection(orb.identity(end) for end in other_profile.ports if end):
-                return True
-        return False
+        return any(
+            others.intersection(orb.identity(end) for end in other_profile.ports if end)
+            for other_profile in self.connectors.values()
+        )
 
     def begin(self, profile):
         """A carrier for a new connector, or None where it carries nothing. Raises _Refusal."""
@@ -204,11 +206,11 @@ class DataPort(Port):
         given = dict(orb.properties(profile.properties))
         flow = given.get("dataport.dataflow_type", "").lower()
         interface = given.get("dataport.interface_type", "")
-        if flow not in FLOWS or interface not in carriers.INTERFACES:
+        if flow not in FLOWS or interface not in connection.INTERFACES:
             raise _Refusal("BAD_PARAMETER")
         if given.get("dataport.marshaling_type", "cdr") != "cdr":
             raise _Refusal("RTC_ERROR")
-        little = carriers.is_little(given)
+        little = connection.is_little(given)
         if little is None:
             raise _Refusal("UNSUPPORTED")
         if "dataport.serializer.cdr.endian" not in given:
@@ -235,10 +237,8 @@ class OutPort(DataPort):
 
     def lost(self, carrier):
         """Remove the connector of a carrier whose far end is gone: a coroutine."""
-        for connector_id, other in list(self.carriers.items()):
-            if other is carrier:
-                return self.disconnect(connector_id)
-        return None
+        connector_id = next((name for name, other in self.carriers.items() if other is carrier), None)
+        return connector_id and self.disconnect(connector_id)
 
 
 class InPort(DataPort):
@@ -261,6 +261,13 @@ class ServicePort(Port):
         if any(polarity == "Provided" for _, _, polarity in self.interfaces):
             raise _Refusal("RTC_ERROR")
         return None
+
+
+async def leave(components):
+    """Disconnect all that others have connected with components, as these do when they end."""
+    ports = [port for component in components for port in component.ports]
+    joined = [(port, connector_id) for port in ports for connector_id in port.carriers]
+    await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
 
 
 KINDS = {"DataOutPort": OutPort, "DataInPort": InPort, "CorbaPort": ServicePort}

@@ -174,11 +174,8 @@ def pairs_in(fields, key):
 
 def interfaces_in(fields):
     """The (instance, type, polarity) texts of the interfaces of a port in a dict of JSON."""
-    interfaces = []
-    for interface in _texts_in(fields, "interfaces", 3):
-        if interface[2] in ("Provided", "Required"):
-            interfaces.append(interface)
-    return interfaces[: ports.MOST_PARTS]
+    interfaces = _texts_in(fields, "interfaces", 3)
+    return [row for row in interfaces if row[2] in ("Provided", "Required")][: ports.MOST_PARTS]
 
 
 def _texts_in(fields, key, count):
@@ -186,10 +183,8 @@ def _texts_in(fields, key, count):
     value = fields.get(key)
     if not isinstance(value, list):
         return []
-    tuples = []
-    for words in value:
-        if not isinstance(words, list) or len(words) != count:
-            continue
-        if all(isinstance(word, str) for word in words):
-            tuples.append(tuple(words))
-    return tuples
+    return [
+        tuple(words)
+        for words in value
+        if isinstance(words, list) and len(words) == count and all(isinstance(word, str) for word in words)
+    ]

@@ -4,8 +4,7 @@ and in memory alone.
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb
-from rtshell_lite.net import loop
-from rtshell_lite.play import bindings, component, nameserver
+from rtshell_lite.play import bindings, component, nameserver, ports
 from rtshell_lite.robot import tree
 from rtshell_lite.text import printable
 
@@ -78,22 +77,19 @@ class Robot:
         raise errors.NoSuch("the robot", "port", printable(name))
 
     async def _connect(self, ends):
-        ports = [self.port(end) for end in ends]
+        joined = [self.port(end) for end in ends]
         properties = {
             "dataport.dataflow_type": "push", "dataport.interface_type": "corba_cdr",
             "dataport.subscription_type": "new", "dataport.serializer.cdr.endian": "little,big",
-            "dataport.data_type": ports[0].properties["dataport.data_type"],
+            "dataport.data_type": joined[0].properties["dataport.data_type"],
         }
         profile = orb.struct("RTC.ConnectorProfile")(
-            "_".join(port.name for port in ports), "", [port.reference for port in ports],
+            "_".join(port.name for port in joined), "", [port.reference for port in joined],
             component.nvlist(properties.items()),
         )
-        await ports[0].connect(profile)
+        await joined[0].connect(profile)
 
     async def end(self):
-        """Disconnect all that others have connected, as components do when they end."""
-        ports = [port for part in self.by_name.values() for port in part.ports]
-        joined = [(port, connector_id) for port in ports for connector_id in list(port.carriers)]
-        await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
+        await ports.leave(self.by_name.values())
         for part in self.by_name.values():
             part.close()

@@ -62,16 +62,11 @@ def _connections(profile, maps):
         source = capture.port_path(first, locate(first))
         if source is None:
             continue
-        for end in others:
-            connections.append((source, end, locate(end)))
+        connections += [(source, end, locate(end)) for end in others]
     if maps:
         relocate.move(profile, maps)
-    pairs = []
-    for source, end, owner in connections:
-        target = capture.port_path(end, owner)
-        if target is not None:
-            pairs.append((source, target))
-    return pairs
+    pairs = [(source, capture.port_path(end, owner)) for source, end, owner in connections]
+    return [pair for pair in pairs if pair[1] is not None]
 
 
 def _names(route, log):

@@ -1,8 +1,8 @@
 """The components of a recording, as they were at a moment of it."""
 
 from rtshell_lite.corba import orb
+from rtshell_lite.data import connection
 from rtshell_lite.net import loop
-from rtshell_lite.play import carriers
 from rtshell_lite.play import component as parts
 from rtshell_lite.play import ports as port_kinds
 from rtshell_lite.play import recording as recordings
@@ -63,9 +63,7 @@ class Stage:
         return component
 
     def _add_ports(self, owner, details, described, types):
-        about = {}
-        for port in recordings.dicts_in(details, "ports"):
-            about[recordings.text_in(port, "name")] = port
+        about = {recordings.text_in(port, "name"): port for port in recordings.dicts_in(details, "ports")}
         for port in described.data_ports:
             name = ports.short_name(port.name, described.instance_name)
             kind, type_id = types.get(name, ("DataInPort", ""))
@@ -96,12 +94,8 @@ class Stage:
 
     def _others(self, locate, component, targets):
         """The components here that `targets` mean, without `component` itself."""
-        others = []
-        for target in targets:
-            other = self._located(locate, target)
-            if other is not None and other is not component:
-                others.append(other)
-        return others
+        located = [self._located(locate, target) for target in targets]
+        return [other for other in located if other is not None and other is not component]
 
     def _located(self, locate, target):
         described = locate(target)
@@ -185,10 +179,7 @@ class Stage:
         if owner is None:
             return None
         name = capture.port_of(end)
-        for port in owner.ports:
-            if port.name == name:
-                return port
-        return None
+        return next((port for port in owner.ports if port.name == name), None)
 
     def _join(self, connector_id, connector, ends):
         properties = [(item.name, item.value or "") for item in connector.properties]
@@ -272,14 +263,8 @@ class Stage:
             await loop.sleep(LOOK)
 
     async def leave(self):
-        """Disconnect all that others have connected, as components do when they end."""
-        joined = []
-        for component in self.components.values():
-            for port in component.ports:
-                joined += [(port, connector_id) for connector_id in port.carriers]
-        await loop.each(joined, lambda pair: pair[0].disconnect(pair[1]))
-
-    def close(self):
+        """End, as components do."""
+        await port_kinds.leave(self.components.values())
         for component in self.components.values():
             component.close()
 
@@ -307,13 +292,11 @@ def _unknown(source):
 
 def _profile_properties(details):
     """The (name, value) pairs that a component's profile has of itself, as its details say."""
-    pairs = []
-    for name, value in recordings.pairs_in(details, "properties"):
-        if name == OBSERVERS:
-            value = ""
-        if not name.startswith(CONFIGURATION):
-            pairs.append((name, value))
-    return pairs
+    return [
+        (name, "" if name == OBSERVERS else value)
+        for name, value in recordings.pairs_in(details, "properties")
+        if not name.startswith(CONFIGURATION)
+    ]
 
 
 def _data_port(owner, name, details, kind, type_id):
@@ -334,10 +317,7 @@ def _service_port(owner, name, details):
 
 def _share_ports(composite, members):
     """Have a composite show the ports of its members that it exports, MEMBER.port."""
-    shown = {}
-    for member in members:
-        for port in member.ports:
-            shown[f"{member.instance_name}.{port.name}"] = port
+    shown = {f"{member.instance_name}.{port.name}": port for member in members for port in member.ports}
     composite.ports = [shown.get(port.name, port) for port in composite.ports]
 
 
@@ -394,12 +374,10 @@ def _properties(kind, recorded, type_id):
     properties = dict(recorded)
     properties.setdefault("port.port_type", kind)
     properties.setdefault("dataport.data_type", type_id)
-    if kind == "DataOutPort":
-        properties.setdefault("dataport.subscription_type", "flush,new,periodic")
-    else:
-        properties.setdefault("dataport.subscription_type", "Any")
+    subscriptions = "flush,new,periodic" if kind == "DataOutPort" else "Any"
+    properties.setdefault("dataport.subscription_type", subscriptions)
     offered = [word.strip() for word in properties.get("dataport.interface_type", "").split(",")]
-    usable = [word for word in offered if word in carriers.INTERFACES]
+    usable = [word for word in offered if word in connection.INTERFACES]
     properties["dataport.interface_type"] = ",".join(usable or ["corba_cdr"])
     properties["dataport.dataflow_type"] = "push,pull"
     for name in [name for name in properties if name.startswith(_DATA + "interface_option.")]:

@@ -52,12 +52,7 @@ def lines(snapshot, level, ends, paint):
         yield "  Extra properties:"
         yield from _pairs(sorted(profile.properties), "    ")
     # with -ll rtshell indents the following by a blank or two more, and there are scripts that cut by column
-    if level > 1:
-        tag = " "
-        more = "  "
-    else:
-        tag = ""
-        more = ""
+    tag, more = (" ", "  ") if level > 1 else ("", "")
     yield from composition_lines(snapshot, level, tag, more, paint)
     for context, state in zip(snapshot.contexts, snapshot.states):
         yield from context_lines(context, state, snapshot, level, tag, more, paint)

@@ -75,29 +75,24 @@ def of(profile, states=None):
     locate = capture.locator(profile)
     strangers = {}
 
+    def stranger(key, name, missing):
+        if key not in strangers:
+            strangers[key] = len(boxes)
+            boxes.append(Box(name, missing=missing))
+            boxes[-1].origin = key
+        return strangers[key]
+
     def box_of(end):
         component = locate(end)
         if component is not None:
             return numbers[id(component)]
-        key = (end.component_id, end.instance_name)
-        if key not in strangers:
-            strangers[key] = len(boxes)
-            boxes.append(Box(end.instance_name, missing=True))
-            boxes[-1].origin = key
-        return strangers[key]
-
-    def box_of_transport(connector):
-        key = connector.interface_type
-        if key not in strangers:
-            strangers[key] = len(boxes)
-            boxes.append(Box(key))
-            boxes[-1].origin = key
-        return strangers[key]
+        return stranger((end.component_id, end.instance_name), end.instance_name, True)
 
     edges = []
     for connector in profile.connectors:
         if len(connector.ends) == 1:
-            edges.append(_edge_alone(connector, boxes, box_of, box_of_transport(connector)))
+            transport = stranger(connector.interface_type, connector.interface_type, False)
+            edges.append(_edge_alone(connector, boxes, box_of, transport))
             continue
         edges += _edges(connector, isinstance(connector, model.ServicePortConnector), boxes, box_of)
     tops = _compose(profile, boxes, numbers, locate)
@@ -118,10 +113,7 @@ def _edges(connector, service, boxes, box_of):
     """Edges from the first end to each other one."""
     ends = [(box_of(end), capture.port_of(end)) for end in connector.ends]
     for number, (box, port) in enumerate(ends):
-        if number:
-            boxes[box].use(port, boxes[box].left)
-        else:
-            boxes[box].use(port, boxes[box].right)
+        boxes[box].use(port, boxes[box].left if number else boxes[box].right)
     return [ends[0] + end + (service,) for end in ends[1:]]
 
 

@@ -81,12 +81,8 @@ def _stack(picture):
     ]
     for index, number in enumerate(sheet.put_in_order(lines, names)):
         box = picture.boxes[number]
-        if index:
-            rows.append(Row("├", "", "┤"))
-        else:
-            rows.append(Row("┌", "", "┐"))
-        for head in heads(picture, number, labels):
-            rows.append(Row("│", f" {head} ", "│"))
+        rows.append(Row("├", "", "┤") if index else Row("┌", "", "┐"))
+        rows += [Row("│", f" {head} ", "│") for head in heads(picture, number, labels)]
         for side, mark in ((box.left, "│"), (box.right, ">")):
             for port in side:
                 row_of[number, port] = len(rows)
@@ -103,11 +99,11 @@ def _nets(picture, row_of):
         start = row_of[source, out]
         end = row_of[target, into]
         joined.setdefault((start, service), {start}).add(end)
-    nets = []
-    for (start, service), rows in joined.items():
-        if len(rows) > 1:
-            nets.append(Net(min(rows), max(rows), rows, start, service))
-    return nets
+    return [
+        Net(min(rows), max(rows), rows, start, service)
+        for (start, service), rows in joined.items()
+        if len(rows) > 1
+    ]
 
 
 def _passing(count, nets):

@@ -81,12 +81,8 @@ async def figures(nodes, long=False):
     nodes = sure
     asked = [node for node in nodes if node.kind == "component"]
     answers = dict(zip(asked, await session.each(asked, _figures)))
-    others = dict(
-        zip(
-            [n for n in nodes if n not in answers],
-            await tree.check_alive([n for n in nodes if n not in answers]),
-        )
-    )
+    rest = [node for node in nodes if node not in answers]
+    others = dict(zip(rest, await tree.check_alive(rest)))
     rows = []
     for node in nodes:
         answer = answers.get(node)
@@ -210,9 +206,7 @@ def as_dict(node, figures):
 
 def silent_ones(nodes):
     """A line on how many of `nodes` did not answer, or were not asked; '' when all answered everything."""
-    objects = [
-        node for node in nodes if node.kind in ("component", "manager", "zombie", *tree.DOUBTFUL)
-    ]
+    objects = [node for node in nodes if node.kind in ("component", "manager", "zombie", *tree.DOUBTFUL)]
     groups = {}
     for node in objects:
         words = _lacking(node)

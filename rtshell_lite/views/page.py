@@ -219,21 +219,15 @@ def _subject(line, paths):
 
 def _findings(findings, boxes):
     """Those that are to be looked at, with the number of the box that each is about."""
-    numbers = {}
-    for number, box in enumerate(boxes):
-        if "path" in box:
-            numbers[box["path"]] = number
-    rows = []
-    for finding in findings:
-        owner = finding.path.rpartition(":")[0]  # of a port
-        rows.append(
-            {
-                "level": finding.level,
-                "check": finding.check,
-                "path": safe(finding.path),
-                "message": safe(finding.message),
-                "remedy": safe(finding.remedy),
-                "box": numbers.get(finding.path, numbers.get(owner)),
-            }
-        )
-    return rows
+    numbers = {box["path"]: number for number, box in enumerate(boxes) if "path" in box}
+    return [
+        {
+            "level": finding.level,
+            "check": finding.check,
+            "path": safe(finding.path),
+            "message": safe(finding.message),
+            "remedy": safe(finding.remedy),
+            "box": numbers.get(finding.path, numbers.get(finding.path.rpartition(":")[0])),  # of a port
+        }
+        for finding in findings
+    ]

@@ -53,11 +53,7 @@ def shown(text):
 
 def parts(box):
     """(heading, rows) of a component, a graph.Box."""
-    parts_of_box = []
-    if box.snapshot is not None:
-        parts_of_box += _of_snapshot(box.snapshot)
-    else:
-        parts_of_box += _of_file(box.origin)
+    parts_of_box = _of_file(box.origin) if box.snapshot is None else _of_snapshot(box.snapshot)
     for one_set in box.origin.configuration_sets:
         heading = f"Configuration set {one_set.id}"
         if one_set.id == box.origin.active_configuration_set:
@@ -124,10 +120,10 @@ def _context(context, state, snapshot):
 
 
 def _port_rows(port):
-    rows = sorted(port.properties.items())
-    for interface in port.interfaces:
-        rows.append((f"interface {interface.instance_name}", f"{interface.type_name}, {interface.polarity}"))
-    return rows
+    return sorted(port.properties.items()) + [
+        (f"interface {interface.instance_name}", f"{interface.type_name}, {interface.polarity}")
+        for interface in port.interfaces
+    ]
 
 
 # ---- what a file has ----

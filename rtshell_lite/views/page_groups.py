@@ -172,9 +172,7 @@ def _columns(row):
 
 def _strip(picture, children, alone, sizes, widest):
     """Columns of what is not connected, by name from left to right and then below."""
-    names = [
-        child.key if isinstance(child, Group) else picture.boxes[child].name for child in children
-    ]
+    names = [child.key if isinstance(child, Group) else picture.boxes[child].name for child in children]
     alone = sheet.by_name(alone, names)
     across = max(1, int(widest // (max(sizes[index][0] for index in alone) + _GAP)))
     columns = []

@@ -17,10 +17,7 @@ MOST = 30  # boxes that a person can overlook
 
 def keep(picture, numbers):
     """The graph.Graph of these boxes and of what connects them."""
-    kept = []
-    for number in range(len(picture.boxes)):
-        if number in numbers:
-            kept.append(number)
+    kept = [number for number in range(len(picture.boxes)) if number in numbers]
     new_numbers = {number: new_number for new_number, number in enumerate(kept)}
     boxes = [_copy(picture.boxes[number], new_numbers) for number in kept]
     return _connected(picture, boxes, new_numbers)

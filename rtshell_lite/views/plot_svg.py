@@ -91,13 +91,8 @@ def _colours(index):
 
 
 def _escaped(words):
-    return (
-        printable(words)
-        .replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace('"', "&quot;")
-    )
+    words = printable(words).replace("&", "&amp;").replace("<", "&lt;")
+    return words.replace(">", "&gt;").replace('"', "&quot;")
 
 
 def _text(x, y, words, anchor="start", sort=""):
@@ -278,10 +273,7 @@ def _curves(picture, panel, top):
                 data.append(f"M{x:.1f} {y:.1f}h0")  # a value between two gaps is a dot
                 end = x, y
                 continue
-            if series.is_step:
-                data.append(f"H{x:.1f}V{y:.1f}")
-            else:
-                data.append(f"L{x:.1f} {y:.1f}")
+            data.append(f"H{x:.1f}V{y:.1f}" if series.is_step else f"L{x:.1f} {y:.1f}")
             length += math.hypot(x - end[0], y - end[1])
             width += x - end[0]
             end = x, y
@@ -309,9 +301,7 @@ def _kept_apart(picture):
     kept = []
     free = 0.0
     for moment, words in sorted(picture.marks):
-        if picture.first is None:
-            continue
-        if not picture.first <= moment <= picture.last:
+        if picture.first is None or not picture.first <= moment <= picture.last:
             continue
         size = WORD * cells(words)
         x = min(_x(picture, moment), WIDTH - size)

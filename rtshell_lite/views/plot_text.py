@@ -21,19 +21,14 @@ class Canvas:
         self.width = width
         self.height = height
         self.is_braille = is_braille
-        self._across = self._down = 1  # dots of a character
-        if is_braille:
-            self._across = 2
-            self._down = 4
+        self._across, self._down = (2, 4) if is_braille else (1, 1)  # dots of a character
         self.right = width * self._across - 1  # the places of the last dots
         self.top = height * self._down - 1
         self._cells = {}  # (column, row): [dots, number of the series]
 
     def dot(self, x, y, number):
         """Set a dot, counted from the lower left."""
-        if not 0 <= x <= self.right:
-            return
-        if not 0 <= y <= self.top:
+        if not (0 <= x <= self.right and 0 <= y <= self.top):
             return
         column, column_of_dot = divmod(x, self._across)
         row, row_of_dot = divmod(self.top - y, self._down)
@@ -46,9 +41,7 @@ class Canvas:
         up = to_y - y
         count = max(abs(right), abs(up), 1)
         for step in range(count + 1):
-            dot_x = round(x + right * step / count)
-            dot_y = round(y + up * step / count)
-            self.dot(dot_x, dot_y, number)
+            self.dot(round(x + right * step / count), round(y + up * step / count), number)
 
     def rows(self, paint):
         """The lines; `paint` gives characters the colour of a series."""
@@ -94,26 +87,18 @@ def lines(picture, width, height, is_braille=True, is_coloured=False):
         return ["no values"]
     panels = _apart(picture.panels, is_braille and not is_coloured)
     picture_lines = []
-    for panel in panels:
-        height -= len(panel.series)
-        if panel.title:
-            height -= 1
+    height -= sum(len(panel.series) + bool(panel.title) for panel in panels)
     rows = (height - 2) // max(len(panels), 1)
     rows = max(FEWEST, min(rows, ROWS))
     axes = [_axis(panel, rows) for panel in panels]
-    margin = 1
-    for _, labels, _ in axes:
-        for words in labels.values():
-            margin = max(margin, cells(words))
-    margin += 1
+    margin = 1 + max([1] + [cells(words) for _, labels, _ in axes for words in labels.values()])
     paint = painter(is_coloured)
     for panel, axis in zip(panels, axes):
         canvas = Canvas(max(width - margin - 1, 10), rows, is_braille)
         picture_lines += _panel(picture, panel, axis, margin, canvas, paint)
     picture_lines += _time_axis(picture, width, margin)
-    for moment, words in picture.marks:
-        picture_lines.append(f"{plot.elapsed(picture, moment)}  {printable(words)}")
-    return picture_lines
+    marks = [f"{plot.elapsed(picture, moment)}  {printable(words)}" for moment, words in picture.marks]
+    return picture_lines + marks
 
 
 def _apart(panels, is_apart):
@@ -138,10 +123,7 @@ def _axis(panel, rows):
     marks = _names(panel, low, high)
     if marks is None:
         marks, head = plot.scale(low, high, max(2, rows // 3))
-    labels = {}
-    for value, words in marks:
-        up = round(plot.share(value, low, high) * bottom)
-        labels[bottom - up] = words
+    labels = {bottom - round(plot.share(value, low, high) * bottom): words for value, words in marks}
     return bounds, labels, head
 
 
@@ -185,10 +167,8 @@ def _caption(series, number, paint, is_braille, width):
     if series.last is None:
         said = "  no values"
     else:
-        least = series.said(series.least)
-        greatest = series.said(series.greatest)
-        last = series.said(series.last)
-        said = f"  min {least}  max {greatest}  last {last}"
+        figures = tuple(map(series.said, (series.least, series.greatest, series.last)))
+        said = "  min %s  max %s  last %s" % figures
     room = width - cells(sample) - 1 - cells(said)
     name = _cut(printable(series.name) or "value", max(room, 5))
     return f"{paint(sample, number)} {name}{said}"
@@ -228,9 +208,7 @@ def _time_axis(picture, width, margin):
         axis[column] = "+"
         begin = max(0, column - len(words) // 2)
         end = begin + len(words) + 1 + len(unit)
-        room = len(below)
-        if below:
-            room += 1
+        room = len(below) + bool(below)
         if begin >= room and end <= width:
             below = padded(below, begin) + words
     for moment, _ in picture.marks:

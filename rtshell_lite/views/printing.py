@@ -7,11 +7,10 @@ answers.
 import importlib
 import math
 import os
-import struct
 import sys
 
 from rtshell_lite import errors, start, text
-from rtshell_lite.data import datatypes, statistics, values
+from rtshell_lite.data import clocks, statistics, values
 from rtshell_lite.net import loop
 
 TICK = 0.2  # seconds between two looks at anything but values: dead ports, the end of the time
@@ -35,8 +34,7 @@ class Channel:
         self.field = field
         self.path = str(target.port.node.path.with_port(target.port.name.rpartition(".")[2]))
         self.type_id = target.port.properties.get("dataport.data_type", "")
-        members = datatypes.members(self.type_id) if type else None
-        self.stamped = bool(members) and members[0] == ("tm", "Time")
+        self.stamped = type is not None and clocks.is_stamped(target.port)
         self.flow = statistics.Flow()
         self.shown = self.failed = False  # whether any of its values could be shown, or could not
 
@@ -75,10 +73,7 @@ class Channel:
     def stamp(self, message):
         """The time in a Message's value, in ns since 1970, or None."""
         if self.stamped:  # big values need not be decoded for that
-            if len(message.data) < 8:
-                return None
-            sec, nsec = struct.unpack_from("<LL" if message.little else ">LL", message.data)
-            return sec * 10**9 + nsec
+            return clocks.moment(message.data, message.little)
         stamp = values.timestamp(self.type.decode(message.data, message.little)) if self.type else None
         return stamp and stamp[0] * 10**9 + stamp[1]
 

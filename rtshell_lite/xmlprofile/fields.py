@@ -85,6 +85,13 @@ class Foreign:
     __hash__ = None
 
 
+def foreign(values):
+    """The Foreign among the values of an element by field name, made when it is first needed."""
+    if "foreign" not in values:
+        values["foreign"] = Foreign()
+    return values["foreign"]
+
+
 class ForeignElement:
     """An XML element that the schema does not have; `content` is a list of str and ForeignElement."""
 
@@ -151,14 +158,9 @@ class Element:
             raise TypeError(f"{type(self).__name__} has no {unknown}")
 
     def __eq__(self, other):
-        if type(self) is not type(other):
+        if type(self) is not type(other) or (self.foreign or None) != (other.foreign or None):
             return False
-        if (self.foreign or None) != (other.foreign or None):
-            return False
-        for field in self.FIELDS:
-            if not same(getattr(self, field.name), getattr(other, field.name)):
-                return False
-        return True
+        return all(same(getattr(self, field.name), getattr(other, field.name)) for field in self.FIELDS)
 
     __hash__ = None
 
@@ -171,10 +173,8 @@ class Element:
 
     def fault(self, given):
         """What is wrong with this element, of which a file has the fields `given`, or None."""
-        for field in _required(type(self)):
-            if field.name not in given:
-                return f"{field.local} is missing"
-        return None
+        missing = [field.local for field in _required(type(self)) if field.name not in given]
+        return f"{missing[0]} is missing" if missing else None
 
     def property(self, name, default=None):
         """The value of the extended property `name` (the first one:
@@ -189,11 +189,7 @@ class Element:
 def same(a, b):
     """Whether two values are equal; NaN equals NaN."""
     if isinstance(a, dict) and isinstance(b, dict):
-        if a.keys() != b.keys():
-            return False
-        return all(same(a[key], b[key]) for key in a)
+        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, list):
-        if len(a) != len(b):
-            return False
-        return all(same(x, y) for x, y in zip(a, b))
+        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
     return a == b or (a != a and b != b)

@@ -36,12 +36,9 @@ def clark(name):
 
 def parts(clark_name):
     """(namespace or "", name) of a name in the model's form."""
-    if clark_name.startswith("{"):
-        space, _, local = clark_name[1:].rpartition("}")
-    else:
-        space = ""
-        _ = ""
-        local = clark_name
+    if not clark_name.startswith("{"):
+        return "", clark_name
+    space, _, local = clark_name[1:].rpartition("}")
     return space, local
 
 
@@ -100,11 +97,7 @@ def is_own_key(cls, key):
 def is_clark(name):
     """Whether XML can hold an element or attribute called `name`, "{namespace}name" or "name"."""
     space, local = parts(name)
-    if clark(raw(name)) != name:
-        return False
-    if space == XMLNS:
-        return False
-    if not escape.is_legal(space):
+    if clark(raw(name)) != name or space == XMLNS or not escape.is_legal(space):
         return False
     if not local or set(local) & set(" \t\r\n<>&/=\"':!?"):
         return False

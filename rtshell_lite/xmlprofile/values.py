@@ -58,9 +58,7 @@ def from_number(field, value):
         from rtshell_lite.xmlprofile.yaml import scalars  # loaded where a file is YAML
 
         return scalars.as_float(value)
-    if value != value or abs(value) >= 10**18:
-        raise ValueError(f"{value}: not a whole number")
-    if value != int(value):
+    if value != value or abs(value) >= 10**18 or value != int(value):
         raise ValueError(f"{value}: not a whole number")
     return int(value)
 

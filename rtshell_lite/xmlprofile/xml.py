@@ -243,7 +243,7 @@ def _attributes(node, table, fail):
         if field and (field.name not in values or not field.always and values[field.name] == field.default):
             values[field.name] = _value(node, field, node.attributes[name], fail)
         else:
-            _foreign(values).attributes[names.clark(name)] = escape.unspelt(node.attributes[name])
+            fields.foreign(values).attributes[names.clark(name)] = escape.unspelt(node.attributes[name])
     return values
 
 
@@ -257,19 +257,13 @@ def _value(node, field, text, fail):
         fail(node, f"{field.local}: {e}")
 
 
-def _foreign(values):
-    if "foreign" not in values:
-        values["foreign"] = fields.Foreign()
-    return values["foreign"]
-
-
 def _is_plain_text(node):
     return not node.children() and not set(node.attributes) - {names.TYPE}
 
 
 def _keep_element(values, cls, node):
     """Keep an element that the schema does not have: a key of a YAML file, or something else."""
-    foreign = _foreign(values)
+    foreign = fields.foreign(values)
     key = escape.unspelt(node.attributes.get("name", ""))
     if (
         node.tag == names.YAML_KEY
@@ -289,12 +283,9 @@ def _keep_element(values, cls, node):
 
 def _foreign_element(node):
     attributes = {names.clark(name): escape.unspelt(text) for name, text in node.attributes.items()}
-    content = []
-    for item in node.content:
-        if isinstance(item, str):
-            content.append(escape.unspelt(item))
-        else:
-            content.append(_foreign_element(item))
+    content = [
+        escape.unspelt(item) if isinstance(item, str) else _foreign_element(item) for item in node.content
+    ]
     return fields.ForeignElement(names.clark(node.tag), attributes, content)
 
 
@@ -320,10 +311,7 @@ def _comments(texts, indent):
     """Comments as lines. What is not printable is escaped as on a terminal: comments have no references."""
     comments = []
     for text in texts:
-        lines = []
-        for line in text.split("\n"):
-            lines.append("\t".join(safe(part) for part in line.split("\t")))
-        text = "\n".join(lines)
+        text = "\n".join("\t".join(map(safe, line.split("\t"))) for line in text.split("\n"))
         comments.append(f"{indent}<!--{text}-->")
     return comments
 
@@ -396,11 +384,7 @@ class _Writer:
         tag = self.name(element.tag)
         attributes = [self.attribute(*pair) for pair in sorted(element.attributes.items())]
         head = "<" + tag + "".join(attributes)
-        pieces = []
-        for item in element.content:
-            if isinstance(item, str):
-                pieces.append(escape.quoted(item))
-            else:
-                pieces.append(self.foreign(item))
-        content = "".join(pieces)
+        content = "".join(
+            escape.quoted(item) if isinstance(item, str) else self.foreign(item) for item in element.content
+        )
         return f"{head}>{content}</{tag}>" if content else head + "/>"

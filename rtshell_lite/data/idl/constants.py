@@ -87,8 +87,7 @@ def _unary(parser, depth):
         if token.word == "~":
             return ~value
         return value
-    if parser.is_mark("("):
-        parser.advance()
+    if parser.accept("("):
         value = expression(parser, depth + 1)
         parser.take(")")
         return value
@@ -176,13 +175,8 @@ def check(parser, descriptor, value, token):
         return float(value)
     if sort == BOOLEAN and isinstance(value, bool):
         return value
-    if (
-        sort in (CHAR, WCHAR)
-        and isinstance(value, str)
-        and len(value) == 1
-        or sort in (STRING, WSTRING)
-        and isinstance(value, str)
-    ):
+    is_character = sort in (CHAR, WCHAR) and isinstance(value, str) and len(value) == 1
+    if is_character or sort in (STRING, WSTRING) and isinstance(value, str):
         return value
     if sort == ENUM and value in descriptors.items(switch):
         return value

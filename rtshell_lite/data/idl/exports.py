@@ -61,14 +61,8 @@ def _names(tokens):
 
 
 def _operation(parser, depth):
-    oneway = parser.is_word("oneway")
-    if oneway:
-        parser.advance()
-    result = None
-    if parser.is_word("void"):
-        parser.advance()
-    else:
-        result = types.type_spec(parser, depth)
+    oneway = parser.accept("oneway")
+    result = None if parser.accept("void") else types.type_spec(parser, depth)
     operation = Operation(parser.name("an operation"), result, oneway=oneway)
     parser.take("(")
     while not parser.is_mark(")"):
@@ -77,8 +71,7 @@ def _operation(parser, depth):
             parser.take(",")
     parser.take(")")
     operation.raises = _raised(parser, "raises")
-    if parser.is_word("context"):
-        parser.advance()
+    if parser.accept("context"):
         operation.contexts = _texts(parser)
     return operation
 
@@ -96,21 +89,14 @@ def _parameter(parser, operation, depth):
 
 
 def _attributes(parser, interface, depth):
-    readonly = parser.is_word("readonly")
-    if readonly:
-        parser.advance()
+    readonly = parser.accept("readonly")
     parser.take("attribute")
     descriptor = types.type_spec(parser, depth)
     names = [parser.name("an attribute")]
-    while parser.is_mark(","):
-        parser.advance()
+    while parser.accept(","):
         names.append(parser.name("an attribute"))
-    set_raises = []
-    if readonly:
-        raises = _raised(parser, "raises")
-    else:
-        raises = _raised(parser, "getraises")
-        set_raises = _raised(parser, "setraises")
+    raises = _raised(parser, "raises" if readonly else "getraises")
+    set_raises = [] if readonly else _raised(parser, "setraises")
     for name in names:
         interface.attributes.append(Attribute(name, descriptor, readonly, raises, set_raises))
 
@@ -118,9 +104,8 @@ def _attributes(parser, interface, depth):
 def _raised(parser, word):
     """The types of the exceptions in a clause that begins with `word`, if it comes next."""
     exceptions = []
-    if not parser.is_word(word):
+    if not parser.accept(word):
         return exceptions
-    parser.advance()
     parser.take("(")
     while True:
         token = parser.token
@@ -128,9 +113,8 @@ def _raised(parser, word):
         if entry.sort != "exception":
             raise parser.fault(f"not an exception: {entry.name}", token)
         exceptions.append(entry.what)
-        if not parser.is_mark(","):
+        if not parser.accept(","):
             break
-        parser.advance()
     parser.take(")")
     return exceptions
 

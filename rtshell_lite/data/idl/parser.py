@@ -121,18 +121,17 @@ class Parser:
     def is_word(self, *words):
         return self.token.kind == "name" and self.token.word in words
 
-    def accept(self, mark):
-        """Skip this mark if it comes next; returns whether it does."""
-        is_next = self.is_mark(mark)
+    def accept(self, word):
+        """Skip this word or mark if it comes next; returns whether it does."""
+        is_next = self.token.kind in ("mark", "name") and self.token.word == word
         if is_next:
             self.advance()
         return is_next
 
     def take(self, word):
         """Skip this word or mark. Raises BadIdl when something else is there."""
-        if self.token.kind not in ("mark", "name") or self.token.word != word:
+        if not self.accept(word):
             raise self.unexpected(word)
-        return self.advance()
 
     def _file(self, word):
         """A prefix ends with the file that sets it (CORBA 3.0, 10.7.5)."""
@@ -374,10 +373,7 @@ class Parser:
         type_id = ""
         if entry.sort == "type":
             type_id = descriptors.type_id(descriptors.target(entry.what))
-        for interface in self.interfaces.values():
-            if interface.type_id == type_id:
-                return interface
-        return None
+        return next((entry for entry in self.interfaces.values() if entry.type_id == type_id), None)
 
     def skip(self):
         """Skip everything up to the next semicolon outside all brackets; returns these tokens, with it."""

@@ -359,8 +359,5 @@ class _File:
         directories = list(self.source.include)
         if is_beside:
             directories.insert(0, os.path.dirname(self.path))
-        for directory in directories:
-            path = os.path.join(directory, name)
-            if os.path.isfile(path):
-                return path
-        return None
+        paths = [os.path.join(directory, name) for directory in directories]
+        return next(filter(os.path.isfile, paths), None)

@@ -63,11 +63,9 @@ def type_spec(parser, depth):
         return _fixed(parser)
     if parser.is_word(*WORDS):
         return _basic(parser)
-    if parser.is_word("Object"):
-        parser.advance()
+    if parser.accept("Object"):
         return (OBJECT, "", token.word)  # without an id, as in stubs
-    if parser.is_word("ValueBase"):
-        parser.advance()
+    if parser.accept("ValueBase"):
         return (VALUE, "", token.word)
     return _named(parser)
 
@@ -261,9 +259,8 @@ def _labels(parser, switch, labels):
     new_labels = []
     while parser.is_word("case", "default"):
         token = parser.advance()
-        if token.word == "default":
-            label = None
-        else:
+        label = None
+        if token.word == "case":
             label = constants.check(parser, switch, _label(parser, switch), token)
         if label in labels:
             raise parser.fault("the same case twice", token)

@@ -60,13 +60,13 @@ def _element(doc, node, cls, depth):
         if field and field.name not in contents:
             _set(doc, contents, field, value, depth)
         elif key == names.ATTRIBUTES:
-            _foreign(contents).attributes.update(_attributes(doc, value, table))
+            fields.foreign(contents).attributes.update(_attributes(doc, value, table))
         elif key == names.ELEMENTS:
-            _foreign(contents).elements += _elements(doc, value, table, depth + 1)
+            fields.foreign(contents).elements += _elements(doc, value, table, depth + 1)
         elif field:
             doc.fail(value.pos, f"{values.shown(key)} was given before in another spelling")
         else:
-            _foreign(contents).keys[key] = _plain(doc, value)
+            fields.foreign(contents).keys[key] = _plain(doc, value)
     element = cls(**contents)
     fault = element.fault(contents)
     if fault:
@@ -99,13 +99,11 @@ def _set(doc, contents, field, node, depth):
             return
         if not isinstance(node.value, list):
             doc.fail(node.pos, "a list is needed here")
-        items = []
-        for item in _each(doc, node):
-            if field.kind == fields.TEXT:
-                items.append(_text(doc, item))
-            else:
-                items.append(_element(doc, item, field.kind, depth + 1))
-        contents[field.name] = items
+        is_text = field.kind == fields.TEXT
+        contents[field.name] = [
+            _text(doc, item) if is_text else _element(doc, item, field.kind, depth + 1)
+            for item in _each(doc, node)
+        ]
     elif field.child:
         if not _is_null(node) or field.kind is model.MessageSending:
             contents[field.name] = _element(doc, node, field.kind, depth + 1)
@@ -176,12 +174,6 @@ def _date(doc, node):
 # ---- reading foreign parts ----
 
 
-def _foreign(contents):
-    if "foreign" not in contents:
-        contents["foreign"] = fields.Foreign()
-    return contents["foreign"]
-
-
 def _attributes(doc, node, table=None):
     if not isinstance(node.value, dict):
         doc.fail(node.pos, "a mapping is needed here")
@@ -205,33 +197,21 @@ def _elements(doc, node, table, depth):
 def _foreign_element(doc, node, table, depth):
     parts = dict(node.value) if isinstance(node.value, dict) else {}
     tag = parts.pop("element", None)
-    if tag:
-        start = tag
-        tag = _text(doc, tag)
-    else:
-        tag = ""
-        start = node
+    start = tag or node
+    tag = _text(doc, tag) if tag else ""
     attributes = _attributes(doc, parts.pop("attributes")) if "attributes" in parts else {}
     content = parts.pop("content", None)
-    if (
-        not names.is_clark(tag)
-        or parts
-        or depth > DEEPEST_XML
-        or content
-        and not isinstance(content.value, list)
-    ):
+    is_listed = not content or isinstance(content.value, list)
+    if not names.is_clark(tag) or parts or depth > DEEPEST_XML or not is_listed:
         doc.fail(start.pos, "an element is needed here: its name, attributes and content")
     field = table and table.children.get(names.raw(tag))
     if field and field.kind != fields.TEXT:
         doc.fail(start.pos, f"{values.shown(tag)} is not a foreign element")
-    items = []
-    if content:
-        for item in content.value:
-            is_element = isinstance(item.value, dict)
-            if is_element:
-                items.append(_foreign_element(doc, item, None, depth + 1))
-            else:
-                items.append(_text(doc, item))
+    listed = content.value if content else ()
+    items = [
+        _foreign_element(doc, item, None, depth + 1) if isinstance(item.value, dict) else _text(doc, item)
+        for item in listed
+    ]
     return fields.ForeignElement(tag, attributes, fields.tidy(items))
 
 
@@ -285,10 +265,7 @@ def _foreign_data(element):
     if element.attributes:
         data["attributes"] = element.attributes
     if element.content:
-        content = []
-        for item in element.content:
-            if not isinstance(item, str):
-                item = _foreign_data(item)
-            content.append(item)
-        data["content"] = content
+        data["content"] = [
+            item if isinstance(item, str) else _foreign_data(item) for item in element.content
+        ]
     return data

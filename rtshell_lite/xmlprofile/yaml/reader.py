@@ -121,9 +121,7 @@ def _check_below(doc, pos, column, indent, anchor, tag):
         end, second_anchor, second_tag = _properties(doc, pos)
         if anchor and second_anchor or tag and second_tag:
             doc.fail(pos, "a second anchor or tag")
-        if not (second_anchor or second_tag):
-            return
-        if not _END_OF_LINE.match(doc.text, end):
+        if not (second_anchor or second_tag) or not _END_OF_LINE.match(doc.text, end):
             return
         anchor = anchor or second_anchor
         tag = tag or second_tag
@@ -211,8 +209,7 @@ def _key(doc, pos, depth):
     """(where the colon of a key is, the key)"""
     if not _is_key(doc, pos):
         end = scalars.key_end(doc, pos) or pos
-        tab = doc.text.startswith(":\t", end)
-        if tab:
+        if doc.text.startswith(":\t", end):
             doc.fail(end + 1, scalars.TAB)
         doc.fail(pos, "a key and a colon are needed here")
     start = pos

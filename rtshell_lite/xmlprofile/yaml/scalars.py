@@ -42,11 +42,7 @@ def key_end(doc, pos):
 def bare(doc, pos, indent, flow, key):
     """Plain text. Unless it is a key, it continues on lines that are indented by more than `indent`."""
     text = doc.text
-    stop = _STOP
-    not_first = _NOT_FIRST
-    if flow:
-        stop = _STOP_IN_FLOW
-        not_first = _NOT_FIRST_IN_FLOW
+    stop, not_first = (_STOP_IN_FLOW, _NOT_FIRST_IN_FLOW) if flow else (_STOP, _NOT_FIRST)
     if not_first.match(text, pos):
         if text[pos] == "\t":
             doc.fail(pos, TAB)
@@ -59,11 +55,7 @@ def bare(doc, pos, indent, flow, key):
     while not key:
         start = _SPACE.match(text, end).end()
         fold = text[end:start]
-        if not _has_break(fold):
-            break
-        if text[start] == "#":
-            break
-        if _MARKER.match(text, start - 1):
+        if not _has_break(fold) or text[start] == "#" or _MARKER.match(text, start - 1):
             break
         if not flow and doc.column(start) <= indent:
             break
@@ -220,10 +212,7 @@ def block(doc, pos, indent):
         if here != width or text[pos] == "\0":
             break
         if folds and ending == "\n" and more and text[pos] not in " \t":
-            if empty:
-                pieces.append("")
-            else:
-                pieces.append(" ")
+            pieces.append("" if empty else " ")
         else:
             pieces.append(ending)
     if keep != "-":
