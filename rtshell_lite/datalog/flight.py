@@ -47,14 +47,10 @@ class Choice:
     def thin(self, port, deliver):
         """A function that delivers some of the Messages of a Port."""
         names = _names(port)
-        for pattern, number in self._every:
-            if _fits([pattern], names):
-                deliver = _every(number, deliver)
-                break
-        for pattern, hertz in self._at_most:
-            if _fits([pattern], names):
-                deliver = _at_most(hertz, deliver)
-                break
+        for numbers, thinned in ((self._every, _every), (self._at_most, _at_most)):
+            number = next((number for pattern, number in numbers if _fits([pattern], names)), None)
+            if number is not None:
+                deliver = thinned(number, deliver)
         return deliver
 
 
@@ -231,9 +227,9 @@ async def _components(top, with_nodes):
         parent = await tree.resolve(top.parent())
         match = search.patterns([str(names[-1])], ())[0]
         below = [node for node in await tree.children(parent) if match(node.name)]
-        nodes = []
-        for node in below:
-            nodes += await tree.walk(node, managers=node.kind == "manager")
+        nodes = [
+            inner for node in below for inner in await tree.walk(node, managers=node.kind == "manager")
+        ]
     else:
         node = await tree.resolve(top)
         nodes = await tree.walk(node, managers=node.kind == "manager", objects=with_nodes)

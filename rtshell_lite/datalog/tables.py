@@ -111,17 +111,15 @@ class Table:
         for name, scalar in values.flat(value):
             if column and name:
                 name = column + ("" if name.startswith("[") else ".") + name
-            pairs.append(
-                (name or column, cell(printable(scalar) if isinstance(scalar, str) else str(scalar)))
-            )
+            pairs.append((name or column, cell(_words(scalar))))
         return pairs
 
     def _cells_without_type(self, entry):
         """(function for the names, cells) of an entry whose type is not known, or that does not fit it."""
         if entry.data is not None:
             return lambda: ["hex"], [entry.data.hex()]
-        pairs = values.flat(entry.value)
-        return lambda: [name for name, _ in pairs], [cell(_words(scalar)) for _, scalar in pairs]
+        pairs = self._flat(entry.value, "")
+        return lambda: [name for name, _ in pairs], [words for _, words in pairs]
 
     def _place_cells(self, head, names, scalars, key):
         """The cells in their columns; `key` names a combination of columns that may come again, or
@@ -146,9 +144,7 @@ class Table:
 def _words(scalar):
     if scalar is None:
         return ""
-    if isinstance(scalar, str):
-        return printable(scalar)
-    return str(scalar)
+    return printable(scalar) if isinstance(scalar, str) else str(scalar)
 
 
 def cell(words):

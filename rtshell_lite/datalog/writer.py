@@ -3,17 +3,15 @@
 import json
 import os
 import stat
-import struct
 import tempfile
 
 from rtshell_lite import __version__, errors, files, text
-from rtshell_lite.data import datatypes
+from rtshell_lite.data import clocks, datatypes
 from rtshell_lite.datalog import decode, gaps, mcap, schemas
 from rtshell_lite.datalog.mcap import CHUNK_SIZE
 
 LARGE = 1 << 16  # octets of a part that is written without being copied
 INDEXES = 4 << 20  # octets of ChunkIndex records that are kept in memory; more are in a temporary file
-STAMPS = {True: struct.Struct("<II"), False: struct.Struct(">II")}  # by byte order
 
 
 class Stream:
@@ -30,10 +28,8 @@ class Stream:
 
     def published(self, moment, little, data):
         """When a message says that it was made, ns since the epoch; else when it arrived."""
-        if not self.is_stamped or len(data) < 8:
-            return moment
-        seconds, nanoseconds = STAMPS[little].unpack_from(data)
-        return seconds * 10**9 + nanoseconds or moment
+        stamp = clocks.moment(data, little) if self.is_stamped else 0
+        return stamp or moment
 
 
 class LogWriter:

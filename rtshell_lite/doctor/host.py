@@ -47,7 +47,7 @@ def versions():
             f"{platform.system()} {platform.release()} {platform.machine()}",
             f"clock: {calendar.utc('%Y-%m-%d %H:%M:%S', now)} UTC, {now:.6f} s since the "
             "epoch; with --measure, the clocks of components are compared with it",
-            _first_line("/proc/uptime", "seconds up, seconds idle: "),
+            "seconds up, seconds idle: " + _content("/proc/uptime").partition("\n")[0],
         ]
     )
 
@@ -73,10 +73,6 @@ def _content(name):
             return file.read(MOST)
     except OSError as e:
         return f"cannot be read: {e.strerror}"
-
-
-def _first_line(name, words):
-    return words + _content(name).partition("\n")[0]
 
 
 # ---- the network ----

@@ -17,10 +17,7 @@ async def asked(nodes):
 
 async def findings(answers):
     """Findings on managers, given what `asked` gives."""
-    all_findings = []
-    for node, answer in answers:
-        all_findings += await _troubles(node, answer)
-    return all_findings
+    return [finding for node, answer in answers for finding in await _troubles(node, answer)]
 
 
 async def _ask(node):

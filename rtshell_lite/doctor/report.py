@@ -171,12 +171,8 @@ def _clocks(snapshots):
 
 def _ports(visits):
     """The TCP ports that references and name servers have."""
-    numbers = set()
-    for visit in visits:
-        for node in visit.nodes:
-            if node.ref is not None:
-                numbers.update(port for _, port in orb.addresses(node.ref) if port)
-    return numbers
+    refs = [node.ref for visit in visits for node in visit.nodes if node.ref is not None]
+    return {port for ref in refs for _, port in orb.addresses(ref) if port}
 
 
 # ---- a log ----

@@ -67,9 +67,7 @@ async def _visit(server_path, tops, used):
         return visit
     for top in tops:
         paths = {node.path for node in visit.nodes}
-        for node in await _below(visit, top):
-            if node.path not in paths:
-                visit.nodes.append(node)
+        visit.nodes.extend([node for node in await _below(visit, top) if node.path not in paths])
     await _share(visit, tops)
     looked, probes = await session.each(
         [tree.check_alive, _probes], lambda ask: ask(visit.nodes),
@@ -353,11 +351,8 @@ async def _probes(nodes):
     """{(host, port): None, or the errors.Error} of a TCP connection to each address that references
     publish.
     """
-    published = set()
-    for node in nodes:
-        if node.ref is not None and node.kind not in ("server", "directory"):
-            published.update(orb.addresses(node.ref))
-    pairs = sorted((host, port) for host, port in published if host and port)
+    refs = [node.ref for node in nodes if node.ref is not None and node.kind not in ("server", "directory")]
+    pairs = sorted({(host, port) for ref in refs for host, port in orb.addresses(ref) if host and port})
     answers = await session.each(
         pairs, addresses.probe, lambda address: (("probe",) + address, "%s:%d" % address)
     )

@@ -21,11 +21,12 @@ def routes(recorded, maps):
     numbers = {}
     for number, source in recorded.channels.items():
         numbers.setdefault(str(source), []).append(number)
-    all_routes = []
-    for scene in recorded.scenes:
-        for source, target in _connections(scene.profile, maps):
-            for number in numbers.get(str(source), ()):
-                all_routes.append(Route(number, source, target))
+    all_routes = [
+        Route(number, source, target)
+        for scene in recorded.scenes
+        for source, target in _connections(scene.profile, maps)
+        for number in numbers.get(str(source), ())
+    ]
     relocate.refuse_unused(maps)
     return list(dict.fromkeys(all_routes))
 

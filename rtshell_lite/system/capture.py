@@ -238,12 +238,7 @@ def _profile(answers, connectors, holders, notes):
         if answer.node.endpoint[1]:
             described.properties += [model.Property(name=REFERENCE, value=orb.as_corbaloc(answer.node.ref))]
     for connector in connectors:
-        if len(connector.ends) == 1:
-            profile.one_port_connectors.append(connector)
-        elif isinstance(connector, model.DataPortConnector):
-            profile.data_port_connectors.append(connector)
-        else:
-            profile.service_port_connectors.append(connector)
+        profile.add_connector(connector)
     return profile
 
 

@@ -39,7 +39,7 @@ def lines(picture):
 
 def _attributes(box, ids, box_name):
     cells = [
-        "|".join(f"<{ids[port]}>{_label(box.port_words(port))}" for port in side)
+        "|".join(f"<{ids[port]}>{_quoted(printable(box.port_words(port)))}" for port in side)
         for side in (box.left, box.right)
     ]
     name = _quoted("  ".join([box_name] + graph.count_words(box)))
@@ -115,17 +115,9 @@ def _port_ids(box):
     ids = {}
     for number, port in enumerate(box.left + box.right, 1):
         short = port.rpartition(".")[2]
-        plain = (
-            re.match(r"[A-Za-z_][A-Za-z_0-9]*\Z", short)
-            and short.lower() not in _KEYWORDS
-            and short not in _COMPASS
-        )
+        plain = _node_id(short) == short and short not in _COMPASS
         ids[port] = short if plain and short not in ids.values() else f"port{number}"
     return ids
-
-
-def _label(name):
-    return _quoted(printable(name))
 
 
 def _quoted(words):

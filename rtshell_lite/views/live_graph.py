@@ -69,10 +69,7 @@ def _tie(loose, profile, lost):
         host, port = loose.endpoint
         other = model.TargetPort(instance_name=f"{host}:{port}", port_name=NOT_KNOWN)
     loose.connector.ends = [other] + ends if loose.connector.source is None else ends + [other]
-    if isinstance(loose.connector, model.ServicePortConnector):
-        profile.service_port_connectors.append(loose.connector)
-    else:
-        profile.data_port_connectors.append(loose.connector)
+    profile.add_connector(loose.connector)
 
 
 def _silent(text):

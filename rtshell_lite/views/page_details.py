@@ -92,10 +92,8 @@ def _of_snapshot(snapshot):
         tables.append(("Composition", [("ID", organisation.id)] + members))
     for organisation_id, name, path in snapshot.composites:
         tables.append((f"Parent composition {name}", [("ID", organisation_id), ("Path", path)]))
-    for context, state in zip(snapshot.contexts, snapshot.states):
-        tables.append(_context(context, state, snapshot))
-    tables.append(("Extra properties", sorted(profile.properties)))
-    return tables
+    tables += [_context(*pair, snapshot) for pair in zip(snapshot.contexts, snapshot.states)]
+    return tables + [("Extra properties", sorted(profile.properties))]
 
 
 def _component(texts, others):

@@ -178,13 +178,11 @@ class Board:
     def end(self):
         """Show the figures from the beginning until `ended`."""
         seconds = self.ended - self.begun
-        self._write(
-            [
-                channel.flow.total.summary(seconds, self.box.dropped[key])
-                for key, channel in enumerate(self.channels)
-            ],
-            "all in all: ",
-        )
+        figures = [
+            channel.flow.total.summary(seconds, self.box.dropped[key])
+            for key, channel in enumerate(self.channels)
+        ]
+        self._write(figures, "all in all: ")
 
     def _write(self, figures, prefix):
         if self.json:
@@ -224,9 +222,7 @@ def figure_line(figures):
         words.append(f"age {_ms(figures['age_mean'])} ms")
     if figures["absent"]:
         words.append(f"{figures['absent']} cycle{'' if figures['absent'] == 1 else 's'} did not come")
-    for what in ("disordered", "repeated", "dropped"):
-        if figures[what]:
-            words.append(f"{what} {figures[what]}")
+    words += [f"{what} {figures[what]}" for what in ("disordered", "repeated", "dropped") if figures[what]]
     return ", ".join(words)
 
 

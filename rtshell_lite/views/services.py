@@ -33,7 +33,7 @@ async def interfaces(path, types, as_json):
     if not rows:
         own = text.shell_word(str(path))
         notes.note(
-            f"{path}: it has no ports that provide interfaces; rtcall {own} -l lists what it " "serves itself"
+            f"{path}: it has no ports that provide interfaces; rtcall {own} -l lists what it serves itself"
         )
     for row in rows:
         row["port"] = row["port"][len(str(path.object())) + 1 :]

@@ -320,3 +320,12 @@ class RtsProfile(Element):
             if len(connector.ends) > 1
         ]
         return joining + [connector for connector in self.one_port_connectors if len(connector.ends) == 1]
+
+    def add_connector(self, connector):
+        """Add a connection to those of its kind."""
+        if len(connector.ends) == 1:
+            self.one_port_connectors.append(connector)
+        elif isinstance(connector, DataPortConnector):
+            self.data_port_connectors.append(connector)
+        else:
+            self.service_port_connectors.append(connector)

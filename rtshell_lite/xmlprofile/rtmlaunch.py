@@ -43,10 +43,7 @@ class _Launch:
         self.take(root)
         profile = model.RtsProfile(components=list(self.components.values()))
         for connection in self.connections:
-            if isinstance(connection, model.DataPortConnector):
-                profile.data_port_connectors.append(connection)
-            else:
-                profile.service_port_connectors.append(connection)
+            profile.add_connector(connection)
         targets = [self.condition(number, component) for number, component in enumerate(self.activated, 1)]
         profile.activation = model.MessageSending(targets=targets)
         for path, component in self.components.items():

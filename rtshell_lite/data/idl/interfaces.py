@@ -6,6 +6,7 @@ Types are descriptors (giop/descriptors.py), those of exceptions, too.
 from rtshell_lite import errors
 from rtshell_lite.giop import descriptors
 from rtshell_lite.giop.descriptors import ARRAY, FIXED, SEQUENCE, VALUE, kind
+from rtshell_lite.records import record
 
 
 class Interface:
@@ -60,13 +61,8 @@ class Interface:
         return operations_by_name
 
 
-class Parameter:
-    """A parameter of an operation: `direction` is in, out or inout."""
-
-    def __init__(self, direction, name, type):
-        self.direction = direction
-        self.name = name
-        self.type = type
+# A parameter of an operation: `direction` is in, out or inout.
+Parameter = record("Parameter", "direction name type")
 
 
 class Operation:

@@ -6,6 +6,7 @@ from rtshell_lite.giop.descriptors import ALIAS
 from rtshell_lite.data.idl import constants, exports, included, tokens, types
 from rtshell_lite.data.idl.interfaces import Interface
 from rtshell_lite.data.idl.scopes import DEEPEST, KEYWORDS, SPELLED, Entry, Scope
+from rtshell_lite.records import record
 from rtshell_lite.text import printable
 
 BRACKETS = {"{": "}", "(": ")", "[": "]"}
@@ -36,14 +37,9 @@ def read_file(path, include=(), find=None):
     return Parser(tokens.tokens(path, include, find)).contents()
 
 
-class Contents:
-    """What an IDL file and its includes define, each {repository id: …}: `types` are descriptors, typedefs as
-    aliases; `interfaces` are Interfaces.
-    """
-
-    def __init__(self, types, interfaces):
-        self.types = types
-        self.interfaces = interfaces
+# What an IDL file and its includes define, each {repository id: …}: `types` are descriptors, typedefs as
+# aliases; `interfaces` are Interfaces.
+Contents = record("Contents", "types interfaces")
 
 
 class Parser:

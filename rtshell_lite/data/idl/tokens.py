@@ -5,6 +5,7 @@ import os
 from rtshell_lite import errors, files
 from rtshell_lite.data.idl import conditions, scanner
 from rtshell_lite.giop import idl
+from rtshell_lite.records import record
 from rtshell_lite.text import is_identifier, printable
 
 LARGEST = 1 << 22  # bytes of a file
@@ -18,12 +19,8 @@ NESTING = {"(": 1, ")": -1}
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
-class Macro:
-    """A #define: the names of its parameters, None for one without brackets, and its (kind, word) tokens."""
-
-    def __init__(self, parameters, body):
-        self.parameters = parameters
-        self.body = body
+# A #define: the names of its parameters, None for one without brackets, and its (kind, word) tokens.
+Macro = record("Macro", "parameters body")
 
 
 class Token:

@@ -187,7 +187,7 @@ class Row:
                 right += BESIDE
             self.gaps.append((left, right))
             before = tracks.get((layer, 0), ())
-            x = right + LANE * _count_turns(before)
+            x = right + LANE * _put_turns(before, 0, 1)  # how many they are; where they are comes next
             _put_turns(before, x, -1)
             if layer < len(self.layers):
                 width = max(item.width for item in self.layers[layer])
@@ -206,10 +206,6 @@ def _put_turns(turns, x, way):
     for turn, number in zip(turns, numbers):
         turn.x = x + way * LANE * (number + 1)
     return max(numbers, default=-1) + 1
-
-
-def _count_turns(turns):
-    return _put_turns(turns, 0, 1)
 
 
 def pack(spans):

@@ -250,12 +250,8 @@ def by_name(numbers, names):
 def put_in_order(lines, names):
     """The numbers of all boxes: parts one after the other, as data flows; then the unconnected, by name."""
     connected, alone = parts(lines, [(1, 1)] * len(names))
-    numbers = []
-    for part in connected:
-        for row in part.rows:
-            for items in row.layers:
-                numbers += [box.number for box in items if box.number is not None]
-    return numbers + by_name(alone, names)
+    items = [item for part in connected for row in part.rows for layer in row.layers for item in layer]
+    return [item.number for item in items if item.number is not None] + by_name(alone, names)
 
 
 def arrange(lines, sizes, names):
