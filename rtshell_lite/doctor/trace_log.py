@@ -81,14 +81,11 @@ def _follow(traced, start, links, channels):
             far = far.object()
             if str(far) not in traced.stages:
                 waiting.append((far, depth + 1))
-            if traced.against:
-                _join(traced, out, into, depth + 1, channels)
-            else:
-                _join(traced, out, into, depth, channels)
             _stage(traced, far, depth + 1)
+            _join(traced, out, into, channels)
     begin = traced.stages[str(start.object())]
     if not traced.against and begin.watches == []:
-        _watch(traced, start, 0, channels)
+        _watch(traced, start, channels)
 
 
 def _stage(traced, where, depth):
@@ -96,21 +93,16 @@ def _stage(traced, where, depth):
     return traced.stages.setdefault(str(where), trace.Stage(tree.Node(where, "component"), depth))
 
 
-def _join(traced, out, into, depth, channels):
-    watch = _watch(traced, out, depth, channels)
-    if traced.against:
-        depth -= 1
-    else:
-        depth += 1
-    stage = _stage(traced, into.object(), depth)
-    is_known = any(link.watch is watch and link.port == into for link in traced.links)
-    if not is_known:
-        traced.links.append(trace.Link(watch, stage, into, True))
+def _join(traced, out, into, channels):
+    """Add the Link between ports whose components have Stages, if it is new."""
+    watch = _watch(traced, out, channels)
+    if not any(link.watch is watch and link.port == into for link in traced.links):
+        traced.links.append(trace.Link(watch, traced.stages[str(into.object())], into, True))
 
 
-def _watch(traced, out, depth, channels):
-    """The trace.Watch of an out port's Path."""
-    stage = _stage(traced, out.object(), depth)
+def _watch(traced, out, channels):
+    """The trace.Watch of an out port's Path, whose component has a Stage."""
+    stage = traced.stages[str(out.object())]
     for watch in stage.watches:
         if watch.port.name == out.port:
             return watch

@@ -33,6 +33,10 @@ def code(name):
     return orb.enumerator("RTC.ReturnCode_t", name)
 
 
+def _no(*_):
+    return False
+
+
 class Context:
     """An execution context; `states` are those of components, by name (Active), each with its reference."""
 
@@ -164,9 +168,6 @@ class Configuration:
     def get_configuration_parameter_value(self, name):
         raise Thrown(_SDO + "InvalidParameter", "no such parameter")
 
-    def _no(self, *_):
-        return False
-
     set_configuration_parameter = set_configuration_set_values = add_configuration_set = _no
     remove_configuration_set = activate_configuration_set = set_device_profile = _no
     add_service_profile = remove_service_profile = add_organization = remove_organization = _no
@@ -201,9 +202,6 @@ class Organisation:
 
     def get_organization_property_value(self, name):
         raise Thrown(_SDO + "InvalidParameter", "no such property")
-
-    def _no(self, *_):
-        return False
 
     add_members = set_members = remove_member = set_owner = set_dependency = _no
     add_organization_property = set_organization_property_value = remove_organization_property = _no

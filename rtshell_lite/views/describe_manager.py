@@ -12,39 +12,30 @@ About = collections.namedtuple("About", "node profile loaded loadable error")
 
 # (heading or None, the lines below it: (key of the profile, label)).
 _SECTIONS = (
-    (
-        None,
-        (
-            ("name", "Name"),
-            ("instance_name", "Instance name"),
-            ("pid", "Process ID"),
-            ("naming_formats", "Naming format"),
-            ("refstring_path", "Refstring path"),
-            ("components.precreate", "Components precreate"),
-        ),
-    ),
-    (
-        "Modules",
-        (
-            ("modules.load_path", "Load path"),
-            ("modules.config_path", "Config path"),
-            ("modules.preload", "Preload"),
-            ("modules.init_func_prefix", "Init function prefix"),
-            ("modules.init_func_suffix", "Init function suffix"),
-            ("modules.download_allowed", "Download allowed"),
-            ("modules.abs_path_allowed", "Absolute path allowed"),
-        ),
-    ),
-    (
-        "OS",
-        (
-            ("os.version", "Version"),
-            ("os.arch", "Architecture"),
-            ("os.release", "Release"),
-            ("os.hostname", "Host name"),
-            ("os.name", "Name"),
-        ),
-    ),
+    (None, (
+        ("name", "Name"),
+        ("instance_name", "Instance name"),
+        ("pid", "Process ID"),
+        ("naming_formats", "Naming format"),
+        ("refstring_path", "Refstring path"),
+        ("components.precreate", "Components precreate"),
+    )),
+    ("Modules", (
+        ("modules.load_path", "Load path"),
+        ("modules.config_path", "Config path"),
+        ("modules.preload", "Preload"),
+        ("modules.init_func_prefix", "Init function prefix"),
+        ("modules.init_func_suffix", "Init function suffix"),
+        ("modules.download_allowed", "Download allowed"),
+        ("modules.abs_path_allowed", "Absolute path allowed"),
+    )),
+    ("OS", (
+        ("os.version", "Version"),
+        ("os.arch", "Architecture"),
+        ("os.release", "Release"),
+        ("os.hostname", "Host name"),
+        ("os.name", "Name"),
+    )),
 )
 
 

@@ -19,12 +19,7 @@ COMPOSITE_TYPES = {
     )
 }
 COMPOSITE_TYPES.update(
-    {
-        "choice": "None",
-        "ecshared": "PeriodicECShared",
-        "allshared": "PeriodicStateShared",
-        "nonshared": "Grouping",
-    }
+    choice="None", ecshared="PeriodicECShared", allshared="PeriodicStateShared", nonshared="Grouping"
 )
 DIRECTIONS = {name.lower(): name for name in ("DOWN", "RIGHT", "UP", "LEFT")}
 

@@ -62,11 +62,8 @@ def _remove(node, children):
 
 def _owner(component):
     return {
-        RTS + name: value
-        for name, value in (
-            ("componentId", _value(component, "id")),
-            ("instanceName", _value(component, "instanceName")),
-        )
+        RTS + "componentId": _value(component, "id"),
+        RTS + "instanceName": _value(component, "instanceName"),
     }
 
 
