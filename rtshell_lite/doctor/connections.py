@@ -98,9 +98,9 @@ def _unserved(snapshots):
                 f"requires {printable(' and '.join(sorted(required)))} and is not connected, though "
                 f"{listed(fitting)} provides it to nobody"
             )
-            one, other = shell_word(ports.label(port)), shell_word(fitting[0])
-            cure = remedies.words("connect provider", one=one, other=other)
-            findings.append(warn("connection", ports.label(port), message, cure))
+            where = ports.label(port)
+            ends = {"one": shell_word(where), "other": shell_word(fitting[0])}
+            findings.append(warn("connection", where, message, remedies.words("connect provider", **ends)))
     return findings
 
 

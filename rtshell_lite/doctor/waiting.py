@@ -55,7 +55,7 @@ async def _culprits_of(process, hung):
     # the rest may take until there is no time to ask
     numeric = {endpoint: await _numeric(endpoint) for endpoint in others}
     own = await _sockets(process) if others else set()
-    called = {end(remote) for _, remote, inode in rows(ESTABLISHED) if inode in own}
+    called = _called_by(own)
     ends = [endpoint for endpoint in others if not own or numeric[endpoint] & called]
     if not ends:
         return Culprits(beside[:1], False, process)
@@ -73,6 +73,11 @@ async def _numeric(endpoint):
         }
     except errors.Error:
         return set()
+
+
+def _called_by(own):
+    """{(IP address, port)} of the far ends of the sockets whose inodes are `own`."""
+    return {end(remote) for _, remote, inode in rows(ESTABLISHED) if inode in own}
 
 
 async def _sockets(endpoint):

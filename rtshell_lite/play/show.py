@@ -64,6 +64,7 @@ class Show:
     async def _end(self):
         await self._bound.clear()
         await self._stage.leave()
+        self._stage.close()
 
     async def _listen(self):
         """Take calls: (this host's address for references, the Node of the name server)."""

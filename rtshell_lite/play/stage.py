@@ -263,8 +263,10 @@ class Stage:
             await loop.sleep(LOOK)
 
     async def leave(self):
-        """End, as components do."""
+        """Disconnect all that others have connected, as components do when they end."""
         await port_kinds.leave(self.components.values())
+
+    def close(self):
         for component in self.components.values():
             component.close()
 
