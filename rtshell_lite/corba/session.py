@@ -8,6 +8,7 @@ from rtshell_lite.net import loop
 
 GRACE = 0.2  # s after the deadline of omniORB, which knows more; ours is for what that does not bound
 TICK = 0.1  # s between two looks at what has waited too long
+AT_LEAST = 0.2  # s for a look-up, though the time of the command is over: it takes a thread some time
 MOST_ANSWERED = 1000  # processes of which a session knows that they have answered
 NO_TIME = "there was no time left to ask it"
 
@@ -202,8 +203,8 @@ def each(items, function, peer=at_process):
 async def on_thread(where, function):
     """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name.
 
-    Raises Silent where that takes too long, and for the length of a timeout after it did; NoTime where
-    another one did, and the command's time is over.
+    Raises Silent where that takes too long, and for the length of a timeout after it did; NoTime where the
+    command's time is over before, or is, and another one took too long.
     """
     here = current()
     seconds = here.timeout
@@ -212,8 +213,11 @@ async def on_thread(where, function):
         raise late
     if here.slow and here.is_over():
         raise errors.NoTime(where, NO_TIME)
+    if here.end is not None and here.end - loop.now() < seconds:
+        seconds = max(AT_LEAST, here.end - loop.now())
+        late = errors.NoTime(where, NO_TIME)
     try:
         return await loop.within(seconds, loop.on_thread(function), late)
-    except errors.Silent:
+    except (errors.Silent, errors.NoTime):
         here.slow[where] = loop.now()
         raise

@@ -20,7 +20,7 @@ import os
 import select
 import sys
 from _collections import deque  # which `collections` is made of, as here of others
-from _heapq import heappop, heappush
+from _heapq import heapify, heappop, heappush
 from _thread import _local as Local, allocate_lock  # which `threading` is made of
 
 from rtshell_lite import errors, notes
@@ -37,6 +37,7 @@ _COROUTINE = 0x280  # flag of the code of coroutines and asynchronous generators
 PATIENCE = 0.2  # seconds until a signal strikes a task that awaits nothing
 SPARE = 0.1  # seconds that a thread waits for more work
 FOREVER = 3600.0  # seconds of one poll, which has a limit
+FEW_TIMERS = 100
 SHOWN = 0.5  # seconds between two looks how far a pause is
 ROUNDS = 4  # that tasks go on, as they wake each other, until a look at what has come
 
@@ -622,6 +623,7 @@ class Loop:
         self.is_closed = False
         self._timers = []
         self._timer_count = 0
+        self._most_timers = FEW_TIMERS  # at which it is looked whether some are cancelled
         self._poll = world.poll()
         self._watched = {}
         self._posted = deque()  # type: deque  # functions from other threads
@@ -646,8 +648,16 @@ class Loop:
         """Call function() in `seconds`; returns its Timer."""
         self._timer_count += 1
         timer = Timer(self.now() + seconds, self._timer_count, function)
+        if len(self._timers) >= self._most_timers:
+            self._drop_cancelled()
         heappush(self._timers, timer)
         return timer
+
+    def _drop_cancelled(self):
+        """Forget timers that are cancelled: what is awaited for hours, or for ever, may come often."""
+        self._timers = [timer for timer in self._timers if timer.function is not None]
+        heapify(self._timers)
+        self._most_timers = 2 * len(self._timers) + FEW_TIMERS
 
     def watch(self, fd, events, function):
         """Call function() each time that a poll finds one of the events at a file descriptor."""

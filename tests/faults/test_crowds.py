@@ -3,6 +3,7 @@ dead.
 
 If one of these fails, what a command prints depends on who else looks, or a big robot is too big.
 """
+import re
 import unittest
 
 import invocations
@@ -22,6 +23,7 @@ ROUNDS = 100 if running.THOROUGH else 1
 COMPONENTS = 1000
 SERVERS = 20
 LONG = 20.0             # seconds that anything may take with a thousand components
+SLOW = re.compile(rb"(?m)^warn  \S+: slow .*\n")  # a finding of rtdoctor on a busy machine
 
 
 def setUpModule():
@@ -61,7 +63,7 @@ class SideBySide(unittest.TestCase):
 
         def run(line):
             ran = running.run(invocations.words(line, meant), around.top, RTCTREE_NAMESERVERS=server[1:])
-            return ran.status, ran.out, ran.err
+            return ran.status, SLOW.sub(b"", ran.out), ran.err
         runs = 0
         for _ in range(ROUNDS):
             answers = running.together(run, [line for line in lines for _ in range(CROWD)], CROWD)

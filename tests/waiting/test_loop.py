@@ -217,6 +217,16 @@ class Waiting(Case):
         self.assertEqual(len(away), 1)
         self.assertGreaterEqual(away[0], 0.5)
 
+    def test_timers_that_are_cancelled_are_not_kept(self):
+        """What waits for ever is woken again and again for days."""
+        async def main():
+            bell = loop.Bell()
+            for _ in range(5000):
+                loop.current().call_later(0, bell.ring)
+                self.assertTrue(await bell.wait(float("inf")))
+            return len(loop.current()._timers)
+        self.assertLess(loop.run(main()), 2 * loop.FEW_TIMERS)
+
     def test_nothing_stays_open(self):
         before = len(os.listdir("/proc/self/fd"))
         for _ in range(20):
