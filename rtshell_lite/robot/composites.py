@@ -207,11 +207,12 @@ async def _is(m, ref):
 
 
 async def add(node, organisation, members):
-    """Make Members part of a composite and export their ports; lines that say what was done.
+    """Make Members part of a composite and export their ports; yields lines that say what was done.
     Raises Refused.
     """
     shown = [f"{m.instance}.{port}" for m in members for port in m.ports]
-    lines = await _export(node, add_ports=shown)
+    for line in await _export(node, add_ports=shown):
+        yield line
     present = [name for name, _ in organisation.members]
     new = [m for m in members if m.instance not in present]
     if new:  # an empty list is refused
@@ -219,8 +220,11 @@ async def add(node, organisation, members):
         if not await orb.call(node.path, organisation.ref, "add_members", refs):
             raise errors.Refused(str(node.path), "does not take members")
         await _be_known(node, new)
-        lines += [f"added component {m.node.path!s}" for m in new]
-    return lines + [f"component {m.node.path!s} is a member already" for m in members if m not in new]
+    for m in new:
+        yield f"added component {m.node.path!s}"
+    for m in members:
+        if m not in new:
+            yield f"component {m.node.path!s} is a member already"
 
 
 async def _be_known(node, members):
@@ -243,20 +247,20 @@ async def _be_known(node, members):
 
 
 async def remove(node, organisation, members):
-    """Remove Members, or hide their ports where they name some; lines that say what was done.
+    """Remove Members, or hide their ports where they name some; yields lines that say what was done.
 
     Raises what `_remove` raises, and Failed for one that has died since `check`.
     """
     if not members:
-        return []
+        return
     going = [m for m in members if not m.ports]
     hidden = [f"{m.instance}.{port}" for m in members for port in m.ports]
-    lines = await _export(node, hide=hidden, hide_all_of=[m.instance for m in going])
+    for line in await _export(node, hide=hidden, hide_all_of=[m.instance for m in going]):
+        yield line
     for m in going:
         await _must_live(node, organisation, m)
         await _remove(node, organisation, m)
-        lines.append(f"removed component {printable(m.instance)}")
-    return lines
+        yield f"removed component {printable(m.instance)}"
 
 
 async def _remove(node, organisation, m):
@@ -303,7 +307,8 @@ async def _export(node, add_ports=(), hide=(), hide_all_of=()):
 
 
 async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry_run=False):
-    """Make or change the composite at `target` (a Path): lines that say what was done, see `cli.report`.
+    """Make or change the composite at `target` (a Path); yields lines that say what was done, or with
+    `dry_run` would do it.
 
     `adding` and `removing` are Paths whose port part is a comma-separated list. Everything is checked before
     the first change. Raises WrongKind, NoSuch, Refused, and what `tree.component` raises.
@@ -332,14 +337,16 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     if composite is not None:
         await check(composite, await first_organisation(composite), members, leaving)
     if dry_run:
-        return _commands(target, composite, adding, removing, type_name, options)
-    lines = []
+        yield _command(target, composite, adding, removing, type_name, options)
+        return
     if composite is None:
-        lines.append("created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME))
+        yield "created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME)
         composite = await _new(holder, name)
     organisation = await first_organisation(composite)
-    lines += await add(composite, organisation, members)
-    return lines + await remove(composite, organisation, leaving)
+    async for line in add(composite, organisation, members):
+        yield line
+    async for line in remove(composite, organisation, leaving):
+        yield line
 
 
 async def _new(holder, name):
@@ -360,7 +367,7 @@ async def _of_manager(holder, name):
     return dict(await manager.components(holder)).get(name)
 
 
-def _commands(target, composite, adding, removing, type_name, options):
+def _command(target, composite, adding, removing, type_name, options):
     words = ["rtcomp"]
     if composite is None:
         words += ["-t", type_name]
@@ -368,4 +375,4 @@ def _commands(target, composite, adding, removing, type_name, options):
         words += ["-o", options]
     for option, paths in (("-a", adding), ("-r", removing)):
         words += [word for path in paths for word in (option, str(path))]
-    return [" ".join(map(shell_word, words + [str(target)]))]
+    return " ".join(map(shell_word, words + [str(target)]))

@@ -217,10 +217,12 @@ class Members(Step):
         ]
 
     async def act(self, answers):
-        await composites.add(self.placement.node, answers[0], self._missing(answers))
+        async for _ in composites.add(self.placement.node, answers[0], self._missing(answers)):
+            pass
 
     async def undo(self, before, after):
-        await composites.remove(self.placement.node, after[0], self._missing(before))
+        async for _ in composites.remove(self.placement.node, after[0], self._missing(before)):
+            pass
 
 
 def members(placement, placement_of):

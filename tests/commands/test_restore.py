@@ -81,6 +81,12 @@ def described(outcomes):
     return "\n".join("%s: %s %s" % (each.step.title, each.status, each.error or "") for each in outcomes)
 
 
+async def remove(composite, organisation, member):
+    """Remove a Member of a composite."""
+    async for _ in composites.remove(composite, organisation, [member]):
+        pass
+
+
 class Worlds(unittest.TestCase):
     def start(self, *words):
         world = worlds.World(*words)
@@ -128,7 +134,7 @@ class Everything(Worlds):
     def leave(self, name):
         composite = node("composite0")
         member = composites.Member(name, node(name), [])
-        ask(composites.remove(composite, ask(composites.first_organisation(composite)), [member]))
+        ask(remove(composite, ask(composites.first_organisation(composite)), member))
 
     def test_saved_torn_down_restored_and_saved_again_is_the_same(self):
         for seed in range(SEEDS):
@@ -222,7 +228,7 @@ class Faults(Worlds):
         composite = node("composite0")
         one = ask(composites.first_organisation(composite))
         if any(name == "Motor0" for name, _ in one.members):
-            ask(composites.remove(composite, one, [composites.Member("Motor0", node("Motor0"), [])]))
+            ask(remove(composite, one, composites.Member("Motor0", node("Motor0"), [])))
         self.wrecked = {each.path_uri: each for each in captured().components}
         for world in self.worlds:
             world.ctl("reset")
