@@ -340,8 +340,15 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
         yield _command(target, composite, adding, removing, type_name, options)
         return
     if composite is None:
-        yield "created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME)
-        composite = await _new(holder, name)
+        created = "created composite " + await manager.create(holder, argument, wait=manager.SETTLE_TIME)
+        try:
+            composite = await _new(holder, name)
+        except errors.WrongKind:
+            raise  # it is gone again
+        except errors.Error:
+            yield created
+            raise
+        yield created
     organisation = await first_organisation(composite)
     async for line in add(composite, organisation, members):
         yield line
@@ -353,7 +360,7 @@ async def _new(holder, name):
     """The composite just created; deleted again if its type makes it a component of another kind."""
     composite = await _of_manager(holder, name)
     if composite is None:
-        why = f"has created {printable(name)}, and does not list it: whether it is there is not known"
+        why = f"does not list {printable(name)}, which it has just created: whether it is there is not known"
         raise errors.Failed(str(holder.path), why)
     try:
         await first_organisation(composite)

@@ -247,8 +247,9 @@ A composite that refuses or fails:
   [6]
   $ rtcomp -r ../other.host_cxt/MyServiceProvider0.rtc composite0.rtc
   $ ctl fail remove_member 1 HANG; within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
+  rtcomp: hid port Motor0.out
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s
-  [4]
+  [5]
   $ ctl hang composite0 60
   $ within 0.5-1.5 rtcomp --timeout 0.5 -r Motor0.rtc composite0.rtc
   rtcomp: /localhost:$PORT/test.host_cxt/composite0.rtc: no answer within 0.5s

@@ -13,5 +13,5 @@ world: manager Motor --flavour cpp2
   $ ctl @manager.1 fail get_components 4 TRANSIENT
   $ rtcomp -v -a ConsoleOut0.rtc:in manager.mgr:Leg
   ! rtcomp: created composite Leg
-  ! rtcomp: /robot/test.host_cxt/manager.mgr: has created Leg, and does not list it: whether it is there is not known
+  ! rtcomp: /robot/test.host_cxt/manager.mgr: does not list Leg, which it has just created: whether it is there is not known
   [5]
