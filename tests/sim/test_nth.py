@@ -199,7 +199,8 @@ def composed(*wanted):
     def truth(robot):
         slaves = robot.slaves()
         composites = [slave.components["Arm"] for slave in slaves if "Arm" in slave.components]
-        if not slaves or len(composites) > 1:  # a slave whose list does not come is forgotten
+        # in the place of a slave that has ended, or whose list does not come, the manager starts another one
+        if robot.programs[SLAVE].is_over or len(composites) > 1:
             return {"members": None}
         if not composites:
             return {"members": False}
@@ -229,7 +230,7 @@ LEFT_BEHIND = [
     "kill these4",
 ]
 PORTS = "ConsoleIn0.rtc:out ConsoleOut0.rtc:in"
-BOTH = "ConsoleIn0.rtc ConsoleOut0.rtc"
+PAIR = "ConsoleIn0.rtc ConsoleOut0.rtc"
 NEW = "rtmgr -c Sensor?instance_name=New0 manager.mgr"
 ARM = "rtcomp -a Motor0.rtc:in manager.mgr:Arm"
 ARM_OF_TWO = "rtcomp -a ConsoleOut0.rtc:in manager.mgr:Arm"
@@ -238,13 +239,13 @@ SCENARIOS = [
     Scenario(f"rtcon {PORTS}", connection(True)),
     Scenario(f"rtdis {PORTS}", connection(False), [f"rtcon {PORTS}"]),
     Scenario("rtdis ConsoleIn0.rtc", connection(False), [f"rtcon {PORTS}"]),
-    Scenario(f"rtact {BOTH}", states(True)),
-    Scenario(f"rtact --wait=0.5 {BOTH}", states(True)),
-    Scenario(f"rtdeact {BOTH}", states(False), [f"rtact --wait=3 {BOTH}"]),
+    Scenario(f"rtact {PAIR}", states(True)),
+    Scenario(f"rtact --wait=0.5 {PAIR}", states(True)),
+    Scenario(f"rtdeact {PAIR}", states(False), [f"rtact --wait=3 {PAIR}"]),
     Scenario("rtresurrect --json system.xml", connection(True)),
     Scenario("rtteardown --json system.xml", connection(False), ["rtresurrect system.xml"]),
     Scenario("rtstart --json --wait=0.5 system.xml", states(True)),
-    Scenario("rtstop --json --wait=0.5 system.xml", states(False), [f"rtact --wait=3 {BOTH}"]),
+    Scenario("rtstop --json --wait=0.5 system.xml", states(False), [f"rtact --wait=3 {PAIR}"]),
     Scenario(NEW, there("New0", True)),
     Scenario("rtmgr -d New0 manager.mgr", there("New0", False), [NEW]),
     Scenario("rtconf ConfigSample0.rtc set int_param0=77 str_param0=x", configured("mode1"), MODE),
@@ -252,7 +253,7 @@ SCENARIOS = [
     Scenario(ARM, composed("Motor0")),
     Scenario(ARM_OF_TWO, composed("Motor0", "ConsoleOut0"), [ARM]),
     Scenario("rtcomp -r ConsoleOut0.rtc manager.mgr:Arm", composed("Motor0"), [ARM, ARM_OF_TWO]),
-    Scenario(f"rtexit {BOTH}", ended),
+    Scenario(f"rtexit {PAIR}", ended),
     Scenario("rtdel -v --recursive /robot/old.host_cxt", deleted, LEFT_BEHIND),
     Scenario("rtec ConsoleIn0.rtc rate 250", rate),
 ]
