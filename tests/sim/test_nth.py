@@ -3,7 +3,9 @@
 If this fails, an operator reads that a connection or a state is there which is not, or the other way round.
 """
 
+import contextlib
 import gc
+import io
 import json
 import os
 import re
@@ -23,6 +25,7 @@ from rtshell_lite import cli, notes  # noqa: E402
 ONCE = "what is reported does not depend on the Python"
 TIMEOUT = 0.8  # seconds
 LONGEST = 60.0  # seconds of the world, in which each of them ends
+COLLECTED = 50  # cases, of which the garbage is collected at once
 EACH = 4  # of so many of 2,000 cases one is tried, another one by another seed; with --long all
 SEED = int(os.environ.get("RTSHELL_SEED", "1"))
 IS_THOROUGH = bool(os.environ.get("RTSHELL_FAULTS"))
@@ -361,10 +364,16 @@ def cases():
                     yield Case(scenario, process, operation, nth, kind)
 
 
+def collect():
+    """Collect the garbage of worlds that have ended, their files with it."""
+    with contextlib.redirect_stderr(io.StringIO()):  # coroutines of what was killed complain
+        gc.collect()
+
+
 class Nth(unittest.TestCase):
     def setUp(self):
         notes.listener = cli._hear
-        gc.disable()  # coroutines of what was killed complain
+        gc.disable()  # see `collect`
         self.addCleanup(gc.enable)
         self.addCleanup(os.chdir, os.getcwd())
         place = tempfile.mkdtemp()
@@ -396,9 +405,11 @@ class Nth(unittest.TestCase):
         everything = list(cases())
         tried = everything if IS_THOROUGH else everything[SEED % EACH :: EACH]
         print(f"figures: {len(tried)} of {len(everything)} faults in the middle of {len(SCENARIOS)} commands")
-        for case in tried:
+        for number, case in enumerate(tried):
             with self.subTest(str(case)):
                 self.assertEqual(case.problems(), [], getattr(case, "err", ""))
+            if not number % COLLECTED:
+                collect()
 
 
 if __name__ == "__main__":
