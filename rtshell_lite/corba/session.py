@@ -53,7 +53,8 @@ class Session:
                  component, does not cost one more
     stalled      the same for processes that answer, but not what needs the answers of others: only calls of
                  that kind (failures.asks_others) are not made
-    slow         {what, such as the name of a host: when it was found to be looked up slowly}; as `silent`
+    slow         {what, such as the name of a host: when it was found to be looked up slowly}; as `silent`.
+                 None where it had less time than a timeout
     turned_away  how many connections to this command were turned away
     endless      paths, as text, below which a walk did not end
     looked_for   how many missing names were looked for in other directories
@@ -121,7 +122,8 @@ class Session:
 
     def is_slow(self, where):
         """Whether something has been looked up for too long a moment ago."""
-        return where in self.slow and loop.now() - self.slow[where] < self.timeout
+        since = self.slow.get(where)
+        return since is not None and loop.now() - since < self.timeout
 
     def ask_again(self, endpoint):
         """Have a process asked, though it was silent a moment ago."""
@@ -218,6 +220,6 @@ async def on_thread(where, function):
         late = errors.NoTime(where, NO_TIME)
     try:
         return await loop.within(seconds, loop.on_thread(function), late)
-    except (errors.Silent, errors.NoTime):
-        here.slow[where] = loop.now()
+    except (errors.Silent, errors.NoTime) as e:
+        here.slow[where] = loop.now() if isinstance(e, errors.Silent) else None
         raise

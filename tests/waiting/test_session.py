@@ -159,6 +159,25 @@ class Calls(unittest.TestCase):
         self.assertLessEqual(len(begun), omniorb.IN_FLIGHT)
 
 
+class LookUps(unittest.TestCase):
+    def test_one_that_was_cut_short_is_not_called_slow(self):
+        """A command may be given more time, as rtdoctor is for a profile, and look it up again."""
+        release = threading.Event()
+        self.addCleanup(release.set)
+
+        async def main():
+            here = session.current()
+            here.end = loop.now()
+            with self.assertRaises(errors.NoTime):
+                await session.on_thread("arm.local", lambda: release.wait(TIMEOUT))
+            await loop.sleep(0.01)
+            with self.assertRaises(errors.NoTime):
+                await session.on_thread("arm.local", lambda: 1)
+            here.end = loop.now() + TIMEOUT
+            return await session.on_thread("arm.local", lambda: 1)
+        self.assertEqual(loop.run(main(), session=session.Session(TIMEOUT)), 1)
+
+
 class Servants(unittest.TestCase):
     def test_they_are_called_on_the_loop(self):
         """And a fault of theirs costs the one call."""
