@@ -367,7 +367,8 @@ class Top:
             await loop.sleep(SELDOM)
             for leader in self._leaders.late(loop.now()):
                 here = self._of_process(leader.endpoint)
-                if not any(entry.heard or entry.is_hung for entry in here):
+                # one that is dead says nothing about its process
+                if not any(entry.heard or entry.kind in tree.DOUBTFUL for entry in here):
                     for entry in here:
                         entry.takes_none = True
                     await hear.take_all_back(here)

@@ -114,6 +114,9 @@ class Rest(unittest.TestCase):
             for is_heard, is_stopped in ((True, False), (False, False), (False, True)):
                 is_lost = not is_heard and not is_stopped
                 self.assertEqual(loop.run(main(is_heard, is_stopped)), (is_lost, is_lost))
+            dead = mock.Mock(node=self.entry.node, heard=0.0, is_hung=True, kind="zombie", subscription=None)
+            self.looking._entries["z"] = dead
+            self.assertEqual(loop.run(main(False, False)), (True, True))
 
     def test_what_no_name_leads_to_any_more_keeps_no_observer(self):
         """Also where it is just being lent one."""
