@@ -237,8 +237,8 @@ class OutPort(DataPort):
 
     def lost(self, carrier):
         """Remove the connector of a carrier whose far end is gone: a coroutine."""
-        connector_id = next((name for name, other in self.carriers.items() if other is carrier), None)
-        return connector_id and self.disconnect(connector_id)
+        ids = [name for name, other in self.carriers.items() if other is carrier]  # a peer may answer with ""
+        return self.disconnect(ids[0]) if ids else None
 
 
 class InPort(DataPort):

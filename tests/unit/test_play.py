@@ -232,6 +232,16 @@ class Connecting(unittest.TestCase):
                 )
         self.run_with_components(work)
 
+    def test_a_connector_without_an_id_is_left(self):
+        """A peer may answer with any id."""
+        async def work(out, into):
+            await self.ask(out, "connect", self.profile((out, into), PUSH))
+            for by_id in (out.connectors, out.carriers):
+                by_id[""] = by_id.pop("i")
+            await out.lost(out.carriers[""])
+            self.assertEqual((out.connectors, out.carriers), ({}, {}))
+        self.run_with_components(work)
+
     def test_pull(self):
         async def work(out, into):
             result, made = await self.ask(out, "connect", self.profile([out], PULL))
