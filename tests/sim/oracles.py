@@ -622,7 +622,8 @@ def looking_changes_nothing(play):
     for end, connectors in after.items():
         more = connectors - play.before.get(end, set())
         was_killed = any(each.was_killed for each in play.commands)
-        if not was_killed and not all(_is_told(play, each) for each in more):
+        is_out_of_reach = was_killed or _is_refused(play)  # it counts as gone
+        if not is_out_of_reach and not all(_is_told(play, each) for each in more):
             return f"{end} has another connector, of which nobody is told"
         if not play.scenario.faults and play.before[end] - connectors:
             return f"{end} has lost a connector"
