@@ -6,12 +6,10 @@ import json
 import os
 import struct
 import threading
-import time
 import unittest
 from unittest import mock
 
 import simpkl_files
-import tools
 from test_datalog import CHANNELS, START, Case, messages
 from rtshell_lite import errors
 from rtshell_lite.data import datatypes, values
@@ -86,46 +84,6 @@ class Playing(Case):
             said = decode.as_dict(log)
         self.assertEqual([said["entries"], [channel["entries"] for channel in said["channels"]]], [0, [0, 0]])
 
-    async def times(self, entries, begun):
-        return [time.monotonic() - begun async for _ in entries]
-
-    def test_pace(self):
-        """Entries come when they are due, neither sooner nor much later; `seconds` end them."""
-        entries = [records.Entry(i, START + i * 10 ** 8, 0, True, b"", None) for i in range(4)]
-        chosen = mock.Mock(entries=lambda log, first=None: iter(entries))
-
-        def paced(*how):
-            return pace.Pace(None, chosen, *how).entries()
-
-        for how, expected in [(lambda: paced(2), [0, .05, .1, .15]),
-                              (lambda: paced(1, .15), [0, .15, .3, .3]),
-                              (lambda: paced(1, None, .15), [0, .1]),
-                              (lambda: paced(10, None, .105, True), [0, .01, .02, .03, .1]),
-                              (lambda: play.portions(entries, 3, .1), [0, 0, 0, .1])]:
-            waited, begun = tools.waited_for_processor(os.getpid()), time.monotonic()
-            times = loop.run(self.times(how(), begun))
-            waited = tools.waited_for_processor(os.getpid()) - waited
-            self.assertEqual(len(times), len(expected))
-            for taken, due in zip(times, expected):
-                self.assertTrue(due <= taken < due + 0.2 + waited, (times, expected))
-
-    def test_the_end_comes_in_time_where_playing_falls_behind(self):
-        """Ports that take a value in 50 ms are played 1,000 that came within a second, for 0.3 s."""
-        entries = [records.Entry(i, START + i * 10 ** 6, 0, True, b"", None) for i in range(1000)]
-        chosen = mock.Mock(entries=lambda log, first=None: iter(entries))
-        paced = pace.Pace(None, chosen, 1, None, 0.3)
-
-        async def play_slowly(coming):
-            async for _ in coming:
-                await loop.sleep(0.05)
-
-        for coming in (paced.entries(), play.portions(entries, 1, 0.001, 0.3)):
-            waited, begun = tools.waited_for_processor(os.getpid()), time.monotonic()
-            loop.run(play_slowly(coming))
-            waited = tools.waited_for_processor(os.getpid()) - waited
-            self.assertLess(time.monotonic() - begun, 2 + waited)
-        self.assertGreater(paced.behind, 0.3)
-
     def test_pausing_stepping_jumping(self):
         """The caller chooses what comes next."""
         self.write([(0, START + i * 10 ** 9, True, b"") for i in range(40)])
@@ -189,30 +147,6 @@ class Playing(Case):
             positions, numbers = loop.run(play_it(log))
         self.assertEqual(positions, [7, 12, 0])
         self.assertEqual(numbers, [0, 1, 2] + list(range(40)))
-
-    def test_a_moment_again_and_again(self):
-        """It takes some time, and others go on."""
-        chosen = mock.Mock(
-            entries=lambda log, first=None: iter([records.Entry(0, START, 0, True, b"", None)] * 40)
-        )
-
-        async def play_it():
-            beats = []
-
-            async def beat():
-                while True:
-                    beats.append(1)
-                    await loop.sleep(0)
-
-            async with loop.background(beat()):
-                times = await self.times(
-                    pace.Pace(None, chosen, 1, None, 0.15, True).entries(), time.monotonic()
-                )
-            return len(times), len(beats)
-
-        count, beats = loop.run(play_it())
-        self.assertEqual(count, 80)
-        self.assertGreater(beats, 4)
 
 
 @unittest.skipUnless(omniORB, "omniORBpy is not installed")
