@@ -206,7 +206,7 @@ async def on_thread(where, function):
     """What a function returns that blocks and asks no peer by CORBA, such as the look-up of a name.
 
     Raises Silent where that takes too long, and for the length of a timeout after it did; NoTime where the
-    command's time is over before, or is, and another one took too long.
+    command's time ends before it does, or had ended, and another one took too long.
     """
     here = current()
     seconds = here.timeout

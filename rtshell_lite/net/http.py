@@ -93,8 +93,8 @@ async def serve(listener, answer):
 
 
 def _make_room(open_ones):
-    """Close the oldest HttpConnection that gets nothing, or of the address that has most; False if there
-    is none.
+    """Close the oldest HttpConnection that gets nothing, or of the address that has most; False if nobody is
+    connected.
     """
     if not open_ones:
         return False

@@ -182,7 +182,8 @@ def dumped(configuration, with_hidden=False):
     """
     lines = [f"# configuration of {configuration.where}"]
     for section in configuration.sets(with_hidden):
-        lines.append(f"[{_spelt(section.id, ']')}]{' active' * section.active}")
+        active = " active" if section.active else ""
+        lines.append(f"[{_spelt(section.id, ']')}]{active}")
         for name, value in section.values.items():
             lines.append(f"{_spelt(name, '=#[')}={_end_seen(printable(value))}")
     return lines

@@ -36,7 +36,7 @@ async def paths(words):
 
 
 def with_components(result, remedy="rtfind {} -t c prints the components in it"):
-    """A WrongKind that says how to have the components of a directory; anything else as it is."""
+    """A WrongKind that says how to name the components in a directory; anything else as it is."""
     if not isinstance(result, errors.WrongKind):
         return result
     where, expected, kind = result.args

@@ -112,7 +112,7 @@ async def _dead(node, force):
 
 async def _unbind(path, dry_run, zombie=False):
     if dry_run:
-        return f"rtdel {'-z ' * zombie}{shell_word(str(path))}"
+        return f"{'rtdel -z' if zombie else 'rtdel'} {shell_word(str(path))}"
     server = await tree.resolve(Path(path.server, (), None, False))
     try:
         await server.call("unbind", orb.naming_name(path.names))

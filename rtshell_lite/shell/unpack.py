@@ -207,7 +207,8 @@ def _python():
         return "#!/usr/bin/env python3\n"
     if re.search(r"\s", python) or len(os.fsencode(python)) > 120:
         raise errors.Error(f"{python}: cannot be named in the first line of a script (blanks, or too long)")
-    return f"#!{python}{' -S' * _finds_modules_alone(python)}\n"
+    option = " -S" if _finds_modules_alone(python) else ""
+    return f"#!{python}{option}\n"
 
 
 def _finds_modules_alone(python):

@@ -45,6 +45,60 @@ IDL = """module SimpleService {
 };
 """
 SIGNALS = {real.SIGINT: "Ctrl-C", real.SIGTERM: "SIGTERM"}
+# with the names of components; `more`: another port; `number` of a file
+LINES = (
+    "rtls",
+    "rtls -l",
+    "rtls -R /",
+    "rtls -lR",
+    "rtcat {one}",
+    "rtcat -l {one}",
+    "rtfind . --type c",
+    "rtdoctor -q",
+    "rtact --wait 3 {one}",
+    "rtdeact --wait 3 {one}",
+    "rtreset --wait 3 {one}",
+    "rtact {one} {other}",
+    "rtdel -z .",
+    "rtcon {one}:out {other}:in",
+    "rtdis {one}:out",
+    "rtdis {one}",
+    "rtconf {one} list",
+    "rtconf {one} set gain 5",
+    "rtcryo -y .",
+    "rtec {one}",
+    "rtprint -n 3 -t 4 {one}:out",
+    "rtprint --json -t 1 {one}:out{more}",
+    "rtprint --pull -n 3 -t 3 {one}:out",
+    f"rtcheck {FILE}",
+    f"rtresurrect {FILE}",
+    f"rtresurrect --rollback {FILE}",
+    f"rtteardown {FILE}",
+    f"rtstart {FILE}",
+    f"rtstop {FILE}",
+    f"rtdoctor -q --profile {FILE}",
+    f"rtkeep --once --within 5 {FILE}",
+    f"rtkeep --dry-run {FILE}",
+    "rtkeep status",
+    "rtwatch -t 3 {one}",
+    "rtwatch -n 1 -t 4 -f RTC_STATUS {one} {other}",
+    "rttop -n 2 -r 1",
+    "rttop --json -n 2 -r 1",
+    "rttop -n 1 -p {one}:out",
+    f"rtcheck -s Inactive {FILE}",
+    f"rtcheck --extra {FILE}",
+    "rtcat -ll {one}",
+    "rtcon -i made {one}:out {other}:in",
+    f"rtstodot {FILE}",
+    f"rtcryo -y -o {recordings.SAVED} .",
+    "rtlog -t 1 -f run{number}.mcap {one}:out",
+    "rtlog -t 1 -f run{number}.mcap .",
+    "rtlog --pull -t 1 -f run{number}.mcap {one}:out",
+    "rtlog -l text -t 1 -f run{number}.txt {one}:out",
+    "rtdel -z {one}",
+    f"rtkeep --create --once --within 5 {FILE}",
+    "rtlog --ring 1 --after 0.5 --trigger error -t 2 -f run{number}.mcap .",
+)
 _modules = {}  # type: dict
 
 
@@ -53,59 +107,8 @@ def draw(draw, names, managers, special, only=()):
     components in its process}; `special` as a Scenario has it.
     """
     one, other = draw.choice(names), draw.choice(names)
-    lines = [
-        "rtls",
-        "rtls -l",
-        "rtls -R /",
-        "rtls -lR",
-        f"rtcat {one}",
-        f"rtcat -l {one}",
-        "rtfind . --type c",
-        "rtdoctor -q",
-        f"rtact --wait 3 {one}",
-        f"rtdeact --wait 3 {one}",
-        f"rtreset --wait 3 {one}",
-        f"rtact {one} {other}",
-        "rtdel -z .",
-        f"rtcon {one}:out {other}:in",
-        f"rtdis {one}:out",
-        f"rtdis {one}",
-        f"rtconf {one} list",
-        f"rtconf {one} set gain 5",
-        "rtcryo -y .",
-        f"rtec {one}",
-        f"rtprint -n 3 -t 4 {one}:out",
-        f"rtprint --json -t 1 {one}:out" + (f" {other}:out" if other != one else ""),
-        f"rtprint --pull -n 3 -t 3 {one}:out",
-        f"rtcheck {FILE}",
-        f"rtresurrect {FILE}",
-        f"rtresurrect --rollback {FILE}",
-        f"rtteardown {FILE}",
-        f"rtstart {FILE}",
-        f"rtstop {FILE}",
-        f"rtdoctor -q --profile {FILE}",
-        f"rtkeep --once --within 5 {FILE}",
-        f"rtkeep --dry-run {FILE}",
-        "rtkeep status",
-        f"rtwatch -t 3 {one}",
-        f"rtwatch -n 1 -t 4 -f RTC_STATUS {one} {other}",
-        "rttop -n 2 -r 1",
-        "rttop --json -n 2 -r 1",
-        f"rttop -n 1 -p {one}:out",
-        f"rtcheck -s Inactive {FILE}",
-        f"rtcheck --extra {FILE}",
-        "rtcat -ll " + one,
-        f"rtcon -i made {one}:out {other}:in",
-        f"rtstodot {FILE}",
-        f"rtcryo -y -o {recordings.SAVED} .",
-        f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
-        f"rtlog -t 1 -f run{draw.randrange(10**6)}.mcap .",
-        f"rtlog --pull -t 1 -f run{draw.randrange(10**6)}.mcap {one}:out",
-        f"rtlog -l text -t 1 -f run{draw.randrange(10**6)}.txt {one}:out",
-        f"rtdel -z {one}",
-        f"rtkeep --create --once --within 5 {FILE}",
-        f"rtlog --ring 1 --after 0.5 --trigger error -t 2 -f run{draw.randrange(10**6)}.mcap .",
-    ]
+    more = f" {other}:out" if other != one else ""
+    lines = [_filled(draw, line, one=one, other=other, more=more) for line in LINES]
     for manager, members in managers.items():
         made = f"C{MADE * (1 + int(manager[1:])) + draw.randrange(3)}"  # of two with one name, one loses it
         lines.append(f"rtmgr {manager}.mgr -c C?instance_name={made}")
@@ -116,6 +119,13 @@ def draw(draw, names, managers, special, only=()):
             lines.append(line.format(name, (members or [one])[0], one))
     wanted = [line for line in lines if not only or line.split()[0] in only]
     return draw.choice(wanted) if wanted else None
+
+
+def _filled(draw, line, **words):
+    """One of LINES with these words, and a number of its own where it has one."""
+    if "{number}" in line:
+        words["number"] = draw.randrange(10**6)
+    return line.format(**words)
 
 
 def draw_keeper(draw):

@@ -260,6 +260,66 @@ class Text(unittest.TestCase):
                 )
 
 
+# what is written for a value, and why it is none
+MISFITS = (
+    ("RTC.TimedLong({time}, 'x')", "RTC.TimedLong: data: not a long: 'x'"),
+    ("RTC.TimedLong({time}, True)", "RTC.TimedLong: data: not a long: True"),
+    ("RTC.TimedLong({time}, 1.0)", "RTC.TimedLong: data: not a long: 1.0"),
+    (
+        "RTC.TimedShort({time}, 40000)",
+        "RTC.TimedShort: data: out of range for a short " "(-32768 to 32767): 40000",
+    ),
+    (
+        "RTC.TimedULong({time}, -1)",
+        "RTC.TimedULong: data: out of range for an unsigned long " "(0 to 4294967295): -1",
+    ),
+    ("RTC.TimedFloat({time}, 1e39)", "RTC.TimedFloat: data: out of range for a float: 1e+39"),
+    ("RTC.TimedChar({time}, 'ab')", "RTC.TimedChar: data: not a char: 'ab'"),
+    ("RTC.TimedString({time}, 'a\\0b')", "RTC.TimedString: data: a string holds no NUL"),
+    ("RTC.TimedString({time}, 5)", "RTC.TimedString: data: not a string: 5"),
+    ("RTC.TimedLong({time}, null)", "RTC.TimedLong: data: not a long: None"),
+    ("RTC.TimedLongSeq({time}, 5)", "RTC.TimedLongSeq: data: not a sequence<long>: 5"),
+    ("RTC.TimedOctet({time}, b'xy')", "RTC.TimedOctet: data: not an octet: b'xy'"),
+    ("RTC.TimedOctet({time}, b'')", "RTC.TimedOctet: data: not an octet: b''"),
+    (
+        "RTC.TimedOctetSeq({time}, [1, 256])",
+        "RTC.TimedOctetSeq: data[1]: out of range for an octet (0 to 255): 256",
+    ),
+    (
+        "RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(1, 'x'), 0))",
+        "RTC.TimedPose2D: data.position.y: not a double: 'x'",
+    ),
+    (
+        "RTC.TimedPose2D({time}, RTC.Point2D(1, 2))",
+        "RTC.TimedPose2D: data: not a Pose2D: " "RTC.Point2D",
+    ),
+    (
+        "RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(1, 2)))",
+        "RTC.TimedPose2D: data: heading is missing",
+    ),
+    ("RTC.TimedLong({time}, 1, 2)", "RTC.TimedLong: takes 2 values (tm, data), not 3"),
+    ("RTC.TimedLong({time}, tm={time})", "RTC.TimedLong: tm is given twice"),
+    ("RTC.TimedLong(dat=1)", "RTC.TimedLong: no member dat (its members: tm, data)"),
+    ("RTC.TimedLong(5, 1)", "RTC.TimedLong: tm: not a Time: 5; {time} is the present"),
+    (
+        "RTC.TimedPose2D({time}, 1)",
+        "RTC.TimedPose2D: data: not a Pose2D: 1 (its members: position, heading)",
+    ),
+    ("RTC.TimedLong({time}, {time})", "RTC.TimedLong: data: not a long: {time}"),
+    ("RTC.TimedLong({time}, os.getpid())", "RTC.TimedLong: data: not a long: os.getpid"),
+    (
+        "RTC.LimbState({time}, 1, LIMB)",
+        "RTC.LimbState: oapMatrix: not an OAP: 1 (its members: orientation, approach, position)",
+    ),
+    (
+        "RTC.GripperState({time}, OPEN)",
+        "RTC.GripperState: status: no GripperStatus: OPEN "
+        "(they are "
+        "GRIPPER_STATE_OPEN, GRIPPER_STATE_CLOSED, GRIPPER_STATE_MOVING, GRIPPER_STATE_UNKNOWN)",
+    ),
+)
+
+
 class Written(unittest.TestCase):
     def test_forms(self):
         for text in (
@@ -299,63 +359,7 @@ class Written(unittest.TestCase):
         self.assertEqual(str(caught.exception), reason)
 
     def test_misfits_are_reported(self):
-        for text, reason in (
-            ("RTC.TimedLong({time}, 'x')", "RTC.TimedLong: data: not a long: 'x'"),
-            ("RTC.TimedLong({time}, True)", "RTC.TimedLong: data: not a long: True"),
-            ("RTC.TimedLong({time}, 1.0)", "RTC.TimedLong: data: not a long: 1.0"),
-            (
-                "RTC.TimedShort({time}, 40000)",
-                "RTC.TimedShort: data: out of range for a short " "(-32768 to 32767): 40000",
-            ),
-            (
-                "RTC.TimedULong({time}, -1)",
-                "RTC.TimedULong: data: out of range for an unsigned long " "(0 to 4294967295): -1",
-            ),
-            ("RTC.TimedFloat({time}, 1e39)", "RTC.TimedFloat: data: out of range for a float: 1e+39"),
-            ("RTC.TimedChar({time}, 'ab')", "RTC.TimedChar: data: not a char: 'ab'"),
-            ("RTC.TimedString({time}, 'a\\0b')", "RTC.TimedString: data: a string holds no NUL"),
-            ("RTC.TimedString({time}, 5)", "RTC.TimedString: data: not a string: 5"),
-            ("RTC.TimedLong({time}, null)", "RTC.TimedLong: data: not a long: None"),
-            ("RTC.TimedLongSeq({time}, 5)", "RTC.TimedLongSeq: data: not a sequence<long>: 5"),
-            ("RTC.TimedOctet({time}, b'xy')", "RTC.TimedOctet: data: not an octet: b'xy'"),
-            ("RTC.TimedOctet({time}, b'')", "RTC.TimedOctet: data: not an octet: b''"),
-            (
-                "RTC.TimedOctetSeq({time}, [1, 256])",
-                "RTC.TimedOctetSeq: data[1]: out of range for an octet (0 to 255): 256",
-            ),
-            (
-                "RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(1, 'x'), 0))",
-                "RTC.TimedPose2D: data.position.y: not a double: 'x'",
-            ),
-            (
-                "RTC.TimedPose2D({time}, RTC.Point2D(1, 2))",
-                "RTC.TimedPose2D: data: not a Pose2D: " "RTC.Point2D",
-            ),
-            (
-                "RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(1, 2)))",
-                "RTC.TimedPose2D: data: heading is missing",
-            ),
-            ("RTC.TimedLong({time}, 1, 2)", "RTC.TimedLong: takes 2 values (tm, data), not 3"),
-            ("RTC.TimedLong({time}, tm={time})", "RTC.TimedLong: tm is given twice"),
-            ("RTC.TimedLong(dat=1)", "RTC.TimedLong: no member dat (its members: tm, data)"),
-            ("RTC.TimedLong(5, 1)", "RTC.TimedLong: tm: not a Time: 5; {time} is the present"),
-            (
-                "RTC.TimedPose2D({time}, 1)",
-                "RTC.TimedPose2D: data: not a Pose2D: 1 (its members: position, heading)",
-            ),
-            ("RTC.TimedLong({time}, {time})", "RTC.TimedLong: data: not a long: {time}"),
-            ("RTC.TimedLong({time}, os.getpid())", "RTC.TimedLong: data: not a long: os.getpid"),
-            (
-                "RTC.LimbState({time}, 1, LIMB)",
-                "RTC.LimbState: oapMatrix: not an OAP: 1 (its members: orientation, approach, position)",
-            ),
-            (
-                "RTC.GripperState({time}, OPEN)",
-                "RTC.GripperState: status: no GripperStatus: OPEN "
-                "(they are "
-                "GRIPPER_STATE_OPEN, GRIPPER_STATE_CLOSED, GRIPPER_STATE_MOVING, GRIPPER_STATE_UNKNOWN)",
-            ),
-        ):
+        for text, reason in MISFITS:
             with self.subTest(text=text):
                 self.refused(text, reason)
         self.refused("RTC.TimedDouble({time}, 1)", "RTC.TimedDouble: not the type that is "
