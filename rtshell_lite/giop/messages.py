@@ -104,7 +104,9 @@ def plain_reply(data, number):
 
 def whole(kind, payload=b"", minor=2, order="<", more=False):
     """A message of GIOP 1.`minor` in a byte order; `more`: fragments of it follow."""
-    flags = (LITTLE if order == "<" else 0) | (MORE if more else 0)
+    flags = LITTLE if order == "<" else 0
+    if more:
+        flags |= MORE
     return b"GIOP\1" + bytes([minor, flags, kind]) + struct.pack(order + "I", len(payload)) + payload
 
 
