@@ -17,7 +17,10 @@ from rtshell_lite.text import printable
 LOOK = 0.05  # seconds between two looks
 UNNOTICED = 1.5  # seconds, at most, for which a component is usually dead before that is noticed
 NO_PORT = "no port has this name yet"
-EVENTS = {"error": ("ERROR",), "death": ("DIED",), "disconnect": ("PORT_DISCONNECT",)}
+# {word: (events as in `system/journal.py`, the `delay` of a Condition)}
+EVENTS = {
+    "error": (("ERROR",), 0.0), "death": (("DIED",), UNNOTICED), "disconnect": (("PORT_DISCONNECT",), 0.0),
+}
 _OPERATORS = {
     "<": operator.lt,
     "<=": operator.le,
@@ -30,16 +33,45 @@ _COMPARISON = re.compile(r"(\S.*?)\s*(<=|>=|==|!=|<|>)\s*(\S.*?)\s*\Z")
 _SILENCE = re.compile(r"silent\s+(\S.*\S)\s+(\d+\.?\d*|\.\d+)\s*\Z")
 
 
-class Silence:
+class Condition:
+    """What may happen, in `words`.
+
+    delay         seconds by which it may have happened earlier than it is noticed
+    remark        why it may never happen, None if nothing is known to prevent it
+    hears_events  whether it is about what components report
+    """
+
+    delay = 0.0
+    remark = None  # type: str
+    hears_events = False
+
+    def __init__(self, words):
+        self.words = words
+        self._happened = []
+
+    def wrap(self, names, type, deliver):
+        """`deliver`, or what takes the Messages of a channel in its place, and hands them on."""
+        return deliver
+
+    def hear(self, fields):
+        """Take the fields of an event of a component."""
+
+    def causes(self):
+        """What has happened, in words, since it was asked last."""
+        happened = self._happened
+        self._happened = []
+        return happened
+
+
+class Silence(Condition):
     """No value of a channel has come for some time."""
 
-    delay = 0.0  # seconds by which it may have happened earlier than it is noticed
+    remark = NO_PORT
 
     def __init__(self, words, port, seconds):
-        self.words = words
+        super().__init__(words)
         self._port = port
         self._seconds = seconds
-        self.remark = NO_PORT
         self._last = {}  # by names of a channel: when a value came last; None: its silence has been noticed
 
     def wrap(self, names, type, deliver):
@@ -54,7 +86,6 @@ class Silence:
         return take
 
     def causes(self):
-        """What has happened, in words, since it was asked last."""
         now = loop.now()
         for name, last in self._last.items():
             if last is not None and now - last > self._seconds:
@@ -62,18 +93,16 @@ class Silence:
                 yield self.words
 
 
-class Comparison:
+class Comparison(Condition):
     """A part of the values of a channel is more, less, or what."""
 
-    delay = 0.0
+    remark = NO_PORT
 
     def __init__(self, words, part, compare, limit):
-        self.words = words
+        super().__init__(words)
         self._part = part
         self._compare = compare
         self._limit = limit
-        self.remark = NO_PORT
-        self._happened = []
         self._was = {}
 
     def wrap(self, names, type, deliver):
@@ -114,35 +143,19 @@ class Comparison:
             self._happened.append(self.words)
         self._was[names] = is_so
 
-    def causes(self):
-        happened = self._happened
-        self._happened = []
-        return happened
 
-
-class Report:
+class Report(Condition):
     """Components report an event."""
 
-    remark = None
+    hears_events = True
 
     def __init__(self, word):
-        self.words = word
-        self._events = EVENTS[word]
-        self.delay = UNNOTICED if word == "death" else 0.0
-        self._happened = []
-
-    def wrap(self, names, type, deliver):
-        return deliver
+        super().__init__(word)
+        self._events, self.delay = EVENTS[word]
 
     def hear(self, fields):
-        """Take the fields of an event of a component."""
         if fields["event"] in self._events:
             self._happened.append("%s %s" % (self.words, fields["path"].rpartition("/")[2]))
-
-    def causes(self):
-        happened = self._happened
-        self._happened = []
-        return happened
 
 
 def parse(words):
@@ -203,11 +216,10 @@ class Triggers:
     def hear(self, fields):
         """Take the fields of an event of a component."""
         for condition in self._conditions:
-            if isinstance(condition, Report):
-                condition.hear(fields)
+            condition.hear(fields)
 
     def needs_events(self):
-        return any(isinstance(condition, Report) for condition in self._conditions)
+        return any(condition.hears_events for condition in self._conditions)
 
     async def watch(self, work):
         """Look whether something has happened, until it is cancelled. `work`: a recorder.Recorder."""

@@ -1,9 +1,9 @@
 """Which of some components are there, and what changes about them, with as few questions as that takes.
 
-Components that take observers report what changes, but for their ports: a process that observes ports must
-not be killed (docs/protocol.md 5.4). Their connections, and everything of others, are asked for (ask.py), a
-few small questions at a time. A connection that a process drops shows its end at once. Absent components are
-looked for by their names.
+Components that take observers report what changes; of their ports only to readers that accept that a process
+that observes ports must not be killed (docs/protocol.md 5.4). What they do not report, and everything of
+others, is asked for (ask.py), a few small questions at a time. A connection that a process drops shows its
+end at once. Absent components are looked for by their names.
 
 Whether a component hangs is asked by _non_existent alone: what asks for profiles is held up by its
 neighbours.
