@@ -25,9 +25,14 @@ async def watch(opened, report):
     """
     while True:
         buffered = [_Buffered(reader) for reader in opened.live() if not reader.holds_up()]
-        share, pauses = await _measure(opened)
-        if pauses:
-            await _report_missing(buffered, pauses)
+        pauses = []  # type: list
+        try:
+            share = await _measure(opened, pauses)
+            if pauses:
+                await _report_missing(buffered, pauses)
+        except loop.Cancelled:  # the recording ends, so that nothing settles
+            _report_lacking(buffered, pauses)
+            raise
         if share <= MOST:
             continue
         waiting = [reader for reader in opened.live() if reader.holds_up()]
@@ -42,14 +47,13 @@ async def watch(opened, report):
             report(reader)
 
 
-async def _measure(opened):
-    """(for which part of a span this process has answered nobody, the pauses in which it stood still:
-    [(first, last)] ns since the epoch); (0, []) where it was disconnected meanwhile.
+async def _measure(opened, pauses):
+    """For which part of a span this process has answered nobody; the `pauses` in which it stood still are
+    added, (first, last) ns since the epoch. 0, and no pauses, where it was disconnected meanwhile.
     """
     begun = loop.now()
     absences = opened.absences
     late = 0.0
-    pauses = []
     while loop.now() < begun + SPAN:
         due = loop.now() + LOOK
         await loop.sleep(LOOK)
@@ -58,42 +62,47 @@ async def _measure(opened):
         if behind > STILL:
             now = int(loop.wall() * 1e9)
             pauses.append((now - int(behind * 1e9), now))
-    if opened.absences != absences:
-        return 0.0, []
-    return late / (loop.now() - begun), pauses
+        if opened.absences != absences:
+            pauses.clear()
+            return 0.0
+    return late / (loop.now() - begun)
 
 
 class _Buffered:
-    """A Reader whose values wait in a buffer of its port, at the beginning of a span."""
+    """A Reader whose values wait in a buffer of its port, at the beginning of a span.
+
+    usual  how many values came a second until then, None where few had come
+    """
 
     def __init__(self, reader):
         self.reader = reader
         self.connector = reader.connector
         self._begun = loop.now()
         self._count = reader.count
-        self._rate = reader.rate()
+        self.usual = reader.rate()
 
-    def is_full_after(self, seconds):
-        """Whether its buffer may have been too short for so long a pause."""
-        rate = self._rate or self.reader.rate()
-        return rate is not None and rate * seconds > self.reader.room
+    def is_full_after(self, pauses):
+        """Whether its buffer may have been too short for the longest pause."""
+        rate = self.usual
+        if rate is None:  # the span began when few had come; in pauses none does
+            reading_for = loop.now() - self._begun - sum(map(_seconds, pauses))
+            rate = (self.reader.count - self._count) / max(reading_for, LOOK)
+        return rate * _longest(pauses) > self.reader.room
 
-    def missing(self, rate, pause):
-        """About how many values have not come; `rate`: how many come a second now; `pause` (seconds): the
-        longest.
-        """
-        rate = min(rate, self._rate or rate)
-        excess = rate * pause - self.reader.room
-        lacking = rate * (loop.now() - self._begun) - (self.reader.count - self._count)
-        if excess > 0 and lacking > max(reading.FEWEST, SURE * excess):
-            return round(lacking)
-        return 0
+    def report(self, rate, pauses):
+        """Report what has not come; `rate`: how many values come a second now."""
+        reader = self.reader
+        rate = min(rate, self.usual or rate)
+        excess = rate * _longest(pauses) - reader.room
+        lacking = rate * (loop.now() - self._begun) - (reader.count - self._count)
+        is_lost = excess > 0 and lacking > max(reading.FEWEST, SURE * excess)
+        if is_lost and reader.connector is self.connector and reader.miss is not None:
+            reader.miss(pauses[0][0], pauses[-1][1], round(lacking), STOOD)
 
 
 async def _report_missing(buffered, pauses):
-    """Report the values that these _Buffered have lost in pauses."""
-    longest = max(last - first for first, last in pauses) / 1e9
-    doubtful = [buffer for buffer in buffered if buffer.is_full_after(longest)]
+    """Report the values that these _Buffered have lost in pauses, and forget these."""
+    doubtful = [buffer for buffer in buffered if buffer.is_full_after(pauses)]
     if not doubtful:
         return
     await loop.sleep(SETTLE)
@@ -102,7 +111,23 @@ async def _report_missing(buffered, pauses):
     await loop.sleep(SETTLE)
     passed = loop.now() - begun
     for buffer, before in zip(doubtful, counts):
-        reader = buffer.reader
-        count = buffer.missing((reader.count - before) / passed, longest)
-        if count and reader.connector is buffer.connector and reader.miss is not None:
-            reader.miss(pauses[0][0], pauses[-1][1], count, STOOD)
+        buffer.report((buffer.reader.count - before) / passed, pauses)
+    pauses.clear()
+
+
+def _report_lacking(buffered, pauses):
+    """The same at the end, when what waits in a buffer is lacking, too."""
+    for buffer in buffered:
+        rate = buffer.usual or buffer.reader.rate()
+        if pauses and rate is not None and buffer.is_full_after(pauses):
+            buffer.report(rate, pauses)
+
+
+def _seconds(pause):
+    first, last = pause
+    return (last - first) / 1e9
+
+
+def _longest(pauses):
+    """The seconds of the longest one."""
+    return max(map(_seconds, pauses))
