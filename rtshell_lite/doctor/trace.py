@@ -30,6 +30,7 @@ BUSY = 4  # times what other stages take, before it is the one that is late
 SILENT = 0.4  # of the time to find ports in, after which a component that does not answer is silent
 ANSWERS = 10  # times what others take for an answer, after which silence means something
 MOST_SLOWER = 3  # times what their contexts claim, which stages may take with a value
+MOMENT = 0.001  # seconds that are waited at least: what is left may be too little for the clock to move
 SLOWED = 2  # times what this process would take on an idle machine, from which on the machine is busy
 MOST_THINNED = 5  # times as few values as usual are no fault on a busy machine, at most
 
@@ -630,7 +631,7 @@ class _Clock:
     async def reach(self, seconds):
         """Wait until these seconds have passed."""
         while self.passed() < seconds:
-            await loop.pass_by(seconds - self.passed())
+            await loop.pass_by(max(seconds - self.passed(), MOMENT))
 
 
 async def of_silent(where, error):
