@@ -67,7 +67,7 @@ def drip(peer, connection, request):
     connection.sendall(b"GIOP\1\2\1\1" + struct.pack("<I", 100000))
     while True:
         connection.sendall(b"\0")
-        time.sleep(0.2)
+        peer.sleep(0.2)
 
 
 def reset(peer, connection, request):
@@ -161,7 +161,7 @@ def branching(peer, connection, request):
 
 def other_port(peer, connection, request):
     """A context whose references lead to another port, which is silent or closed."""
-    name_server(peer, connection, request, [(b"lost", b"rtc"), (b"lost", b"host_cxt")], port=peer.other.port)
+    name_server(peer, connection, request, [(b"lost", b"rtc"), (b"lost", b"host_cxt")], port=peer.other)
 
 
 def name_server(peer, connection, request, names, port=None, key=b"faulty"):
@@ -201,12 +201,45 @@ MODES.update({name: (other_port, True) for name in ELSEWHERE})
 MODES.update({name: (malice.respond, True) for name in malice.CHANGES})
 
 
+class Behaviour:
+    """What a peer of a mode does that listens at a port of 127.0.0.1; `other`: a port where another one does,
+    of those of ELSEWHERE.
+    """
+
+    def __init__(self, mode, port, other=None):
+        self.mode = mode
+        self.port = port
+        self.other = other
+        self.sleep = time.sleep
+        self._respond, self._polite = MODES[mode]
+        self._listed = None
+        if mode == "many":
+            self.listing(MANY)
+        self.answers = malice.answers(self) if mode in malice.CHANGES else None
+
+    def listing(self, names):
+        """What list() returns for them, made once: 20,000 take longer than some clients wait."""
+        if self._listed is None:
+            self._listed = bindings(names)
+        return self._listed
+
+    def converse(self, connection):
+        """Answer what comes from a client, until it, or the mode, has had enough: EOFError, OSError."""
+        while True:
+            request = read_request(connection)
+            answer = harmless_answer(request) if self._polite else None
+            if not request.expects_reply:
+                continue
+            if answer:
+                connection.sendall(answer)
+            else:
+                self._respond(self, connection, request)
+
+
 class Peer:
     """A port on 127.0.0.1 that misbehaves in one way until it is closed."""
 
     def __init__(self, mode):
-        self.mode = mode
-        self.listed = None
         self.sockets = []
         self.other = Peer(mode[len("elsewhere-"):]) if mode in ELSEWHERE else None
         self.listener = self.keep(socket.socket())
@@ -215,22 +248,13 @@ class Peer:
         if mode == "dead-host":
             self.fill_backlog()
         elif mode != "refused":             # a port that is bound but not listened to refuses, and stays ours
-            self.respond, self.polite = MODES[mode]
-            if mode == "many":
-                self.listing(MANY)
-            self.answers = malice.answers(self) if mode in malice.CHANGES else None
+            self.behaviour = Behaviour(mode, self.port, self.other and self.other.port)
             self.listener.listen(64)
             threading.Thread(target=self.accept, daemon=True).start()
 
     def keep(self, opened):
         self.sockets.append(opened)
         return opened
-
-    def listing(self, names):
-        """What list() returns for them, made once: 20,000 take longer than some clients wait."""
-        if self.listed is None:
-            self.listed = bindings(names)
-        return self.listed
 
     def fill_backlog(self):
         """The kernel drops SYNs to a full backlog."""
@@ -251,16 +275,8 @@ class Peer:
     def converse(self, connection):
         with connection:
             try:
-                while True:
-                    request = read_request(connection)
-                    answer = harmless_answer(request) if self.polite else None
-                    if not request.expects_reply:
-                        continue
-                    if answer:
-                        connection.sendall(answer)
-                    else:
-                        self.respond(self, connection, request)
-            except (EOFError, OSError):     # the client, or the mode, has had enough
+                self.behaviour.converse(connection)
+            except (EOFError, OSError):
                 pass
 
     def close(self):

@@ -50,14 +50,15 @@ UNHEARD = (
     errno.ENXIO,
     errno.EPERM,
 )
-LONGEST = 200  # seconds of all of them
+KINDS = 25  # of hostile peers that one run reads, others by another seed
+LONGEST = 600  # seconds of all of them, on however busy a machine
 # Seconds for a file of those that answer all that is asked.
 TALK_LIMIT = {
     "many-connectors": 10.0,
     "many-members": 10.0,
     "many-organizations": 10.0,
     "many-contexts": 10.0,
-    "many-ports": LONGEST,
+    "many-ports": 200.0,
 }
 GROWTH = 1024  # kB in the second half of the rounds
 
@@ -213,15 +214,15 @@ class Long(Case):
 
 
 class Peers(Case):
-    """Every peer that harms who reads it, as a component and as a name server: whatever is read of it ends,
-    in time.
+    """Peers that harm who reads them, as components and as name servers: whatever is read of them ends, in
+    time.
     """
 
     options = ["--timeout", str(running.TIMEOUT)]
 
     @classmethod
     def setUpClass(cls):
-        modes = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
+        modes = running.sample(sorted(set(faulty.MODES) | set(faulty.UNREACHABLE)), KINDS)
         cls.ports = around.faulty(*modes)
         for mode in modes:
             faulty.bind("%s/peer.host_cxt" % server[1:], {mode: cls.ports[mode]})
@@ -269,7 +270,7 @@ class Peers(Case):
             with open(path) as file:
                 file.read()
 
-    def test_every_peer(self):
+    def test_peers(self):
         places = {
             mode + " as component": os.path.join(self.root, "peer.host_cxt", mode + ".rtc")
             for mode in self.ports

@@ -1,14 +1,14 @@
-"""Every command against every kind of broken peer, as name server and as component: one calm line, in time,
-and no more memory than it needs. If one of these fails, a broken robot takes the tool that is to look after
-it along.
+"""Commands against every kind of broken peer, with real processes: one calm line, in time, and no more memory
+than it needs; every command against each is tried in tests/sim/test_peers.py. If one of these fails, a broken
+robot takes the tool that is to look after it along.
 """
 import os
-import re
 import unittest
 
 import invocations
+import peer_cases
 import running
-from mock_components import faulty, malice
+from mock_components import faulty
 
 ONCE = "how long a peer is waited for does not depend on the Python"
 BOTH = "each ORB reads answers in its own way"
@@ -20,49 +20,17 @@ except ImportError:
     raise unittest.SkipTest("needs omniORBpy")
 
 MODES = sorted(set(faulty.MODES) | set(faulty.UNREACHABLE))
-# these answer as a name server does, if strangely
-NAMING = {"hostile", "many", "loop", "bottomless", "branching"}
-SANE = NAMING | {"elsewhere-refused", "elsewhere-silent"} | set(malice.CHANGES)
 # kB at most, where these are more than running.RESIDENT: omniORB takes what the builtin ORB refuses.
 HEAVY = {"megabytes": 192 * 1024} if os.environ.get("RTSHELL_ORB") == "omniorb" else {}
-ENDLESS = {"many", "endless", "endless-nothing", "endless-long", "branching"}
-MOST_SAID = 2 << 20     # octets on stdout and stderr
-KEPT = 1 << 20          # octets of each
-# times MOST_SAID: 20,000 names are 20,000 lines of JSON
-LENGTHY = {"megabytes": 64, "many": 2, "endless-long": 20}
-SHORT = 150             # of 4,500 cases; these take 30 s of processor
-LISTS = ["many-contexts", "many-organizations", "many-members"]
-# these answer as many questions as are asked, or at great length
-TALKATIVE = {"many-ports", "many-ends", "many-connectors", *LISTS}
-TALK_LIMIT = 10.0       # seconds for them
+KEPT = 1 << 20          # octets of each of stdout and stderr
 LIST_TIMEOUT = 3.0      # of commands: such a list is made, and sent, by a machine that may be busy
-LIST_LIMIT = 60.0       # seconds for 20,000 names, each of which is asked for and then asked
-
-# The doctor promises three times the timeout; what asks one after the other may wait as often, such as
-# rtcheck --extra, which asks the components of the file, then all bad peers at once, for their ports and then
-# for their profiles. rttrace asks the doctor about the culprit.
-PATIENCE = {"rtdoctor": 3, "rttrace": 4, "rtsh": 2}
-
-BAD = {4}               # the peer is dead, silent or garbled
-# What the status may be besides: the answer of those that look is that the peer is bad, what asks only the
-# name server does not notice a bad component, and so on.
-ALSO = {role: invocations.statuses(role) for role in ("server", "component")}
 DELETING = invocations.stated("invocation")["rtdel"]
 
 
-class Case:
-    """One command line and one peer, as name server or as component."""
+class Case(peer_cases.Case):
+    """One with real processes."""
 
-    def __init__(self, number, command, line, mode, role, timeout=running.TIMEOUT):
-        self.timeout = timeout
-        self.number = number
-        self.command = command
-        self.line = line
-        self.mode = mode
-        self.role = role
-
-    def __str__(self):
-        return "%s %s, %s as %s" % (self.command, self.line, self.mode, self.role)
+    number = 0  # of its files
 
     def meant(self):
         """The meaning of the words of the tables."""
@@ -93,56 +61,20 @@ class Case:
         self.ran = self.ran._replace(out=self.ran.out[-2000:], err=self.ran.err[-2000:])
         return self
 
-    def limit(self):
-        """Seconds that it may take: what the command line asks for, and the timeout."""
-        if self.mode in ENDLESS and self.role == "server" and re.search("SERVER|--extra", self.line):
-            return LIST_LIMIT
-        if self.mode in TALKATIVE:
-            return TALK_LIMIT
-        return self.usual_limit()
-
-    def usual_limit(self):
-        """`limit` for peers that do not answer as many questions as are asked."""
-        seconds = re.findall(r"(?:-t|--wait|--measure|--limit)[ =]([\d.]+)", self.line)
-        asked = sum(map(float, seconds))
-        patience = 3 if "--extra" in self.line else PATIENCE.get(self.command, 1)
-        # twice: what it has read it also runs, and a slow machine takes as much longer for that (how long a
-        # command waits is proven to the tenth of a second in the bottle)
-        return asked + self.timeout * patience + running.SLACK + 2 * start_up
-
     def problems(self):
         """What is wrong with what it did, but how long it took."""
         ran = self.ran
-        lines = ran.err.decode("utf-8", "replace").splitlines()
-        is_told = b"Traceback" in ran.err or b"Traceback" in ran.out or b"internal error" in ran.err
-        if is_told or ran.status in (70, 141) or ran.status > 128:
-            yield "a bug"
+        out, err = [octets.decode("utf-8", "replace") for octets in (ran.out, ran.err)]
+        yield from self.judge(ran.status, out, err, ran.said)
         if ran.resident > HEAVY.get(self.mode, running.RESIDENT):
             yield "%d kB" % ran.resident
-        if ran.said > MOST_SAID * LENGTHY.get(self.mode, 1):
-            yield "%d octets said" % ran.said
-        if ran.status not in self.allowed():
-            yield "status %d, not of %s" % (ran.status, sorted(self.allowed()))
-        told = [line for line in lines if re.match(r"rt\w+: (/|\d+ of \d+ (did not|not asked))", line)]
-        if len(set(told)) < len(told):
-            yield "told twice"
-        about = [line for line in told if self.peer in line]
-        if self.mode not in SANE and len(about) > self.most_lines():
-            yield "%d lines" % len(about)
-        if ran.status not in (0, 1) and not told:
-            yield "no line"
 
-    def allowed(self):
-        """What the exit status may be."""
-        if self.mode in SANE:  # these answer, and what they answer may be taken for something
-            return {0, 1, 3, 4, 5, 6}
-        return BAD | ALSO[self.role].get(self.command, set())
-
-    def most_lines(self):
-        """One line, or one of each command of rtsh, of the component and of its connection, of each way to
-        ask a name server.
+    @staticmethod
+    def computing():
+        """Seconds that it may compute: what it has read it also runs, and a slow machine takes as much longer
+        for that (how long a command waits is proven to the tenth of a second in the bottle).
         """
-        return 2 if self.command in ("rtsh", "rtteardown") or "--extra" in self.line else 1
+        return running.SLACK + 2 * start_up
 
 
 def setUpModule():
@@ -164,20 +96,13 @@ def tearDownModule():
 
 
 def cases():
-    found = [
-        (command, line)
-        for command, lines in sorted(invocations.stated("invocation").items())
-        for line in lines
-    ]
-    return [
-        Case(number, command, line, mode, role)
-        for number, (command, line, mode, role) in enumerate(
-            (command, line, mode, role)
-            for role in ("server", "component")
-            for command, line in found
-            for mode in MODES
-        )
-    ]
+    """A command line for each kind of peer, others by another seed; with --long all of them."""
+    found = peer_cases.cases(Case, MODES)
+    for number, case in enumerate(found):
+        case.number = number
+    if running.THOROUGH:
+        return found
+    return [case for mode in MODES for case in running.sample([c for c in found if c.mode == mode], 1)]
 
 
 def control(_):
@@ -198,7 +123,7 @@ def run_all(chosen, parallel=running.PARALLEL):
 
 class Peers(unittest.TestCase):
     def test_every_command_against_every_peer(self):
-        done = run_all(running.sample(cases(), SHORT))
+        done = run_all(cases())
         ran = [case.ran for case in done]
         print(
             "figures: %d runs against %d kinds of peers; longest %.2f s with a timeout of %g s (start-up "
@@ -215,20 +140,20 @@ class Peers(unittest.TestCase):
         for case in done:
             with self.subTest(str(case)):
                 self.assertEqual(case.found, [], case.ran)
-                self.assertLessEqual(case.ran.seconds, case.limit(), case.ran)
+                self.assertLessEqual(case.ran.seconds, case.limit() + case.computing(), case.ran)
 
+    @unittest.skipIf(os.environ.get("RTSHELL_ORB") != "omniorb", "our own ORB is tried in the bottle")
     def test_long_lists(self):
         """What one component can list, such as 5,000 contexts, is not asked one by one."""
-        lines = ["rtwatch -t 1 A", "rtcat -l A", "rtls -l A", "rtec A", "rtact A", "rtdoctor A"]
-        chosen = [
-            Case(number, line.split()[0], line.partition(" ")[2], mode, "component", LIST_TIMEOUT)
-            for number, (line, mode) in enumerate((line, mode) for line in lines for mode in LISTS)
-        ]
+        chosen = peer_cases.long_lists(Case, timeout=LIST_TIMEOUT)
+        for number, case in enumerate(chosen):
+            case.number = number
         for case in run_all(chosen, 2):
             with self.subTest(str(case)):
                 self.assertEqual(case.found, [], case.ran)
                 # a thousand of them are looked up and shown meanwhile, which takes a processor as long again
-                self.assertLessEqual(case.ran.seconds, case.usual_limit() + 2 * start_up, case.ran)
+                limit = case.usual_limit() + case.computing() + 2 * start_up
+                self.assertLessEqual(case.ran.seconds, limit, case.ran)
                 if case.command == "rtcat":
                     self.assertIn(b"are left out", case.ran.err)
 

@@ -660,6 +660,7 @@ class Socket:
         self.is_connected = False
         self.is_of_client = False
         self.is_closed = False
+        self.is_abrupt = False  # its end is RST
         self._under_way = 0  # octets that have been sent, and have not arrived
         self._sent = collections.deque()  # (when it arrives, function, arguments), the oldest first
         self._is_repeating = False  # what was lost is sent again
@@ -677,8 +678,8 @@ class Socket:
     def setblocking(self, flag):
         pass
 
-    def setsockopt(self, *args):
-        pass
+    def setsockopt(self, level, option, value):
+        self.is_abrupt = self.is_abrupt or option == _socket.SO_LINGER
 
     def getsockopt(self, level, option):
         code = self.error
@@ -779,7 +780,8 @@ class Socket:
             for each in self.backlog:
                 each.close()
         elif self.peer is not None:
-            self._travel(self.peer.break_off if self.incoming else self.peer.come_to_end)
+            is_abrupt = self.is_abrupt or self.incoming
+            self._travel(self.peer.break_off if is_abrupt else self.peer.come_to_end)
 
     # ---- what its kernel does ----
 

@@ -21,14 +21,14 @@ log that was recorded before.
 import os
 import re
 
-import processes
 import transcripts
+
+COMMANDS = os.path.join(os.path.dirname(os.path.dirname(transcripts.COMMANDS)), "bin")
 
 
 def all_commands():
     """Names of all commands in bin/."""
-    directory = os.path.join(processes.ROOT, "bin")
-    return sorted(name for name in os.listdir(directory) if re.match(r"rt[a-z]+$", name))
+    return sorted(name for name in os.listdir(COMMANDS) if re.match(r"rt[a-z]+$", name))
 
 
 def stated(kind):

@@ -9,7 +9,7 @@ import unittest
 import invocations
 import transcripts
 
-BIN = os.path.join(invocations.processes.ROOT, "bin")
+BIN = invocations.COMMANDS
 COMMANDS = invocations.all_commands()
 
 

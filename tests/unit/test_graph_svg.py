@@ -16,6 +16,8 @@ from rtshell_lite.views import graph, graph_svg, graph_text
 from rtshell_lite.views.layered import lines
 from rtshell_lite.xmlprofile import model, rtsprofile
 
+ONCE = "where boxes and lines are put is arithmetic"
+
 SVG = "{http://www.w3.org/2000/svg}"
 
 

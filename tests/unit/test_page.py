@@ -19,6 +19,8 @@ from rtshell_lite.system import page_file
 from rtshell_lite.views import graph, page, page_groups, part
 from rtshell_lite.xmlprofile import model
 
+ONCE = "what a page holds is arithmetic and text"
+
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WEB = os.path.join(ROOT, "rtshell_lite", "views", "web")
 LONGEST = 1000  # lines of the scripts
