@@ -170,9 +170,9 @@ class Robot(robots.Robot):
 class Command:
     """A command that was typed: `program`, what it has printed that was not shown."""
 
-    def __init__(self, host, words, environment, work):
+    def __init__(self, host, words, environment, work, output=None):
         name, *more = words
-        self.program = worlds.Program(host, name, users.typed(name, more, work), more, environment)
+        self.program = worlds.Program(host, name, users.typed(name, more, work), more, environment, output)
         self._shown = [0, 0]
 
     def told(self):

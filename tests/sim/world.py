@@ -212,7 +212,9 @@ class Program:
     NoSuchHost = _socket.gaierror
     FUSE = os.curdir  # which is there
 
-    def __init__(self, host, name, main, argv=(), environment=None):
+    def __init__(self, host, name, main, argv=(), environment=None, output=None):
+        """`output`: the class of stdout and stderr; Output, or Terminal."""
+        output = output or Output
         self.host = host
         self.world = host.world
         self.name = name
@@ -236,8 +238,8 @@ class Program:
         self.stops = []  # [[from, until or None]]
         self.begun = self.world.time
         self.ended = None  # when
-        self.out = Output()
-        self.error = Output()
+        self.out = output()
+        self.error = output()
         self.loop = None
         self.failure = None  # what main() has raised
         self.lag = 0.0  # seconds that its answers take longer
@@ -423,6 +425,10 @@ class Program:
     def write_to(self, descriptor, data):
         self.sockets[descriptor].write_to(data)
 
+    def takes(self, descriptor):
+        """Whether what reads it is not slow."""
+        return True
+
     def lock(self, directory):
         """Nobody waits for it."""
 
@@ -556,8 +562,35 @@ class Output(io.TextIOWrapper):
         """All that was printed; it is the end of the file."""
         self.flush()
         os.lseek(self.fileno(), 0, os.SEEK_SET)
-        with open(os.dup(self.fileno()), encoding="utf-8") as file:
+        with open(os.dup(self.fileno()), encoding="utf-8", errors="backslashreplace", newline="") as file:
             return file.read()
+
+
+class Terminal(Output):
+    """A terminal, which only shows what is written to it."""
+
+    def isatty(self):
+        return True
+
+
+def _check_terminal():
+    """Raises OSError if the program that runs now is not on a Terminal."""
+    if not isinstance(sys.stderr, Terminal):
+        raise OSError(errno.ENOTTY, os.strerror(errno.ENOTTY))
+
+
+def _terminal_size(descriptor):
+    _check_terminal()
+    return os.terminal_size((80, 24))
+
+
+def _terminal_group(descriptor):
+    _check_terminal()
+    return os.getpgrp()
+
+
+os.get_terminal_size = _terminal_size
+os.tcgetpgrp = _terminal_group
 
 
 class Child:
