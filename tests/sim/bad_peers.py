@@ -35,9 +35,11 @@ class Peer(peers.Listener):
 
     def __init__(self, host, mode):
         port = host.free_port()
+        self._other = None
         other = None
         if mode == "elsewhere-silent":
-            other = Peer(host, "silent").port
+            self._other = Peer(host, "silent")
+            other = self._other.port
         elif mode == "elsewhere-refused":
             other = host.free_port()
         self._behaviour = faulty.Behaviour(mode, port, other)
@@ -45,6 +47,11 @@ class Peer(peers.Listener):
         self.strands = {}
         self.is_ended = False
         super().__init__(host, port)
+
+    def close(self):
+        super().close()
+        if self._other is not None:
+            self._other.close()
 
     def reference(self):
         """What its name leads to where it is bound as a component; made in a process of mocks."""

@@ -22,6 +22,7 @@ from rtshell_lite import cli, notes  # noqa: E402
 
 ONCE = "how long a peer is waited for does not depend on the Python"
 SETTINGS = [("world", "linked")]
+LEFT = 0.01  # seconds of the world, in which a peer ends that is closed
 LONGEST = 200.0  # seconds of the world, after which it counts as endless
 EACH = 40  # of so many cases one is tried, another one by another seed; with --long all
 SEED = int(os.environ.get("RTSHELL_SEED", "1"))
@@ -37,25 +38,30 @@ class Case(peer_cases.Case):
     def problems(self):
         """What is wrong with what it does."""
         player = stories.Player(SETTINGS)
+        peer = bad_peers.Peer(player.world.hosts["robot"], self.mode)
         try:
-            self._run(player, bad_peers.Peer(player.world.hosts["robot"], self.mode))
+            return list(self._judge(self._run(player, peer)))
         finally:
+            peer.close()
+            player.world.run(player.world.time + LEFT)
             player.end()
-        program = self.program
+
+    def _judge(self, program):
         if not program.is_over:
-            return ["it does not end"]
+            yield "it does not end"
+            return
         if program.failure is not None:
-            return [repr(program.failure)]
+            yield repr(program.failure)
+            return
+        out = program.out.text()
         self.err = program.error.text()
         self.seconds = program.ended - program.begun
-        return list(self._judge(program.status, program.out.text()))
-
-    def _judge(self, status, out):
-        yield from self.judge(status, out, self.err, len(out) + len(self.err))
+        yield from self.judge(program.status, out, self.err, len(out) + len(self.err))
         if self.seconds > self.limit() + SLACK:
             yield f"{self.seconds:.1f} s, more than {self.limit() + SLACK:.1f}"
 
     def _run(self, player, peer):
+        """Run the command; its Program."""
         environment = dict(player.environment, RTSHELL_TIMEOUT=str(self.timeout))
         if self.role == "server":
             server = f"/127.0.0.1:{peer.port}"
@@ -78,8 +84,8 @@ class Case(peer_cases.Case):
             file.write(text)
         words = [self.command] + invocations.words(self.line, meant)
         command = stories.Command(player.seat, words, environment, 0.0)
-        self.program = command.program
         player.world.run(player.world.time + LONGEST, lambda: command.program.is_over)
+        return command.program
 
 
 class Peers(unittest.TestCase):
