@@ -316,11 +316,11 @@ class Hostile(Case):
     def test_objects_of_one_octet(self):
         """3 MB took 250 MB."""
         for pickled in (
-            b"N" + b"\x94" * 200000 + b".",
-            b"(" + b"}" * 200000 + b"t.",
-            b"(" + b"]\x94" * 200000,
-            b"(cknown\nKnown\nq\0" + b"h\0)\x81" * 50000 + b"t.",
-            b"N" + b"2" * 200000,
+            b"N" + b"\x94" * 600000 + b".",
+            b"(" + b"}" * 600000 + b"t.",
+            b"(" + b"]\x94" * 600000,
+            b"(cknown\nKnown\nq\0" + b"h\0)\x81" * 150000 + b"t.",
+            b"N" + b"2" * 600000,
         ):
             tracemalloc.start()
             try:
