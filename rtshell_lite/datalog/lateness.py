@@ -25,14 +25,9 @@ async def watch(opened, report):
     """
     while True:
         buffered = [_Buffered(reader) for reader in opened.live() if not reader.holds_up()]
-        pauses = []  # type: list
-        try:
-            share = await _measure(opened, pauses)
-            if pauses:
-                await _report_missing(buffered, pauses)
-        except loop.Cancelled:  # the recording ends, so that nothing settles
-            _report_lacking(buffered, pauses)
-            raise
+        share, pauses = await _measure(opened)
+        if pauses:
+            await _report_missing(buffered, pauses)
         if share <= MOST:
             continue
         waiting = [reader for reader in opened.live() if reader.holds_up()]
@@ -47,13 +42,14 @@ async def watch(opened, report):
             report(reader)
 
 
-async def _measure(opened, pauses):
-    """For which part of a span this process has answered nobody; the `pauses` in which it stood still are
-    added, (first, last) ns since the epoch. 0, and no pauses, where it was disconnected meanwhile.
+async def _measure(opened):
+    """(for which part of a span this process has answered nobody, the pauses in which it stood still:
+    [(first, last)] ns since the epoch); (0, []) where it was disconnected meanwhile.
     """
     begun = loop.now()
     absences = opened.absences
     late = 0.0
+    pauses = []
     while loop.now() < begun + SPAN:
         due = loop.now() + LOOK
         await loop.sleep(LOOK)
@@ -62,28 +58,24 @@ async def _measure(opened, pauses):
         if behind > STILL:
             now = int(loop.wall() * 1e9)
             pauses.append((now - int(behind * 1e9), now))
-        if opened.absences != absences:
-            pauses.clear()
-            return 0.0
-    return late / (loop.now() - begun)
+    if opened.absences != absences:
+        return 0.0, []
+    return late / (loop.now() - begun), pauses
 
 
 class _Buffered:
-    """A Reader whose values wait in a buffer of its port, at the beginning of a span.
-
-    usual  how many values came a second until then, None where few had come
-    """
+    """A Reader whose values wait in a buffer of its port, at the beginning of a span."""
 
     def __init__(self, reader):
         self.reader = reader
         self.connector = reader.connector
         self._begun = loop.now()
         self._count = reader.count
-        self.usual = reader.rate()
+        self._rate = reader.rate()
 
     def is_full_after(self, pauses):
         """Whether its buffer may have been too short for the longest pause."""
-        rate = self.usual
+        rate = self._rate
         if rate is None:  # the span began when few had come; in pauses none does
             reading_for = loop.now() - self._begun - sum(map(_seconds, pauses))
             rate = (self.reader.count - self._count) / max(reading_for, LOOK)
@@ -92,7 +84,7 @@ class _Buffered:
     def report(self, rate, pauses):
         """Report what has not come; `rate`: how many values come a second now."""
         reader = self.reader
-        rate = min(rate, self.usual or rate)
+        rate = min(rate, self._rate or rate)
         excess = rate * _longest(pauses) - reader.room
         lacking = rate * (loop.now() - self._begun) - (reader.count - self._count)
         is_lost = excess > 0 and lacking > max(reading.FEWEST, SURE * excess)
@@ -101,7 +93,7 @@ class _Buffered:
 
 
 async def _report_missing(buffered, pauses):
-    """Report the values that these _Buffered have lost in pauses, and forget these."""
+    """Report the values that these _Buffered have lost in pauses."""
     doubtful = [buffer for buffer in buffered if buffer.is_full_after(pauses)]
     if not doubtful:
         return
@@ -112,15 +104,6 @@ async def _report_missing(buffered, pauses):
     passed = loop.now() - begun
     for buffer, before in zip(doubtful, counts):
         buffer.report((buffer.reader.count - before) / passed, pauses)
-    pauses.clear()
-
-
-def _report_lacking(buffered, pauses):
-    """The same at the end, when what waits in a buffer is lacking, too."""
-    for buffer in buffered:
-        rate = buffer.usual or buffer.reader.rate()
-        if pauses and rate is not None and buffer.is_full_after(pauses):
-            buffer.report(rate, pauses)
 
 
 def _seconds(pause):

@@ -14,9 +14,9 @@ def mismatches(ends, properties):
 
     `properties` are those of the connection, a dict: in them the consumers look for what providers have
     published (protocol.md 10). Another connection of its port may serve a consumer. Nothing is known of ports
-    that list no interfaces.
+    that list no interfaces, nor of who is at the other side of one that is connected alone.
     """
-    if not all(port.interfaces for port in ends):
+    if len(ends) == 1 or not all(port.interfaces for port in ends):
         return []
     wanting = [
         (port, interface)

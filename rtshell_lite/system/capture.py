@@ -423,6 +423,7 @@ def _connector(connector, pairs):
     an out port and an in port first.
     """
     data = any(port.type in ports.DATA for _, port in pairs)
+    data = data or len(pairs) == 1  # one that is connected alone, by a transport that the properties name
     if data:
         first = [
             next((end for end in pairs if end[1].type == kind), None)

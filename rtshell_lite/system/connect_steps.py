@@ -232,8 +232,7 @@ class Connect(ConnectionStep):
         obstacle = obstacle or self._obstacle(joined)
         wanted_id = self.connector.connector_id or None
         if len(joined) == 1:
-            carrier = self.connector.interface_type or "itself"
-            return Difference("one-port connection", carrier, wanted_id, None, obstacle)
+            return Difference("one-port connection", self.connector.interface_type, wanted_id, None, obstacle)
         for other in self.others(joined):
             return Difference("other connection", None, wanted_id, other.id, obstacle)
         actual = next((connector.id for connector in ports.joining(joined)), None)

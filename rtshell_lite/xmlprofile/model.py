@@ -199,7 +199,6 @@ class DataPortConnector(Connector):
 
 class ServicePortConnector(Connector):
     XSI_TYPE = "rtsExt:serviceport_connector_ext"
-    interface_type = ""  # as of data ports: where it has one end, nothing carries its calls
     FIELDS = (
         Field("connector_id", "rts:connectorId", always=True),
         Field("name", "rts:name", always=True),

@@ -103,7 +103,6 @@ class DataPortConnector(Connector):
     properties: List[Property]
 
 class ServicePortConnector(Connector):
-    interface_type: str
     connector_id: str
     name: str
     trans_method: str

@@ -153,11 +153,6 @@ class Dot(unittest.TestCase):
         profile = model.RtsProfile(components=[component("A")], data_port_connectors=[data(("A", "A.out"))])
         self.assertEqual(self.check(profile)[3:-1], ['  A [label="{{}|A|{}}"];'])
 
-    def test_a_service_that_is_connected_alone(self):
-        alone = model.ServicePortConnector(connector_id="x", target=target("A", "A.svc"))
-        profile = model.RtsProfile(components=[component("A")], service_port_connectors=[alone])
-        self.assertEqual(self.check(profile)[3:-1], ['  A [label="{{}|A|{}}"];'])
-
     def test_a_component_that_the_profile_lacks(self):
         profile = model.RtsProfile(
             components=[component("A")], data_port_connectors=[data(("A", "A.out"), ("Gone", "in"))]

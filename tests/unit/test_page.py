@@ -187,12 +187,6 @@ class Data(unittest.TestCase):
         self.assertEqual({tuple(end[0] for end in each["ends"]) for each in data["connections"]},
                          {(edge[0], edge[2]) for edge in picture.edges})
 
-    def test_a_service_that_is_connected_alone(self):
-        end = test_graph.target("A", "A.svc")
-        alone = model.ServicePortConnector(connector_id="x", source=end)
-        profile = model.RtsProfile(components=[test_graph.component("A")], service_port_connectors=[alone])
-        self.assertEqual([box["name"] for box in data_of(page_of(profile))["boxes"]], ["A"])
-
     def test_random_ones(self):
         """Of any profile: numbers lead to what is there, no text can end the data."""
         for seed in range(60):

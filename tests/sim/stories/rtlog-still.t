@@ -65,30 +65,3 @@ The events beside the values say it at once:
   $ wait rtlog
   ! rtlog: values are missing (intervals: 1); rtlog show says when
   [143] after 12.0 s
-
-So does the end of a recording, where it comes before the port has settled:
-
-  $ rtlog record -q --only '*:number' -f f.mcap Source0.rtc &
-  $ sleep 6
-  $ stop rtlog
-  $ sleep 6
-  $ wake rtlog
-  $ sleep 1
-  $ strike TERM rtlog
-  $ wait rtlog
-  ! rtlog: values are missing (intervals: 1); rtlog show says when
-  [143] after 13.0 s
-  $ rtlog show f.mcap
-  Name: f.mcap
-  Size: 693.92KiB (710574B)
-  Start time: 2027-01-15 08:00:24 (24.0)
-  First entry time: 2027-01-15 08:00:24 (24.0)
-  End time: 2027-01-15 08:00:37 (37.0)
-  Number of entries: 11088
-  Missing: 2027-01-15 08:00:30 (30.0) until 2027-01-15 08:00:36 (36.0): 1903 values of /robot/test.host_cxt/Source0.rtc:number: rtlog stood still, and they exceeded the port's buffer
-  Channel 1
-    Name: /robot/test.host_cxt/Source0.rtc:number
-    Data type: IDL:RTC/TimedLong:1.0
-    Number of entries: 11088
-    Sources:
-      /robot/test.host_cxt/Source0.rtc:number
