@@ -422,9 +422,9 @@ def _connector(connector, pairs):
     """The model's connector of a ports.Connector with (ComponentState, Port) as ends,
     an out port and an in port first.
     """
-    data = any(port.type in ports.DATA for _, port in pairs)
-    data = data or len(pairs) == 1  # one that is connected alone, by a transport that the properties name
-    if data:
+    # where a port is connected alone, of whatever kind, the properties name the transport
+    is_data = len(pairs) == 1 or any(port.type in ports.DATA for _, port in pairs)
+    if is_data:
         first = [
             next((end for end in pairs if end[1].type == kind), None)
             for kind in ("DataOutPort", "DataInPort")
@@ -439,7 +439,7 @@ def _connector(connector, pairs):
     properties = [
         (name, value) for name, value in sorted(connector.properties) if not is_reference(name, value)
     ]
-    if data:
+    if is_data:
         given = dict(properties)
         described = model.DataPortConnector(**{key: given.get("dataport." + key, "") for key in DATA_FIELDS})
     else:

@@ -4,6 +4,7 @@ If one of these fails, a broken robot takes the tool that is to look after it al
 tried in tests/faults/test_peers.py.
 """
 
+import gc
 import os
 import shutil
 import sys
@@ -91,8 +92,8 @@ class Case(peer_cases.Case):
 class Peers(unittest.TestCase):
     def setUp(self):
         notes.listener = cli._hear
-        test_nth.gc.disable()  # see `collect` there
-        self.addCleanup(test_nth.gc.enable)
+        gc.disable()  # see test_nth.collect
+        self.addCleanup(gc.enable)
         self.addCleanup(os.chdir, os.getcwd())
         place = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, place)

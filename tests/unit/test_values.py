@@ -267,11 +267,11 @@ MISFITS = (
     ("RTC.TimedLong({time}, 1.0)", "RTC.TimedLong: data: not a long: 1.0"),
     (
         "RTC.TimedShort({time}, 40000)",
-        "RTC.TimedShort: data: out of range for a short " "(-32768 to 32767): 40000",
+        "RTC.TimedShort: data: out of range for a short (-32768 to 32767): 40000",
     ),
     (
         "RTC.TimedULong({time}, -1)",
-        "RTC.TimedULong: data: out of range for an unsigned long " "(0 to 4294967295): -1",
+        "RTC.TimedULong: data: out of range for an unsigned long (0 to 4294967295): -1",
     ),
     ("RTC.TimedFloat({time}, 1e39)", "RTC.TimedFloat: data: out of range for a float: 1e+39"),
     ("RTC.TimedChar({time}, 'ab')", "RTC.TimedChar: data: not a char: 'ab'"),
@@ -291,7 +291,7 @@ MISFITS = (
     ),
     (
         "RTC.TimedPose2D({time}, RTC.Point2D(1, 2))",
-        "RTC.TimedPose2D: data: not a Pose2D: " "RTC.Point2D",
+        "RTC.TimedPose2D: data: not a Pose2D: RTC.Point2D",
     ),
     (
         "RTC.TimedPose2D({time}, RTC.Pose2D(RTC.Point2D(1, 2)))",
@@ -314,8 +314,7 @@ MISFITS = (
     (
         "RTC.GripperState({time}, OPEN)",
         "RTC.GripperState: status: no GripperStatus: OPEN "
-        "(they are "
-        "GRIPPER_STATE_OPEN, GRIPPER_STATE_CLOSED, GRIPPER_STATE_MOVING, GRIPPER_STATE_UNKNOWN)",
+        "(they are GRIPPER_STATE_OPEN, GRIPPER_STATE_CLOSED, GRIPPER_STATE_MOVING, GRIPPER_STATE_UNKNOWN)",
     ),
 )
 
