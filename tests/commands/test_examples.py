@@ -66,6 +66,7 @@ PREPARED['rtfind -q --wait 60 --state active / -n Motor0.rtc || echo "Motor0 is 
 NAMES = [
     ("--map robot=localhost --only '*Image*'", "--only '*Console*'"),
     ("--serve 2809 --loop", "--serve @FREE@ -t 1"),
+    ("--listen -l", "--listen @FREE@ -l"),
     ("--listen 0.0.0.0:24224 --from", "--listen 0.0.0.0:@FREE@ --from"),
     ("--when-connected replay.host_cxt", "-t 1 replay.host_cxt"),
     ("arm.host_cxt", CONTEXT),
