@@ -1,11 +1,12 @@
-rtinject sends to all implementations of OpenRTM.
+rtinject sends to all implementations of OpenRTM. It waits for two cycles of a component and a bit: at 10 Hz
+that is long enough for one on a busy machine, which may run 0.1 s late.
 
-world: two --flavour cpp11 --context cpp11.host_cxt/%n.rtc
-world: two --flavour cpp12 --context cpp12.host_cxt/%n.rtc
-world: two --flavour cpp2 --context cpp2.host_cxt/%n.rtc
-world: two --flavour py2 --context py2.host_cxt/%n.rtc
-world: two --flavour java --context java.host_cxt/%n.rtc
-world: two --flavour rtorb --context rtorb.host_cxt/%n.rtc
+world: two --flavour cpp11 --rate 10 --context cpp11.host_cxt/%n.rtc
+world: two --flavour cpp12 --rate 10 --context cpp12.host_cxt/%n.rtc
+world: two --flavour cpp2 --rate 10 --context cpp2.host_cxt/%n.rtc
+world: two --flavour py2 --rate 10 --context py2.host_cxt/%n.rtc
+world: two --flavour java --rate 10 --context java.host_cxt/%n.rtc
+world: two --flavour rtorb --rate 10 --context rtorb.host_cxt/%n.rtc
 
   $ for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtact --wait ../$v.host_cxt/ConsoleOut0.rtc; done
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtinject "$@" ../$v.host_cxt/ConsoleOut0.rtc:in; \
