@@ -19,6 +19,7 @@ write COMPONENT:PORT NUMBER  let an OutPort send a value made of that number
 answer COMPONENT:PORT STATUS  an InPort refuses values: BUFFER_FULL, PORT_ERROR …; PORT_OK: takes them again
 refuse COMPONENT:PORT CODE  a data port refuses connections: RTC_ERROR …; RTC_OK: takes them again
 connectors COMPONENT:PORT  id and name of each connection
+blind COMPONENT:PORT       its connectors show nil in the place of all other ports
 forget COMPONENT:PORT      let the last port of connections forget them, and the others not
 state COMPONENT [HANDLE]   its state in its first context, or in another: 1000 of the composite that has taken it
 error COMPONENT            put it into the Error state

@@ -64,6 +64,9 @@ class Commands:
         getattr(RTC, code)
         self.stage.port(port).refusal = None if code == "RTC_OK" else code
 
+    def blind(self, port):
+        self.stage.port(port).is_blind = True
+
     def connectors(self, port):
         return [f"{p.connector_id} {p.name}" for p in list(self.stage.port(port).profiles.values())]
 

@@ -21,6 +21,7 @@ class Port(carrier.skeleton("RTC.PortService")):
         self.transports = {}            # connector id -> what carries its data
         # by a connector that no profile shows: the next disconnection never ends
         self.haunted = False
+        self.is_blind = False  # its profile shows nil in the place of the other ports of connectors
 
     # to be given by the kinds of port
 
@@ -54,8 +55,22 @@ class Port(carrier.skeleton("RTC.PortService")):
     # profiles
 
     def profile(self):
-        return RTC.PortProfile(self.name, self.interfaces(), self.reference, list(self.profiles.values()),
+        return RTC.PortProfile(self.name, self.interfaces(), self.reference, self._connectors(),
                                self.component.reference, nvlist(self.properties()))
+
+    def _connectors(self):
+        """The connector profiles that it shows."""
+        if not self.is_blind:
+            return list(self.profiles.values())
+        return [
+            RTC.ConnectorProfile(
+                each.name,
+                each.connector_id,
+                [port if self.reference._is_equivalent(port) else None for port in each.ports],
+                each.properties,
+            )
+            for each in list(self.profiles.values())
+        ]
 
     def get_port_profile(self):
         self._prune()
@@ -63,7 +78,7 @@ class Port(carrier.skeleton("RTC.PortService")):
 
     def get_connector_profiles(self):
         self._prune()
-        return list(self.profiles.values())
+        return self._connectors()
 
     def get_connector_profile(self, connector_id):
         return self.profiles.get(connector_id) or RTC.ConnectorProfile("", "", [], [])
@@ -159,7 +174,7 @@ class Port(carrier.skeleton("RTC.PortService")):
         return [port for port in ports if not self.reference._is_equivalent(port)]
 
     def _connected(self, ports):
-        return any(self.reference._is_equivalent(port) for port in ports)
+        return any(port is not None and self.reference._is_equivalent(port) for port in ports)
 
     def _doubles_allowed(self, profile):
         return get(profile.properties, "dataport.allow_dup_connection").upper() == "YES"

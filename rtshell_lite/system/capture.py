@@ -388,18 +388,32 @@ def _connectors(answers, outside, silent, notes):
     inner = []
     loose = []
     for port, connector, refs in connectors.values():
+        if None in connector.ports:
+            if _is_shown_whole(connector, refs, connectors):
+                continue
+            where = f"connection {printable(connector.id)} of {ports.label(port)}"
+            notes.append(f"{where}: an end of it is nothing (nil), left out")
         inside = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
         unknown = [ref for ref in refs if orb.identity(ref) not in ends]
         for ref in unknown:
             name = _name(outside[orb.identity(ref)], ref, silent)
             where = f"connection {printable(connector.id)} of {ports.label(port)}"
             notes.append(f"{where}: its end {name} is not in the system, left out")
-        if len(inside) > 1 or len(refs) == 1:
+        if len(inside) > 1 or inside and len(connector.ports) == 1:
             inner.append(_connector(connector, inside))
         elif unknown and outside[orb.identity(unknown[0])].port is None:
             loose.append(Loose(_connector(connector, inside), orb.endpoint(unknown[0]), notes[-1]))
     loose.sort(key=lambda connection: _connector_key(connection.connector))
     return sorted(inner, key=_connector_key), loose
+
+
+def _is_shown_whole(connector, refs, connectors):
+    """Whether another port shows all ends of a connector, some of which are nil here."""
+    known = set(map(orb.identity, refs))
+    return any(
+        number == connector.id and known < identities and None not in other.ports
+        for (number, identities), (_, other, _) in connectors.items()
+    )
 
 
 def _connector_key(connector):
