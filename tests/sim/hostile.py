@@ -13,9 +13,9 @@ from mock_components import wicked
 
 KEYS = list(wicked.STRINGS)
 FATAL = set(invocations.stated("fatal")) | {"rtmgr"}  # after these the world is another
-USAGE = {"rtinject": {70}}  # the value does not fit the type of these ports
 # what these print to what is no terminal has to come as it is, to be given back
 AS_IT_IS = ("A getstructure", "A get p", "A get_sdo_id --limit 2")
+FITTING = [('-c {"data":1}', '-c {"data":"1"}'), ("-c 1 ", '-c "1" ')]  # these ports take texts
 READING = ("-d -f LOG", "-p -f LOG", "--csv -f LOG", "--json -f LOG")  # rtlog without asking anybody
 SHELLS = [
     words for words in (["dash"], ["busybox", "ash"], ["bash"], ["zsh"], ["mksh"]) if shutil.which(words[0])
@@ -66,6 +66,8 @@ class Place:
         manager = self.home.child(path.Name(wicked.STRINGS["substitution"], "mgr"))
         meant = {"SERVER": str(self.home), "A": str(self.component(key)), "B": str(self.component(other))}
         meant.update(OUT="out", LOG=self.log, MGR=str(manager), FILE=self.profile)
+        for number, text_of_it in FITTING:
+            line = line.replace(number, text_of_it)
         words = []
         for word in invocations.words(line, {name: name for name in meant}):
             port = re.match("(A|B):(out|in)$", word)
@@ -87,7 +89,7 @@ def problems(command, line, on_terminal, status, out, err):
     if command == "rtmgr":
         said = said.replace("instance name:\t", "")  # as rtshell writes it
     is_bug = "Traceback" in said or "internal error" in said
-    if status in USAGE.get(command, {2, 70}) or status > 128 or is_bug:
+    if status in (2, 70) or status > 128 or is_bug:
         yield "status %d" % status
     for harm in list(HARMFUL.finditer(said))[:3]:
         yield "harmful: %r" % said[max(0, harm.start() - 30):harm.end() + 10]
