@@ -24,8 +24,8 @@ import time
 from rtshell_lite.giop import messages
 
 from . import malice
-from .giop import (COMPONENT, CONTEXT, FRAGMENT, REPLY, bad_operation, bindings, cdr, component_profile,
-                   harmless_answer, read_request, reference, reply, stringified)
+from .giop import (COMPONENT, CONTEXT, FRAGMENT, MANAGER, REPLY, bad_operation, bindings, cdr,
+                   component_profile, harmless_answer, read_request, reference, reply, stringified)
 
 LIFETIME = 3600
 
@@ -50,6 +50,7 @@ HOSTILE_NAMES = [
     (b"", b""),
     (b"L" * 65536, b"rtc"),
 ]
+TYPES = {b"rtc": COMPONENT, b"mgr": MANAGER}  # of what a name of that kind leads to
 MANY = [(b"n%06d" % number, b"rtc") for number in range(20000)]
 
 
@@ -139,7 +140,7 @@ def hostile(peer, connection, request):
 
 def many(peer, connection, request):
     """Lists 20,000 components in one reply of 1 MB."""
-    name_server(peer, connection, request, MANY)
+    name_server(peer, connection, request, peer.many)
 
 
 def loop(peer, connection, request):
@@ -173,7 +174,7 @@ def name_server(peer, connection, request, names, port=None, key=b"faulty"):
     elif request.operation == "resolve":
         arguments = request.arguments
         kinds = [(arguments.string(), arguments.string())[1] for _ in range(arguments.number())]
-        type_id = COMPONENT if kinds[-1:] == [b"rtc"] else CONTEXT
+        type_id = TYPES.get(kinds[-1] if kinds else b"", CONTEXT)
         answer = reply(request, reference(port or peer.port, type_id, key))
     else:
         answer = bad_operation(request)
@@ -203,18 +204,19 @@ MODES.update({name: (malice.respond, True) for name in malice.CHANGES})
 
 class Behaviour:
     """What a peer of a mode does that listens at a port of 127.0.0.1; `other`: a port where another one does,
-    of those of ELSEWHERE.
+    of those of ELSEWHERE; `many`: the names that the mode of that name lists.
     """
 
-    def __init__(self, mode, port, other=None):
+    def __init__(self, mode, port, other=None, many=MANY):
         self.mode = mode
         self.port = port
         self.other = other
+        self.many = many
         self.sleep = time.sleep
         self._respond, self._polite = MODES[mode]
         self._listed = None
         if mode == "many":
-            self.listing(MANY)
+            self.listing(many)
         self.answers = malice.answers(self) if mode in malice.CHANGES else None
 
     def listing(self, names):

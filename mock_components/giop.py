@@ -5,6 +5,7 @@ import struct
 from rtshell_lite.giop import messages, references, requests
 
 COMPONENT = "IDL:openrtm.aist.go.jp/OpenRTM/DataFlowComponent:1.0"
+MANAGER = "IDL:RTM/Manager:1.0"
 CONTEXT = "IDL:omg.org/CosNaming/NamingContext:1.0"
 
 REQUEST, REPLY, LOCATE_REQUEST, LOCATE_REPLY, FRAGMENT = 0, 1, 3, 4, 7

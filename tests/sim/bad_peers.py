@@ -4,15 +4,13 @@ import carrier
 import peers
 
 from mock_components import faulty
-from mock_components.giop import COMPONENT
 
 from rtshell_lite.giop import references
 from rtshell_lite.net import loop, tcp
 
 MODES = sorted(faulty.MODES)
 BANDWIDTH = 2.5e6  # octets a second that a peer sends: what comes without end takes time
-NAMES = 2000  # that `many` lists, as each takes our processor as long as on a robot
-del faulty.MANY[NAMES:]
+MANY = faulty.MANY[:2000]  # that `many` lists here, as each takes our processor as long as on a robot
 
 
 class Connection:
@@ -42,7 +40,7 @@ class Peer(peers.Listener):
             other = self._other.port
         elif mode == "elsewhere-refused":
             other = host.free_port()
-        self._behaviour = faulty.Behaviour(mode, port, other)
+        self._behaviour = faulty.Behaviour(mode, port, other, MANY)
         self._behaviour.sleep = carrier.sleep
         self.strands = {}
         self.is_ended = False
@@ -53,9 +51,13 @@ class Peer(peers.Listener):
         if self._other is not None:
             self._other.close()
 
-    def reference(self):
-        """What its name leads to where it is bound as a component; made in a process of mocks."""
-        found = references.make_reference("127.0.0.1", self.port, b"faulty", type_id=COMPONENT.encode())
+    def is_reached(self):
+        """Whether anybody has connected to it, or to where it leads."""
+        return bool(self.connections or self._other is not None and self._other.connections)
+
+    def reference(self, type_id):
+        """What its name leads to where it is bound as an object of that type; made in a process of mocks."""
+        found = references.make_reference("127.0.0.1", self.port, b"faulty", type_id=type_id.encode())
         return carrier.Remote(found)
 
     @property
