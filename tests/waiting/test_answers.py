@@ -6,12 +6,10 @@ RTSHELL_ORB=omniorb tries our own ORB, which reads some of it otherwise.
 """
 import binascii
 import os
-import subprocess
-import sys
 import tempfile
 import unittest
 
-import tools
+import running
 from mock_components import faulty, giop, malice
 from rtshell_lite import errors
 from rtshell_lite.corba import stubs
@@ -33,15 +31,9 @@ IS_BUILTIN = os.environ.get("RTSHELL_ORB") != "omniorb"
 
 
 def run(*words):
-    """(status, stdout, lines of stderr) of a command."""
-    ran = subprocess.run(
-        [sys.executable, "-m", "rtshell_lite"] + list(words),
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        stdin=subprocess.DEVNULL,
-        env=dict(os.environ, RTSHELL_TIMEOUT=TIMEOUT),
-    )
-    return ran.returncode, ran.stdout.decode(), ran.stderr.decode().splitlines()
+    """The running.Ran of a command."""
+    with tempfile.TemporaryDirectory() as directory:
+        return running.run(list(words), directory, RTSHELL_TIMEOUT=TIMEOUT)
 
 
 class Commands(unittest.TestCase):
@@ -54,10 +46,11 @@ class Commands(unittest.TestCase):
         """Check the single line that a command reports; returns what it prints."""
         server = self.peer(mode)
         words = [word.replace("SERVER", server) for word in words]
-        found, out, err = run(*words)
-        self.assertEqual((found, len(err)), (status, 1), err)
+        ran = run(*words)
+        err = ran.err.decode().splitlines()
+        self.assertEqual((ran.status, len(err)), (status, 1), err)
         self.assertIn(said.replace("SERVER", server), err[0])
-        return out
+        return ran.out.decode()
 
     def test_a_reference_that_ends_omniorb_costs_its_own_line(self):
         for mode, why in (
@@ -145,20 +138,19 @@ class Commands(unittest.TestCase):
             (1, "not deleted", 10, "rtdel", "--recursive", "--timeout", "0.5", "SERVER/a.host_cxt"),
         ):
             with self.subTest(words[0]):
-                watch = tools.Stopwatch()
                 server = self.peer("branching")
-                found, _, err = run(*[word.replace("SERVER", server) for word in words])
-                self.assertEqual(found, status, err)
-                self.assertIn(said.replace("SERVER", server), err[-1])
-                self.assertLess(watch.seconds(), limit + 5)
+                ran = run(*[word.replace("SERVER", server) for word in words])
+                self.assertEqual(ran.status, status, ran)
+                self.assertIn(said.replace("SERVER", server), ran.err.decode().splitlines()[-1])
+                self.assertLess(ran.seconds, limit + 5)
 
     @unittest.skipIf(IS_BUILTIN, "the builtin ORB refuses the answer: see the next test")
     def test_long_texts_are_cut(self):
         server = self.peer("megabytes")
-        status, out, err = run("rtcat", "-l", server + "/Evil0.rtc")
-        self.assertEqual((status, err), (0, []))
-        self.assertLess(len(out), 10000)
-        self.assertIn("M… (%d more characters)" % (len(malice.MEGABYTES) - 1000), out)
+        ran = run("rtcat", "-l", server + "/Evil0.rtc")
+        self.assertEqual((ran.status, ran.err), (0, b""))
+        self.assertLess(len(ran.out), 10000)
+        self.assertIn("M… (%d more characters)" % (len(malice.MEGABYTES) - 1000), ran.out.decode())
 
     @unittest.skipUnless(IS_BUILTIN, "omniORB takes them")
     def test_answers_of_megabytes_without_data_are_refused(self):
