@@ -409,9 +409,9 @@ def _connectors(answers, outside, silent, notes):
 
 def _is_shown_whole(connector, refs, connectors):
     """Whether another port shows all ends of a connector, some of which are nil here."""
-    known = set(map(orb.identity, refs))
+    ends = set(map(orb.identity, refs))
     return any(
-        number == connector.id and known < identities and None not in other.ports
+        number == connector.id and ends < identities and None not in other.ports
         for (number, identities), (_, other, _) in connectors.items()
     )
 
