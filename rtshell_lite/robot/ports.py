@@ -386,10 +386,12 @@ def connection_properties(ends, given):
 
 def joining(ends):
     """The connectors of the first port that join it with any of the others."""
-    others = [orb.identity(port.ref) for port in ends[1:]]
+    own, *others = [orb.identity(port.ref) for port in ends]
     connectors = []
     for connector in ends[0].connectors:
         joined = [orb.identity(ref) for ref in connector.ports if ref is not None]
+        if own in joined:  # once is the first port itself, which may be named again
+            joined.remove(own)
         if any(port in others for port in joined):
             connectors.append(connector)
     return connectors

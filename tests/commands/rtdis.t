@@ -32,6 +32,15 @@ With several ports, what joins the first with any of the others goes, and nothin
   to-1 outin
   motor outin
 
+The first one named again is not connected with itself, and keeps its connections:
+
+  $ rtdis ConsoleIn0.rtc:out ConsoleIn0.rtc:out
+  rtdis: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out: not connected
+  [1]
+  $ rtdis -v --ensure ConsoleIn0.rtc:out ConsoleOut2.rtc:in ConsoleIn0.rtc:out
+  $ ctl connectors ConsoleIn0:out
+  to-1 outin
+
 One port: all its connections:
 
   $ rtdis ConsoleOut0.rtc:in; rtdis ConsoleIn0.rtc:out
