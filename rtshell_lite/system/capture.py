@@ -388,16 +388,15 @@ def _connectors(answers, outside, silent, notes):
     inner = []
     loose = []
     for port, connector, refs in connectors.values():
+        where = f"connection {printable(connector.id)} of {ports.label(port)}"
         if None in connector.ports:
             if _is_shown_whole(connector, refs, connectors):
                 continue
-            where = f"connection {printable(connector.id)} of {ports.label(port)}"
             notes.append(f"{where}: an end of it is nothing (nil), left out")
         inside = [ends[orb.identity(ref)] for ref in refs if orb.identity(ref) in ends]
         unknown = [ref for ref in refs if orb.identity(ref) not in ends]
         for ref in unknown:
             name = _name(outside[orb.identity(ref)], ref, silent)
-            where = f"connection {printable(connector.id)} of {ports.label(port)}"
             notes.append(f"{where}: its end {name} is not in the system, left out")
         if len(inside) > 1 or inside and len(connector.ports) == 1:
             inner.append(_connector(connector, inside))
