@@ -462,10 +462,28 @@ class Keeper(follow.Presence):
             return FAILED
 
         begun = loop.now()
+        coming = [other for other in self.followed if other.is_coming and other not in todo]
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
+        is_any_left_out = any(isinstance(result.error, errors.NotTried) for result in results)
+        early = self._started_after(coming) if is_any_left_out else []
         for kept in todo:
             own = [result.error for result in results if result.action.component is kept.placement.component]
-            self._started(kept, list(filter(None, own)), begun)
+            failed = list(filter(None, own))
+            if kept in early and failed and isinstance(failed[0], errors.NotTried):
+                self._wait_for_turn(kept)
+            else:
+                self._started(kept, failed, begun)
+
+    def _started_after(self, some):
+        """The KeptComponents that the plan starts after some, in its order."""
+        numbers = {action.number for action in self.actions if self._kept_of[id(action.component)] in some}
+        return [self._kept_of[id(action.component)] for action in plan.dependents(self.actions, numbers)]
+
+    @staticmethod
+    def _wait_for_turn(kept):
+        """What it comes after has not failed: it was only not looked at yet."""
+        kept.change(STATE)
+        kept.due = loop.now() + WAIT
 
     async def _carry_out(self, actions, transition, some, outcome_of):
         """The Results of the actions of a plan for some KeptComponents; those of the others have ended, each
@@ -505,9 +523,7 @@ class Keeper(follow.Presence):
 
     async def _stop_dependents(self, kept):
         """A required component is given up: deactivate what the plan starts after it, the last first."""
-        numbers = {action.number for action in self.actions if action.component is kept.placement.component}
-        for action in reversed(plan.dependents(self.actions, numbers)):
-            other = self._kept_of[id(action.component)]
+        for other in reversed(self._started_after([kept])):
             if other.state == "Active":
                 other.life.lose()
                 await self.deactivate(other, f"{kept.where} is given up", "deactivated")

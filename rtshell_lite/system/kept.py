@@ -98,6 +98,13 @@ class KeptComponent(follow.Followed):
         return self.is_there and bool(self.changed) and not self.is_busy and not self.is_paused
 
     @property
+    def is_coming(self):
+        """Whether it is about to be made Active, or about to be found unable to be."""
+        is_to_be_seen = self.is_there and not self.is_hung and not self.is_paused and self.state != "Active"
+        is_well = all(matter.complaint is None for matter in self.matters)
+        return is_to_be_seen and is_well and (self.is_busy or bool(self.changed))
+
+    @property
     def takers(self):
         """Those of the composites and contexts that are to take it again, if it is one that is back."""
         if WHOLE not in self.changed:

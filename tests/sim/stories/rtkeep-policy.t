@@ -73,8 +73,8 @@ A required component that is given up takes those with it that were started afte
   [08:00:45] /robot/test.host_cxt/ConsoleIn0.rtc: in Error; given up after more than 2 failures in 60s
   [08:00:45] /robot/test.host_cxt/Motor0.rtc: /robot/test.host_cxt/ConsoleIn0.rtc is given up: deactivated
   [08:00:45] /robot/test.host_cxt/ConsoleOut0.rtc: /robot/test.host_cxt/ConsoleIn0.rtc is given up: deactivated
-  [08:00:46] /robot/test.host_cxt/Motor0.rtc: not tried: it waits for /robot/test.host_cxt/ConsoleOut0.rtc, which failed
   [08:00:46] /robot/test.host_cxt/ConsoleOut0.rtc: not tried: it waits for /robot/test.host_cxt/ConsoleIn0.rtc, which failed
+  [08:00:47] /robot/test.host_cxt/Motor0.rtc: not tried: it waits for /robot/test.host_cxt/ConsoleOut0.rtc, which failed
   $ ctl state ConsoleIn0
   ERROR
   $ ctl state ConsoleOut0
