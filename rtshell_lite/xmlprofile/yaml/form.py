@@ -13,6 +13,8 @@ from rtshell_lite.xmlprofile import fields, model, names, values
 from rtshell_lite.xmlprofile.yaml import document, reader, scalars, writer
 
 ROOT = "rtsProfile"
+# of the root, as in rtsprofile; tools sort the keys, so that a file that is cut off lacks its version
+NEEDED = ("id", "version")
 # elements below elements, as in xml.py: what is read here can be written as XML and read again
 DEEPEST_XML = 64
 
@@ -25,7 +27,13 @@ def read(text, name):
     doc, root = reader.parse(text, name)
     if not isinstance(root.value, dict) or ROOT not in root.value:
         doc.fail(root.pos, f"not an RtsProfile: the key {ROOT} is missing")
-    profile = _element(doc, root.value[ROOT], model.RtsProfile, 1)
+    body = root.value[ROOT]
+    table = names.table(model.RtsProfile)
+    given = {table.loose_keys[key].name for key in body.value or () if key in table.loose_keys}
+    profile = _element(doc, body, model.RtsProfile, 1)
+    for needed in NEEDED:
+        if needed not in given:
+            doc.fail(body.pos, f"{needed} is missing: the file is not whole")
     if profile.version == "0.1":
         profile.version = "0.2"  # its spellings are understood; its other structure was only ever used in XML
     return profile
