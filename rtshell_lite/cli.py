@@ -251,9 +251,13 @@ def note(line):
 
 
 def detail(line):
-    """Print what was done on stderr, with --verbose only."""
-    if _verbose:
-        _say(line)
+    """Print what was done on stderr, with --verbose only; a command may have newlines in its quotes."""
+    if not _verbose:
+        return
+    first, *others = line.split("\n")
+    _say(first)
+    for other in others:
+        say(other)
 
 
 def _say(line):

@@ -42,8 +42,9 @@ def load(name, modules=()):
         raise errors.Failed(where, "a pipe; logs are read from files")
     file = files.opened(name)
     try:
-        size = os.fstat(file.fileno()).st_size
-        start = file.read(32)
+        with files.Naming(name):
+            size = os.fstat(file.fileno()).st_size
+            start = file.read(32)
         if start.startswith(mcap.MAGIC):
             from rtshell_lite.datalog import reader
 

@@ -81,6 +81,9 @@ The commands of --dry-run do the same:
 
 A text may be written by hand: some sets, some parameters, comments; without `active` the active set stays:
 
+  $ printf '[mode1]\nint_param0=1\\x0a2\n' | rtconf ConfigSample0.rtc load -v
+  rtconf: rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s mode1 set 'int_param0=1
+  2'
   $ printf '# speed only\n\n[mode1]\nint_param0=3\n' | rtconf ConfigSample0.rtc load -v -
   rtconf: rtconf /localhost:$PORT/test.host_cxt/ConfigSample0.rtc -s mode1 set int_param0=3
   $ printf '[default]\r\nint_param1=4\r\n[default]\r\nint_param0=4\r\n' | rtconf ConfigSample0.rtc load -v

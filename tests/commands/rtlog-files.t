@@ -218,6 +218,9 @@ Not logs:
   $ rtlog -d -f .
   rtlog: .: Is a directory
   [1]
+  $ rtlog -d -f /proc/self/mem
+  rtlog: /proc/self/mem: Input/output error
+  [1]
   $ rtlog -d -f /dev/null
   rtlog: /dev/null: not a log file (it is empty)
   [1]
