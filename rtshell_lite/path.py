@@ -87,6 +87,13 @@ class Path(Record):
         return Path(self.server, self.names, None, False)
 
     @property
+    def is_bound(self):
+        """Whether a naming context has this name, not a manager or nobody."""
+        if not self.server or self.server.startswith(REFERENCES):
+            return False
+        return all(name.kind != "mgr" for name in self.names[:-1])
+
+    @property
     def instance(self):
         """The name before the ports of a component that is bound so; "" for one without a name."""
         return self.names[-1].id if self.names else ""

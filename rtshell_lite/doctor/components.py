@@ -185,13 +185,13 @@ def _restart(snapshot):
 
 
 def _names(snapshot):
-    """Names that others have bound a component by;
-    its own are in its property naming.names, if it has that.
+    """Names that others have bound a component by; its own are in its property naming.names, if it has that.
+    Where only a manager lists it, it has none.
     """
     if snapshot.profile is None:
         return []
     own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
-    nodes = [snapshot.node, *snapshot.others]
+    nodes = [node for node in (snapshot.node, *snapshot.others) if node.path.is_bound]
     near = [node for node in nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in nodes if node not in near]
     if near:

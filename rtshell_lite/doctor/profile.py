@@ -33,7 +33,7 @@ async def findings(profile, file, state):
     idle = [difference for difference in differences if _is_idle(difference)]
     if len(idle) > 1:
         paths = ", ".join(difference.path for difference in idle)
-        message = f"{len(idle)} components are Inactive, in the file Active: {paths}"
+        message = f"{len(idle)} components are Inactive, and should be Active: {paths}"
         cure = remedies.command("start system", file=remedies.Line(file))
         all_findings.append(fail("profile", str(path.ROOT), message, cure))
         differences = [difference for difference in differences if difference not in idle]

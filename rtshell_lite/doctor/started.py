@@ -43,7 +43,7 @@ def _nothing_moves(snapshots):
         cure = remedies.words("activate many")
     else:
         cure = remedies.command("activate", option=[], path=[snapshot.where for snapshot in snapshots])
-    return warn("component", "/", "all components are Inactive: nothing has been started", cure)
+    return warn("component", "/", "all components examined are Inactive: none has been started", cure)
 
 
 def _connected(snapshots):

@@ -4,7 +4,8 @@ server: another
 world: aliased localhost:$PORT2
 world: zombie 1 --nameserver localhost:$PORT2
 
-  $ doctor() { rtdoctor "$@" | grep -v -e ' here: ' -e 'to be looked at' -e 'ok    .*answers' -e 'Inactive'; }
+  $ doctor() { rtdoctor "$@" |
+  > grep -v -e ' here: ' -e 'to be looked at' -e 'ok    .*answers' -e 'Inactive'; }
   $ doctor
   warn  /localhost:$PORT/test.host_cxt/again.cxt/Inner0.rtc: somebody else's name: this component calls itself test.host_cxt/Inner0.rtc; try: restart it, so that it binds its own name; do not delete this one: no other leads to it
   ok    /localhost:$PORT/test.host_cxt/again.cxt/loop.cxt: an alias: the same directory as /localhost:$PORT/test.host_cxt/again.cxt

@@ -64,18 +64,18 @@ A context of another component, which is gone:
 Managers: what they list must be there:
 
   $ doctor ../mgr.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleIn0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/ConsoleOut0.rtc: Inactive, claims 1000 Hz, 1 port, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/mgr.host_cxt/manager.mgr: manager of 2 components, 2 slaves, at 127.0.0.1:* (glob)
   $ doctor -q ../lost.host_cxt
   fail  /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc: dead (zombie): * at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/lost.host_cxt/ConsoleOut0.rtc (glob)
   fail  /localhost:$PORT/lost.host_cxt/manager.mgr: lists a slave that is gone; try: restart it; rtls /localhost:$PORT/lost.host_cxt/manager.mgr marks what is gone
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/lost.host_cxt/ConsoleIn0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/lost.host_cxt/ConsoleIn0.rtc
   [1]
   $ doctor -q ../forgotten.host_cxt
   fail  /localhost:$PORT/forgotten.host_cxt/manager.mgr: lists a component that is gone; try: restart it; rtls /localhost:$PORT/forgotten.host_cxt/manager.mgr marks what is gone
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/forgotten.host_cxt/ConsoleIn0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/forgotten.host_cxt/ConsoleIn0.rtc
   [1]
   $ ctl @managers fail get_slave_managers 1 NO_PERMISSION; doctor -q ../mgr.host_cxt | grep mgr:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
@@ -88,7 +88,7 @@ A composite with a dead member, whether that exports a port or not:
 
   $ rtcomp -r Peer0:in ../half.host_cxt/composite0.rtc 2> out; doctor -q ../half.host_cxt/composite0.rtc
   fail  /localhost:$PORT/half.host_cxt/composite0.rtc: one of its members is dead: nothing answers at 127.0.0.1:*; try: restart its process, with all members alive (rtcomp cannot remove a dead one); netstat -ltnp | grep :* there names it (glob)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/half.host_cxt/composite0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/half.host_cxt/composite0.rtc
   [1]
 
 The times in values:

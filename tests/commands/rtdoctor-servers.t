@@ -66,7 +66,7 @@ Names that lead nowhere, to the same, to somebody else:
   warn  /localhost:$PORT/test.host_cxt/Other0.rtc: somebody else's name: this component calls itself test.host_cxt/Moved0.rtc; try: restart it, so that it binds its own name; do not delete this one: no other leads to it
   warn  /localhost:$PORT/test.host_cxt/Wrong0.rtc: the same component as /localhost:$PORT/test.host_cxt/Right0.rtc; the same with /localhost:$PORT/test.host_cxt/Wrong1.rtc and /localhost:$PORT/test.host_cxt/Wrong2.rtc; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong0.rtc
   warn  /localhost:$PORT/test.host_cxt/Wrong3.rtc: and 2 names like it; try: see who uses this name; if nobody does: rtdel /localhost:$PORT/test.host_cxt/Wrong3.rtc
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Other0.rtc /localhost:$PORT/test.host_cxt/Right0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/test.host_cxt/Other0.rtc /localhost:$PORT/test.host_cxt/Right0.rtc
   [1]
 
   $ rtdoctor Thing0.obj | grep Thing0
@@ -89,7 +89,7 @@ A process that has ended, one that hangs, and one that took over the port of ano
   $ doctor -q ../dead.host_cxt ../other.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
   warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/other.host_cxt/Other0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/other.host_cxt/Other0.rtc
   [1]
 
 A reference may publish several addresses, some of them out of reach:

@@ -141,6 +141,9 @@ A manager and what it has are reached without a name server:
   +DataOutPort: out
   $ rtcat "rtcname://localhost:$PORT/*/Mock1" | head -1
   Mock1.rtc  Active
+  $ rtdoctor corbaloc::localhost:$M/manager | grep -c -e itself -e 'same component'
+  0
+  [1]
   $ RTCTREE_NAMESERVERS=corbaloc::localhost:$M/manager rtls -R / | head -5
   .:
   corbaloc:iiop:localhost:*/manager/ (glob)

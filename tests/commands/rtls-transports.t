@@ -35,7 +35,7 @@ both: each ORB reads answers in its own way
   warn  /localhost:$PORT/test.host_cxt/Other0.rtc: listens with another transport only, which is not spoken here; try: to look at it from here, have its process listen with TCP, too: corba.endpoints in rtc.conf
   warn  /localhost:$PORT/test.host_cxt/Tls0.rtc: listens with TLS only, which is not spoken here; try: to look at it from here, have its process listen with TCP, too: corba.endpoints in rtc.conf
   warn  /localhost:$PORT/test.host_cxt/Unix0.rtc: listens with UNIX sockets only, which is not spoken here; try: to look at it from here, have its process listen with TCP, too: corba.endpoints in rtc.conf
-  warn  /: all components are Inactive: nothing has been started; try: rtact /localhost:$PORT/test.host_cxt/Alternate0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /localhost:$PORT/test.host_cxt/Alternate0.rtc
   $ rtdel -z
   $ rtls
   Alternate0.rtc

@@ -63,7 +63,7 @@ NO_IS_AN_ANSWER += r"|1 (echo reset|cat \S+log)"
 NO_WHERE_IDLE = NO_IS_AN_ANSWER + "|1 (rtcheck|rtdoctor|rtprint) |6 rtcall "
 FETCHED = "is that of a tool which fetches values"  # rtdis leaves it
 PULLING = re.compile("--pull|rtdoctor|rttrace|rttop")
-IDLE = "nothing has been started"  # true of a world in which nothing is Active
+IDLE = "none has been started"  # true of a world in which nothing is Active
 MARGIN = 0.05  # seconds: an answer was on its way
 
 

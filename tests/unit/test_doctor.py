@@ -184,7 +184,7 @@ class Started(unittest.TestCase):
 
     def test_it(self):
         self.assertEqual(self.messages(A="Inactive", B="Inactive"),
-                         [("/", "all components are Inactive: nothing has been started")])
+                         [("/", "all components examined are Inactive: none has been started")])
         self.assertEqual(self.messages(A="Active", B="Active"), [])
         self.assertEqual(self.messages(A="Error", B="Inactive"), [])
         reset = "Inactive, while 1 component of its system is Active; it may have been reset"

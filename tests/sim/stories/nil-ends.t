@@ -12,7 +12,7 @@ world: linked
    +Connected to  Unknown (nil)
   $ rtdoctor -q
   fail  /robot/test.host_cxt/ConsoleIn0.rtc:out: connection out_in has an end that is nothing (nil); try: rtdis -i $UUID /robot/test.host_cxt/ConsoleIn0.rtc:out
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/test.host_cxt/ConsoleIn0.rtc /robot/test.host_cxt/ConsoleOut0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/test.host_cxt/ConsoleIn0.rtc /robot/test.host_cxt/ConsoleOut0.rtc
   [1]
 
 What its other port shows whole is saved, once; the port that shows it half is compared as not connected:

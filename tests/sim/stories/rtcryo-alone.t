@@ -29,7 +29,7 @@ world: services
   $ ctl connectors MyServiceProvider0:MyService
   b topic
   $ rtdoctor --report report.html .
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/test.host_cxt/MyServiceConsumer0.rtc /robot/test.host_cxt/MyServiceProvider0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/test.host_cxt/MyServiceConsumer0.rtc /robot/test.host_cxt/MyServiceProvider0.rtc
   ok    here: Python 3.11.7, builtin ORB
   ok    here: this host's name, robot, means 10.0.0.1
   ok    here: RTCTREE_NAMESERVERS: robot

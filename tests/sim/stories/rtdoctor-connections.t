@@ -19,7 +19,7 @@ One-sided; told differently at both ends; of different types; left by a tool tha
   fail  /robot/test.host_cxt/Out2.rtc:in: connected to /robot/test.host_cxt/Sensor0.rtc:out: data types differ (RTC/TimedLong, RTC/TimedFloat); try: rtdis -i $UUID /robot/test.host_cxt/Out2.rtc:in
   fail  /robot/test.host_cxt/Want0.rtc:MyService: connected to /robot/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /robot/test.host_cxt/Want0.rtc:MyService requires; try: rtdis -i $UUID /robot/test.host_cxt/Want0.rtc:MyService
   fail  /robot/test.host_cxt/Want0.rtc:MyService: connected to /robot/test.host_cxt/Want1.rtc:MyService: nobody in it provides interface myservice0 (MyService), which /robot/test.host_cxt/Want1.rtc:MyService requires; try: rtdis -i $UUID /robot/test.host_cxt/Want0.rtc:MyService
-  warn  /: all components are Inactive: nothing has been started; try: activate those that are to move (rtact), or the whole system by its file (rtstart)
+  warn  /: all components examined are Inactive: none has been started; try: activate those that are to move (rtact), or the whole system by its file (rtstart)
   warn  /robot/test.host_cxt/In1.rtc:out: dataport.subscription_type is flush here, new at /robot/test.host_cxt/Out1.rtc:in; try: rtdis -i $UUID /robot/test.host_cxt/In1.rtc:out; rtcon -n out_in -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=flush /robot/test.host_cxt/In1.rtc:out /robot/test.host_cxt/Out1.rtc:in
   [1]
 
@@ -34,12 +34,12 @@ ends no component of C++ 2.1, which is asked in the right order:
   $ kill these5
   $ rtdoctor -q ../lost.host_cxt/Orphan0.rtc
   warn  /robot/lost.host_cxt/Orphan0.rtc:out: had a connection whose far end is dead, and dropped it when asked; try: restart the far end and connect it again: rtcon
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/lost.host_cxt/Orphan0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/lost.host_cxt/Orphan0.rtc
   $ rtdoctor -q ../lost.host_cxt/Orphan0.rtc
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/lost.host_cxt/Orphan0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/lost.host_cxt/Orphan0.rtc
   $ rtdoctor -q ../lost.host_cxt/Fragile0.rtc
   warn  /robot/lost.host_cxt/Fragile0.rtc:out: had a connection whose far end is dead, and dropped it when asked; try: restart the far end and connect it again: rtcon
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/lost.host_cxt/Fragile0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/lost.host_cxt/Fragile0.rtc
   $ rtls ../lost.host_cxt
   Fragile0.rtc
   Orphan0.rtc
@@ -91,12 +91,12 @@ It is found, wherever it is bound, or bound nowhere; an inactive component keeps
   $ ctl @these2 forget Far0:in
   $ rtdoctor -q ../near.host_cxt
   fail  /robot/near.host_cxt/Near0.rtc:out: connection outin is one-sided: /robot/far.host_cxt/Far0.rtc:in does not know it; try: rtdis -i one /robot/near.host_cxt/Near0.rtc:out; rtcon -n outin -p dataport.dataflow_type=push -p dataport.interface_type=corba_cdr -p dataport.subscription_type=new /robot/near.host_cxt/Near0.rtc:out /robot/far.host_cxt/Far0.rtc:in
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/near.host_cxt/Near0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/near.host_cxt/Near0.rtc
   [1]
   $ rtdel -f ../far.host_cxt/Far0.rtc
   $ rtdoctor -q ../near.host_cxt
   fail  /robot/near.host_cxt/Near0.rtc:out: connection outin is one-sided: Far0.in at 10.0.0.1:$PORT, bound nowhere, does not know it; try: disconnect it (rtdis -i one /robot/near.host_cxt/Near0.rtc:out), then connect its ends again: rtcon
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/near.host_cxt/Near0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/near.host_cxt/Near0.rtc
   [1]
   $ rtdis ../near.host_cxt/Near0.rtc
 
@@ -104,7 +104,7 @@ Connections that are well, of all kinds:
 
   $ rtcon ../service.host_cxt/MyServiceConsumer0.rtc:MyService ../service.host_cxt/MyServiceProvider0.rtc:MyService
   $ rtdoctor ../old.host_cxt ../new.host_cxt ../small.host_cxt ../service.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/new.host_cxt/ConsoleIn0.rtc /robot/new.host_cxt/ConsoleOut0.rtc /robot/old.host_cxt/ConsoleIn0.rtc /robot/old.host_cxt/ConsoleOut0.rtc /robot/service.host_cxt/MyServiceConsumer0.rtc /robot/service.host_cxt/MyServiceProvider0.rtc /robot/small.host_cxt/ConsoleIn0.rtc /robot/small.host_cxt/ConsoleOut0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/new.host_cxt/ConsoleIn0.rtc /robot/new.host_cxt/ConsoleOut0.rtc /robot/old.host_cxt/ConsoleIn0.rtc /robot/old.host_cxt/ConsoleOut0.rtc /robot/service.host_cxt/MyServiceConsumer0.rtc /robot/service.host_cxt/MyServiceProvider0.rtc /robot/small.host_cxt/ConsoleIn0.rtc /robot/small.host_cxt/ConsoleOut0.rtc
   ok    here: Python 3.11.7, builtin ORB
   ok    here: this host's name, robot, means 10.0.0.1
   ok    here: RTCTREE_NAMESERVERS: robot

@@ -6,7 +6,7 @@ world: these ConsoleIn
 world: these ConsoleOut --host robot2
 
   $ rtdoctor -q
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot1/test.host_cxt/ConsoleIn0.rtc /robot1/test.host_cxt/ConsoleOut0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot1/test.host_cxt/ConsoleIn0.rtc /robot1/test.host_cxt/ConsoleOut0.rtc
 
 Large ones: small questions are answered, a profile never comes.
 
@@ -20,5 +20,5 @@ All of what it sends:
   $ lose_one_way robot2
   $ rtdoctor -q
   fail  /robot1/test.host_cxt/ConsoleOut0.rtc: cannot tell from here whether it lives: publishes 10.0.0.2:$PORT, out of reach (no answer within 3s); try: look at what is between here and 10.0.0.2: firewall (port 42001), route (ip route get 10.0.0.2), MTU and loss (ping 10.0.0.2)
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot1/test.host_cxt/ConsoleIn0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot1/test.host_cxt/ConsoleIn0.rtc
   [1] after 3.1 s

@@ -8,11 +8,11 @@ A component that something starts again and again is alive at each look:
 
   $ later 5 restart these2
   $ rtdoctor -q --twice 20 ../far.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/far.host_cxt/Far0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/far.host_cxt/Far0.rtc
   warn  /robot/far.host_cxt/Far0.rtc: started again within 20 s: it was at 10.0.0.1:$PORT, and is at 10.0.0.1:$PORT now; try: see its log, and what starts it again
   [0] after 20.0 s
   $ rtdoctor -q --twice 0.1 ../far.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/far.host_cxt/Far0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/far.host_cxt/Far0.rtc
   [0] after 0.1 s
   $ rtdoctor --twice 0.1 --from x.html
   ! rtdoctor: --from examines nothing: no PATH, --profile, --measure, --twice or --report goes with it (see --help)

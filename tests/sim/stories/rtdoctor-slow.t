@@ -6,11 +6,11 @@ world: these Mock:Slow1 Mock:Slow2 --context two.host_cxt/%n.rtc
 
   $ ctl delay get_ports 2
   $ rtdoctor -q .
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/test.host_cxt/Slow0.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/test.host_cxt/Slow0.rtc
   [0] after 2.0 s
   $ ctl @these2 delay get_ports 2
   $ rtdoctor -q ../two.host_cxt
-  warn  /: all components are Inactive: nothing has been started; try: rtact /robot/two.host_cxt/Slow1.rtc /robot/two.host_cxt/Slow2.rtc
+  warn  /: all components examined are Inactive: none has been started; try: rtact /robot/two.host_cxt/Slow1.rtc /robot/two.host_cxt/Slow2.rtc
   [0] after 2.0 s
   $ rtdoctor -q --timeout 1 .
   fail  /robot/test.host_cxt/Slow0.rtc: no answer within 1s when asked for its ports; try: ask it with more time: rtdoctor --timeout 30 /robot/test.host_cxt/Slow0.rtc
