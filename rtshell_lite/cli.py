@@ -20,6 +20,7 @@ FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader 
 MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 
 _quiet = _verbose = False
+_reported = set()  # type: set  # OSErrors in words, as stdout fails again at the end
 _lines = None  # the progress.Lines of a command that does long work
 
 
@@ -196,7 +197,8 @@ def _flushed(status):
     except BrokenPipeError:
         return 141
     except OSError as e:
-        return status or complain(e)  # a failed command has reported it
+        if _shown(e) not in _reported:  # by a command that failed for it
+            status = complain(e)
     return status
 
 
@@ -236,12 +238,18 @@ async def reader_leaves():
 
 def complain(what):
     """Print a failure as one line on stderr; returns its exit status."""
-    status = getattr(what, "status", 1)
+    line = str(what)
     if isinstance(what, OSError):
-        why = what.strerror or str(what)  # a timeout has no strerror
-        what = f"{text.printable(str(what.filename))}: {why}" if what.filename else why
-    _say(str(what))
-    return status
+        line = _shown(what)
+        _reported.add(line)
+    _say(line)
+    return getattr(what, "status", 1)
+
+
+def _shown(error):
+    """An OSError in words."""
+    why = error.strerror or str(error)  # a timeout has no strerror
+    return f"{text.printable(str(error.filename))}: {why}" if error.filename else why
 
 
 def note(line):

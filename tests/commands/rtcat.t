@@ -316,6 +316,10 @@ The common options:
   $ rtcat ConsoleIn0.rtc >/dev/full
   rtcat: No space left on device
   [1]
+  $ rtcat ConsoleIn0.rtc Nobody0.rtc >/dev/full
+  rtcat: /localhost:$PORT/test.host_cxt/Nobody0.rtc: no such path
+  rtcat: No space left on device
+  [1]
   $ rtcat ConsoleIn0.rtc >&-
   rtcat: cannot write the output: Bad file descriptor
   [1]
