@@ -7,6 +7,7 @@ import sys
 from rtshell_lite import __version__, errors, text
 
 FOREVER = float("inf")  # s
+DAY = 86400  # s
 SCREEN = 24  # lines that the short form of a help has at most
 REST = 6  # of them after the options: those that all commands have, an example, where more is said
 NARROWEST = 10  # columns that its words have at least, on however narrow a terminal
@@ -66,6 +67,8 @@ class Words:
         is_list = value.endswith(" ...")
         if is_list:
             value = value[: -len(" ...")]
+        if names and value in FILES:
+            more.setdefault("type", _file_name)
         if names and is_list:
             more.update(action="append", default=[])
         else:
@@ -439,7 +442,10 @@ def _default_timeout():
 
 def seconds(value):
     """An option type: a positive number of seconds, at most a day."""
-    return _positive(value, "a number of seconds above 0", 86400)
+    number = _positive(value, "a number of seconds above 0")
+    if number > DAY:
+        raise argparse.ArgumentTypeError(f"more than a day, {DAY} s: {text.printable(value)}")
+    return number
 
 
 def one_of(*words):
@@ -648,6 +654,13 @@ def _address(value):
         raise argparse.ArgumentTypeError(f"not an IP address: {text.printable(value)}")
 
 
+def _file_name(value):
+    """An option type: the name of a file, as it was typed; of a variable that is not set it would be lost."""
+    if not value:
+        raise argparse.ArgumentTypeError("the name of the file is empty")
+    return value
+
+
 def count(value):
     """An option type: a whole number above 0."""
     if not value.isdecimal() or len(value) > 9 or not int(value):
@@ -674,12 +687,12 @@ def factor(value):
     return _positive(value, "a number above 0")
 
 
-def _positive(value, expected, most=sys.float_info.max):
+def _positive(value, expected):
     try:
         number = float(value)
     except ValueError:
         number = 0.0
-    if not 0 < number <= most:
+    if not 0 < number <= sys.float_info.max:
         raise argparse.ArgumentTypeError(f"not {expected}: {text.printable(value)}")
     return number
 

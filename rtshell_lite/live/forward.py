@@ -236,7 +236,8 @@ class Door:
         self._socket = tcp.listen(host, port)
         if self._socket is None:
             where = printable(place[0])
-            raise errors.Failed("--listen", f"TCP port {port} of {where} is in use, or needs a privilege")
+            why = "is in use or needs a privilege, or this host has no such address"
+            raise errors.Failed("--listen", f"TCP port {port} of {where} {why}")
         self.port = self._socket.getsockname()[1]
         notes.note(f"receiving logs at {printable(place[0])}, TCP port {self.port}")
         self._senders = set()

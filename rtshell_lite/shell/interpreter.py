@@ -172,6 +172,6 @@ def _status(words, last):
     """The exit status that `exit WORDS` asks for."""
     if not words:
         return last
-    if len(words) > 1 or not re.match(r"\d+$", words[0]):
+    if len(words) > 1 or not re.match(r"\d{1,3}$", words[0]) or int(words[0]) > 255:
         raise errors.BadLine(f"exit: not a status: {printable(' '.join(words))}")
-    return int(words[0]) & 255
+    return int(words[0])

@@ -121,6 +121,9 @@ The file:
   $ printf 'a\0b' > nul; rtfsm Microwave0.rtc setstructure nul
   rtfsm: nul: holds a NUL character, which cannot be sent
   [1]
+  $ rtfsm Microwave0.rtc setstructure - < /dev/null
+  rtfsm: -: is empty: the state machine would be lost
+  [1]
   $ rtfsm Microwave0.rtc setstructure - <&-
   rtfsm: -: there is no standard input
   [1]

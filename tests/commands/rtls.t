@@ -272,6 +272,9 @@ Wrong usage contacts nobody.
   $ rtls --timeout 0
   rtls: argument --timeout: not a number of seconds above 0: 0 (see --help)
   [2]
+  $ rtls --timeout 86401
+  rtls: argument --timeout: more than a day, 86400 s: 86401 (see --help)
+  [2]
   $ rtls --timeout=-1
   rtls: argument --timeout: not a number of seconds above 0: -1 (see --help)
   [2]

@@ -104,7 +104,7 @@ Ctrl-C, a port that is taken, wrong usage:
   rtvlog: receiving logs at 127.0.0.1, TCP port * (glob)
   [130]
   $ rtvlog -t 0.2 --listen $PORT
-  rtvlog: --listen: TCP port $PORT of 127.0.0.1 is in use, or needs a privilege
+  rtvlog: --listen: TCP port $PORT of 127.0.0.1 is in use or needs a privilege, or this host has no such address
   [1]
   $ rtvlog -q -t 0.2 -n 1 --listen 0
   rtvlog: --listen: 0 of 1 within 0.2s
