@@ -23,6 +23,11 @@ Wrong usage and what cannot be mounted; each is reported before rtmount returns,
   $ touch file; rtmount file
   rtmount: $TMP/file: no such directory
   [1]
+  $ mkdir none; RTCTREE_NAMESERVERS=corbaloc::localhost:1/manager rtmount none
+  rtmount: corbaloc::localhost:1/manager is left out: only what name servers have is mounted
+  $ ls none; rtmount -u none
+  README
+  errors
   $ rtmount -u a
   rtmount: $TMP/a: no RTC Tree is mounted there
   [1]
