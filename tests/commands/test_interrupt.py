@@ -1,4 +1,6 @@
-"""Ctrl-C while a peer hangs: every command ends within 0.3 s, with status 130 and without output."""
+"""Ctrl-C while a peer hangs: every command ends, with status 130 and without output. How soon, the story
+interrupt.t shows.
+"""
 import os
 import signal
 import socket
@@ -9,13 +11,12 @@ import threading
 import unittest
 
 import processes
-import tools
 from rtshell_lite.shell import installation
 
 BOTH = "each ORB is interrupted in its own way"
 
-LIMIT = 0.3  # seconds from Ctrl-C to the end of the command
-START_LIMIT = 60.0
+START_LIMIT = 60.0  # seconds until a command is killed
+TIMEOUT = "600"  # seconds for which it would wait for its peer
 
 # What each command is asked; SERVER is a name server that accepts connections and never answers.
 COMMANDS = {
@@ -70,7 +71,7 @@ class CtrlC(unittest.TestCase):
         environment = dict(os.environ, PYTHONPATH=os.environ.get("PYTHONPATH") or processes.ROOT,
                            RTCTREE_NAMESERVERS=peer.address[1:])
         process = subprocess.Popen(
-            [sys.executable, "-m", "rtshell_lite"] + words + ["--timeout", "60"],
+            [sys.executable, "-m", "rtshell_lite"] + words + ["--timeout", TIMEOUT],
             env=environment,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -81,10 +82,7 @@ class CtrlC(unittest.TestCase):
             self.assertTrue(peer.wait_for_request())
             self.assertIsNone(process.poll(), "it did not wait for its peer")
             killer.start()
-            watch = tools.Stopwatch(process.pid)
             process.send_signal(signal.SIGINT)
-            os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
-            taken = watch.seconds()
             out, err = process.communicate()
         finally:
             killer.cancel()
@@ -93,7 +91,6 @@ class CtrlC(unittest.TestCase):
             process.stdout.close()
             process.stderr.close()
         self.assertEqual((process.returncode, out, err), (130, b"", b""))
-        self.assertLess(taken, LIMIT)
 
     def test_ends_a_command_amid_its_imports_without_a_traceback(self):
         with tempfile.TemporaryDirectory() as directory:
