@@ -197,8 +197,9 @@ def _flushed(status):
     except BrokenPipeError:
         return 141
     except OSError as e:
-        if _shown(e) not in _reported:  # by a command that failed for it
-            status = complain(e)
+        if _shown(e) in _reported:  # by a command that failed for it
+            return status or 1
+        return complain(e)
     return status
 
 

@@ -655,7 +655,7 @@ def _address(value):
 
 
 def _file_name(value):
-    """An option type: the name of a file, as it was typed; of a variable that is not set it would be lost."""
+    """An option type: the name of a file. A shell makes an empty one of a variable that is not set."""
     if not value:
         raise argparse.ArgumentTypeError("the name of the file is empty")
     return value

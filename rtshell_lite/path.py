@@ -88,7 +88,7 @@ class Path(Record):
 
     @property
     def is_bound(self):
-        """Whether a naming context has this name, not a manager or nobody."""
+        """Whether a naming context holds this name: not where a manager lists it, or after a corbaloc."""
         if not self.server or self.server.startswith(REFERENCES):
             return False
         return all(name.kind != "mgr" for name in self.names[:-1])

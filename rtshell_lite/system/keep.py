@@ -481,7 +481,7 @@ class Keeper(follow.Presence):
 
     @staticmethod
     def _wait_for_turn(kept):
-        """What it comes after has not failed: it was only not looked at yet."""
+        """What it comes after has not failed, but has not been looked at yet."""
         kept.change(STATE)
         kept.due = loop.now() + WAIT
 

@@ -99,7 +99,7 @@ class KeptComponent(follow.Followed):
 
     @property
     def is_coming(self):
-        """Whether it is about to be made Active, or about to be found unable to be."""
+        """Whether it is about to be looked at, and then to be made Active."""
         is_to_be_seen = self.is_there and not self.is_hung and not self.is_paused and self.state != "Active"
         is_well = all(matter.complaint is None for matter in self.matters)
         return is_to_be_seen and is_well and (self.is_busy or bool(self.changed))

@@ -157,8 +157,8 @@ What a file says, in the other form; nobody is asked:
   $ rtcryo --from - <a.yaml | cmp - a.xml && rtcryo --from a.yaml --yaml | cmp - a.yaml && echo same
   same
   $ head -n 43 a.yaml | rtcryo --from -; head -n 43 a.yaml | rtcheck
-  rtcryo: -:2:3: id is missing: the file is not whole
-  rtcheck: -:2:3: id is missing: the file is not whole
+  rtcryo: -:2:3: id is missing; perhaps the file was cut off
+  rtcheck: -:2:3: id is missing; perhaps the file was cut off
   [1]
   $ rtcryo --from a.xml -n Arm
   rtcryo: --from goes with -o, -x and -y only: it writes what the file says (see --help)

@@ -33,7 +33,7 @@ def read(text, name):
     profile = _element(doc, body, model.RtsProfile, 1)
     for needed in NEEDED:
         if needed not in given:
-            doc.fail(body.pos, f"{needed} is missing: the file is not whole")
+            doc.fail(body.pos, f"{needed} is missing; perhaps the file was cut off")
     if profile.version == "0.1":
         profile.version = "0.2"  # its spellings are understood; its other structure was only ever used in XML
     return profile
