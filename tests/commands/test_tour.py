@@ -93,7 +93,7 @@ class Tour(unittest.TestCase):
             + [("echo nonsense | tee ConsoleIn0.rtc/state", "1")] * (not mounts.refused()),
             said,
         )
-        self.assertNotIn("a key goes on", said, "it waits on terminals only")
+        self.assertNotIn("Enter goes on", said, "it waits on terminals only")
         self.assertRegex(said, r"(?m)^fail  \S+/Broken0.rtc: in Error; try: rtreset ")
         self.assertNotIn("grep: ", said)
         self.assertRegex(said, r"(?m)^/localhost:\d+/line.host_cxt/Link1.rtc: it is Inactive \(certain\)$")
@@ -143,13 +143,13 @@ class Tour(unittest.TestCase):
         for look in " && ".join(looks).split(" && "):
             self.assertTrue(look.startswith("grep -qs "), look)
 
-    def test_chapters_wait_for_a_key_on_a_terminal(self):
+    def test_chapters_wait_for_enter_on_a_terminal(self):
         """Ctrl-C ends the tour, and leaves the terminal as it was, and no file."""
         self.needs_omninames()
-        waits = "a key goes on"
+        waits = "Enter goes on"
         looking = "m1  Looking\x1b"
         connecting = "m2  Connecting\x1b"
-        for words, talk in ([], [(waits, b"x"), (looking, b""), (waits, b"\3")]), (
+        for words, talk in ([], [(waits, b"\n"), (looking, b""), (waits, b"\3")]), (
             ["--no-pause"],
             [(looking, b""), (connecting, b"\3")],
         ):

@@ -2,6 +2,7 @@
 environment, and mounts, which only they themselves see.
 """
 import contextlib
+import faulthandler
 import functools
 import json
 import os
@@ -66,6 +67,9 @@ def _end(process, limit):
             with contextlib.suppress(subprocess.TimeoutExpired):
                 return "ended with status %d" % process.wait(min(left, TURN) / share)
             left -= TURN
+        process.send_signal(signal.SIGABRT)  # it prints where it stands (see begin)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(TURN)
         return "no end after %g s of a quiet machine" % limit
     finally:
         try:
@@ -90,6 +94,7 @@ def begin():
         _remove(sys.argv[1])
         os.killpg(0, signal.SIGKILL)
     threading.Thread(target=watch, daemon=True).start()
+    faulthandler.enable()
     return sys.argv[1], sys.argv[2:]
 
 
