@@ -79,8 +79,8 @@ class Snapshot:
         """Ask for the parts {name: how much}, in the order of PARTS. Raises the first errors.Error.
 
         States come first: they are answered at once, where ports may wait for what they are connected with.
-        The profile comes last: it can end a component that has a connection with a dead far end; its ports
-        notice that before: protocol rule, see `component.once_more`.
+        The profile comes right after the ports: it can end a component that has a connection with a dead far
+        end, which its ports notice before (docs/protocol.md 1.1).
         """
         for name in sorted(parts, key=_ORDER.index):
             self.asking, function = PARTS[name]
@@ -230,11 +230,11 @@ PARTS = {
     "participating": ("its execution contexts", _participating),
     "states": ("its execution contexts", _states),
     "ports": ("its ports", _ports),
+    "profile": ("its profile", _profile),
     "configuration": ("its configuration", _configuration),
     "organisations": ("its members", _organisations),
     "composites": ("its composites", _composites),
     "members": ("its members", _members),
     "names": ("the names of components in its execution contexts", _names),
-    "profile": ("its profile", _profile),
 }
 _ORDER = list(PARTS)
