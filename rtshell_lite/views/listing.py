@@ -207,11 +207,13 @@ def as_dict(node, figures):
 def silent_ones(nodes):
     """A line on how many of `nodes` did not answer, or were not asked; '' when all answered everything."""
     objects = [node for node in nodes if node.kind in ("component", "manager", "zombie", *tree.DOUBTFUL)]
+    all_names = [node.name for node in objects]
     groups = {}
     for node in objects:
         words = _lacking(node)
         if words:
-            groups.setdefault(words, []).append(node.name)
+            name = node.name if all_names.count(node.name) == 1 else str(node.path)
+            groups.setdefault(words, []).append(name)
     parts = []
     for words, names in groups.items():
         shown = ", ".join(names[:5] + ["…"] * (len(names) > 5))

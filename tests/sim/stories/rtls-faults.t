@@ -215,6 +215,17 @@ What is no name server is told from one:
   ! rtls: /10.0.0.1:$PORT: not a name server (it is a CORBA process of another kind)
   [3]
 
+Two of one name are told apart:
+
+  $ mock many 1 --context other.host_cxt/Hung%n.rtc
+  $ hang many4
+  $ rtls --timeout 0.3 HungMock1.rtc HungMock0.rtc ../other.host_cxt/HungMock0.rtc
+  HungMock1.rtc
+  HungMock0.rtc
+  ?HungMock0.rtc
+  ! rtls: 1 of 3 did not answer (/robot/other.host_cxt/HungMock0.rtc)
+  [5] after 0.3 s
+
 What a command computes at first, on a slow machine, is no time in which others were silent, nor is it added to what
 they have:
 
