@@ -316,6 +316,7 @@ async def compose(target, adding, removing, type_name=COMPOSITE, options="", dry
     name = target.port or DEFAULT_NAME
     argument = f"{type_name}?instance_name={name}"
     if options:
+        manager.check_pairs(options)
         argument += "&" + options
     if any(c in name for c in "?&="):
         raise errors.Usage(f"a composite cannot be called {printable(name)}")

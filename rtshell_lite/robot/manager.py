@@ -88,10 +88,19 @@ def check_argument(argument):
 
     Managers know no escaping: they refuse a second ? and skip what is not KEY=VALUE, both silently.
     """
-    module, mark, pairs = argument.partition("?")
-    wrong = [pair for pair in pairs.split("&") if pair and pair.count("=") != 1]
-    if not module or "?" in pairs or wrong:
+    module, _, pairs = argument.partition("?")
+    if not module or not _are_pairs(pairs):
         raise errors.Usage(f"not MODULE[?KEY=VALUE&KEY=VALUE…]: {printable(argument)}")
+
+
+def check_pairs(pairs):
+    """Raise Usage for what cannot come after the ? of such an argument."""
+    if not _are_pairs(pairs):
+        raise errors.Usage(f"not KEY=VALUE&KEY=VALUE…: {printable(pairs)}")
+
+
+def _are_pairs(text):
+    return "?" not in text and all(pair.count("=") == 1 for pair in text.split("&") if pair)
 
 
 def reference(word):

@@ -41,7 +41,7 @@ Wrong usage:
   rtcomp: a composite cannot be called a&b=c (see --help)
   [2]
   $ rtcomp -o nonsense ../m.host_cxt/manager.mgr:New
-  rtcomp: not MODULE[?KEY=VALUE&KEY=VALUE…]: PeriodicECSharedComposite?instance_name=New&nonsense (see --help)
+  rtcomp: not KEY=VALUE&KEY=VALUE…: nonsense (see --help)
   [2]
   $ rtcomp -t 'A?b=c' ../m.host_cxt/manager.mgr:New
   rtcomp: not MODULE[?KEY=VALUE&KEY=VALUE…]: A?b=c?instance_name=New (see --help)
