@@ -4,6 +4,7 @@ from rtshell_lite import errors
 from rtshell_lite.corba import orb
 from rtshell_lite.text import from_wire, printable, shell_word, to_wire
 
+LARGEST = 1 << 20  # octets of a structure that is sent: it has to be read again, and put back
 SERVICE = "IDL:omg.org/RTC/ExtendedFsmService:1.0"
 
 

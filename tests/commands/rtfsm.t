@@ -121,6 +121,12 @@ The file:
   $ printf 'a\0b' > nul; rtfsm Microwave0.rtc setstructure nul
   rtfsm: nul: holds a NUL character, which cannot be sent
   [1]
+  $ head -c 1048577 /dev/zero | tr '\0' x > large; rtfsm Microwave0.rtc setstructure large
+  rtfsm: large: more than 1 MiB
+  [1]
+  $ head -c 1048576 large > whole; rtfsm -v Microwave0.rtc setstructure whole
+  rtfsm: /localhost:$PORT/test.host_cxt/Microwave0.rtc: changed
+  $ rtfsm Microwave0.rtc getstructure | cmp - whole
   $ rtfsm Microwave0.rtc setstructure - < /dev/null
   rtfsm: -: is empty: the state machine would be lost
   [1]

@@ -8,9 +8,9 @@ world: hung 1 --context hung.host_cxt/%n.rtc
 
   $ logged() { soon "ctl observers Motor0 | grep Logger"; }
 
-Records up to level NORMAL, or another; of all sources, or some. The level may be written small:
+Records up to level NORMAL, or another; of all sources, or some. The level may be written small, and a component named twice:
 
-  $ rtvlog -n 2 Motor0.rtc > out & logged
+  $ rtvlog -n 2 Motor0.rtc ./Motor0.rtc > out & logged
   $ ctl log Motor0 DEBUG motor secret
   $ ctl log Motor0 ERROR motor "it is hot"
   $ ctl log Motor0 INFO arm "it is warm"
