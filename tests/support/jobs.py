@@ -27,11 +27,9 @@ def apart():
     mounts.
     """
     command = ["unshare", "--mount"]
-    try:
-        works = os.geteuid() == 0 and subprocess.call(command + ["true"], stderr=subprocess.DEVNULL) == 0
-    except FileNotFoundError:
-        works = False
-    return command if works else []
+    if os.geteuid() or not shutil.which("unshare"):
+        return []
+    return [] if subprocess.call(command + ["true"], stderr=subprocess.DEVNULL) else command
 
 
 def run_job(python, program, words, limit, environment=None):
@@ -72,10 +70,8 @@ def _end(process, limit):
             process.wait(TURN)
         return "no end after %g s of a quiet machine" % limit
     finally:
-        try:
+        with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
         process.wait()
         process.stdin.close()
 
@@ -116,13 +112,11 @@ def left_behind(marker):
     """Kill the processes that have the mark, except this one; returns their command lines."""
     found = []
     for number in map(int, filter(str.isdigit, os.listdir("/proc"))):
-        try:
+        with contextlib.suppress(OSError):
             with open("/proc/%d/environ" % number, "rb") as file:
                 if number == os.getpid() or marker not in file.read():
                     continue
             with open("/proc/%d/cmdline" % number, "rb") as file:
                 found.append(file.read().replace(b"\0", b" ").decode("utf-8", "replace"))
             os.kill(number, signal.SIGKILL)
-        except OSError:
-            pass
     return found
