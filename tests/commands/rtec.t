@@ -197,6 +197,9 @@ Wrong usage:
   $ rtec --measure=0 ConsoleIn0.rtc
   rtec: argument --measure: not a number of seconds above 0: 0 (see --help)
   [2]
+  $ rtec Motor0.rtc --measure 0.5 rate 5
+  rtec: --measure is for list (see --help)
+  [2]
 
 What is no component, no context, no participant, dead, silent:
 

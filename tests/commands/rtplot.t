@@ -198,6 +198,9 @@ Wrong usage:
   $ rtplot -s 5 Source0.rtc:number
   rtplot: -s and -e are for logs (see --help)
   [2]
+  $ rtplot -f run.mcap -t 3
+  rtplot: -t is for what runs; -s and -e are for logs (see --help)
+  [2]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 

@@ -63,6 +63,9 @@ Neighbourhoods, by connections, with the data or against it:
   $ rtstodot --upstream --downstream robot.rtsys
   rtstodot: --upstream does not go with --downstream (see --help)
   [2]
+  $ rtstodot --hops 2 robot.rtsys
+  rtstodot: --hops, --upstream and --downstream are for --around, --state and --broken (see --help)
+  [2]
 
 By state, by what rtdoctor reports, without some:
 
