@@ -17,12 +17,11 @@ from rtshell_lite.net import loop
 from rtshell_lite.robot import component, transitions
 from rtshell_lite.system import apply, capture, happening, plan, reconnect, restore, run_plan
 from rtshell_lite.system import placements, steps
-from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WHOLE, KeptComponent
+from rtshell_lite.system.kept import BRIEF, FULL, PARTS, STATE, WAIT, WHOLE, KeptComponent
 from rtshell_lite.system.matter import AGREED, BY_HAND, UNKNOWN
 from rtshell_lite.system.outcomes import ALREADY, DONE, FAILED, GONE
 
 TICK = 0.1  # seconds between looks whether all is done
-WAIT = 1.0  # seconds until a look that failed is taken again; where nothing was answered, ever more
 FAREWELL = 2.0  # seconds until a component that has exited is created again: its end takes its name along
 MINUTE = 60.0
 ROUND = 10  # turns, at most, until a process has been asked all questions of a kind
@@ -207,7 +206,7 @@ class Keeper(follow.Presence):
     async def _look(self, kept):
         shown = kept.node and kept.shown
         parts = kept.looking
-        if WHOLE in parts:
+        if WHOLE in parts or shown.profile is None:
             await shown.ask(ports=BRIEF, profile=FULL)
             if self.options.watch and kept.shown is shown:
                 await kept.observe(dict(shown.profile.properties))
@@ -236,10 +235,10 @@ class Keeper(follow.Presence):
 
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
-        kept.changed = kept.changed | kept.looking
-        kept.due = loop.now() + WAIT
         if not kept.is_there:
             return
+        kept.changed = kept.changed | kept.looking
+        kept.due = loop.now() + WAIT
         kept.placement.error = error
         session.current().ask_again(kept.endpoint)
         near = {other for _, ends in self._connections.of([kept]) for other in ends}
@@ -403,10 +402,11 @@ class Keeper(follow.Presence):
         kept.has_failed = False
         if before == BY_HAND and not is_our_work:
             self.happened(kept, "is Active again")
-        if before == AGREED:
-            return
+
+    def try_others(self):
+        """A component has another state: those that were not tried may have waited for that."""
         for other in self.followed:
-            if isinstance(other.life.complaint, errors.NotTried):
+            if isinstance(other.life.complaint, errors.NotTried) and other.is_usable:
                 other.change(STATE)
 
     def _may_start(self, kept):
@@ -462,10 +462,11 @@ class Keeper(follow.Presence):
             return FAILED
 
         begun = loop.now()
-        coming = [other for other in self.followed if other.is_coming and other not in todo]
+        lacking = [other for other in self.followed if other not in todo and reached(other) == FAILED]
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
         is_any_left_out = any(isinstance(result.error, errors.NotTried) for result in results)
-        early = self._started_after(coming) if is_any_left_out else []
+        late = [other for other in lacking if other.is_coming or reached(other) == ALREADY]
+        early = self._started_after(late) if is_any_left_out else []
         for kept in todo:
             own = [result.error for result in results if result.action.component is kept.placement.component]
             failed = list(filter(None, own))
@@ -481,7 +482,7 @@ class Keeper(follow.Presence):
 
     @staticmethod
     def _wait_for_turn(kept):
-        """What it comes after has not failed, but has not been looked at yet."""
+        """What it comes after has not failed: it had not been looked at yet, or is Active by now."""
         kept.change(STATE)
         kept.due = loop.now() + WAIT
 

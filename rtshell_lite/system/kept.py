@@ -16,6 +16,8 @@ from rtshell_lite.system.matter import BY_HAND, Matter
 
 PAUSE = 0.15  # seconds between a change and the look at it: who disconnects does it port by port
 
+WAIT = 1.0  # seconds until a look that failed is taken again; where nothing was answered, ever more
+
 WHOLE = "whole"  # every part, and whether it is the component that is meant
 STATE = "state"  # a part
 FULL, BRIEF = snapshot.FULL, snapshot.BRIEF
@@ -100,9 +102,10 @@ class KeptComponent(follow.Followed):
     @property
     def is_coming(self):
         """Whether it is about to be looked at, and then to be made Active."""
-        is_to_be_seen = self.is_there and not self.is_hung and not self.is_paused and self.state != "Active"
-        is_well = all(matter.complaint is None for matter in self.matters)
-        return is_to_be_seen and is_well and (self.is_busy or bool(self.changed))
+        if not self.is_there or self.is_hung or self.is_paused or self.state == "Active":
+            return False
+        is_well = self.whole.complaint is None and self.life.complaint is None
+        return is_well and (self.is_busy or bool(self.changed) and self.due <= loop.now() + WAIT)
 
     @property
     def takers(self):
@@ -134,6 +137,7 @@ class KeptComponent(follow.Followed):
         if state != self.state:
             self.state = state
             self.since = loop.wall()
+            self.keeper.try_others()
 
     def reach(self, state):
         """Note the state that it was brought to."""
@@ -142,7 +146,9 @@ class KeptComponent(follow.Followed):
             self.seen.expect(state)
 
     def change(self, *parts):
-        """Have parts of it looked at again."""
+        """Have parts of it looked at again, if it is there."""
+        if not self.is_there:
+            return
         self.changed = self.changed.union(parts)
         self.due = max(self.due, loop.now() + PAUSE)
         self.keeper.bell.ring()
@@ -228,6 +234,8 @@ class KeptComponent(follow.Followed):
             self.has_failed = False
             self.change(WHOLE)
         else:
+            self.changed = frozenset()
+            self.become("unknown")  # nobody looks at it
             self.placement.error = errors.Failed(self.where, f"is back; its policy is {restart}")
             self.keeper.complain(self, self.whole, self.placement.error)
 
@@ -263,7 +271,7 @@ class KeptComponent(follow.Followed):
             self.begin_again()
         if event.kind == "EC_EVENT":  # a composite does not report that it has lost a member
             for other in self.drivers:
-                if other.is_there:
+                if other.is_usable:
                     other.change("contexts")
         self.change(PART_OF.get(event.kind, WHOLE))
 
