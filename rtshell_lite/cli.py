@@ -19,6 +19,8 @@ FLUSH_LIMIT = 1.0  # seconds for flushing the output after a signal: its reader 
 # Variables by the names that manuals of rtshell give them, and their real ones
 MISNAMED = {"RTCSH_NAMESERVERS": "RTCTREE_NAMESERVERS", "RTSH_CWD": "RTCSH_CWD"}
 
+STRUCK = 70  # statuses from here on: an internal error, or a signal, is not hidden by what comes after it
+
 _quiet = _verbose = False
 _reported = set()  # type: set  # OSErrors in words, as stdout fails again at the end
 _lines = None  # the progress.Lines of a command that does long work
@@ -199,7 +201,8 @@ def _flushed(status):
     except OSError as e:
         if _shown(e) in _reported:  # by a command that failed for it
             return status or 1
-        return complain(e)
+        said = complain(e)
+        return status if status >= STRUCK else said
     return status
 
 

@@ -13,7 +13,8 @@ REST = 6  # of them after the options: those that all commands have, an example,
 NARROWEST = 10  # columns that its words have at least, on however narrow a terminal
 ENDING = ("--version", "--help", "-h")  # options that end the program
 DIGITS = frozenset("0123456789.")
-FILES = ("FILE", "OUT")  # words of a help for a value that is no option: few want a file called -q
+# words of a help for a value that is no option, and not empty: few want a file called -q
+FILES = ("FILE", "OUT", "PROCFILE", "LOG", "REPORT", "DIR")
 # how many words an option or argument takes at least and at most, by its `nargs`
 COUNTS = {None: (1, 1), "?": (0, 1), "*": (0, FOREVER), "+": (1, FOREVER)}
 # `nargs` by whether a value may be left out, and repeated

@@ -188,10 +188,10 @@ def _names(snapshot):
     """Names that others have bound a component by; its own are in its property naming.names, if it has that.
     Where only a manager lists it, it has none.
     """
-    if snapshot.profile is None:
-        return []
-    own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(snapshot.node)
     nodes = [node for node in (snapshot.node, *snapshot.others) if node.path.is_bound]
+    if snapshot.profile is None or not nodes:
+        return []
+    own = dict(snapshot.profile.properties).get("naming.names", "") or _bound_as(nodes[0])
     near = [node for node in nodes if _bound_as(node) in own.split(",")]
     strange = [node for node in nodes if node not in near]
     if near:

@@ -120,7 +120,7 @@ class Interpreter:
         for words in split(line):
             notes.detail(" ".join(map(quoted, words)))
             if words[0] == "exit":
-                raise Left(_status(words[1:], self.status))
+                raise Left(self._asked_status(words[1:]))
             if words[0] == "help":
                 self.status = self._help(words[1:])
                 continue
@@ -139,6 +139,14 @@ class Interpreter:
         if name == "rtcwd" and not re.match("-h$|--help$|--version$|--shell", " ".join(words[1:2])):
             return self._change_directory(name, words[1:])
         return self._run(name, words[1:])
+
+    def _asked_status(self, words):
+        """The exit status that `exit WORDS` asks for; what follows is not run, whatever it asks for."""
+        if not words:
+            return self.status
+        if len(words) > 1 or not re.match(r"\d{1,3}$", words[0]) or int(words[0]) > 255:
+            return notes.fail(errors.BadLine(f"exit: not a status: {printable(' '.join(words))}"))
+        return int(words[0])
 
     def _help(self, words):
         if words:
@@ -166,12 +174,3 @@ class Interpreter:
         if not status:
             os.environ["RTCSH_CWD"] = printed.getvalue().rstrip("\n")
         return status
-
-
-def _status(words, last):
-    """The exit status that `exit WORDS` asks for."""
-    if not words:
-        return last
-    if len(words) > 1 or not re.match(r"\d{1,3}$", words[0]) or int(words[0]) > 255:
-        raise errors.BadLine(f"exit: not a status: {printable(' '.join(words))}")
-    return int(words[0])

@@ -207,12 +207,14 @@ def as_dict(node, figures):
 def silent_ones(nodes):
     """A line on how many of `nodes` did not answer, or were not asked; '' when all answered everything."""
     objects = [node for node in nodes if node.kind in ("component", "manager", "zombie", *tree.DOUBTFUL)]
-    all_names = [node.name for node in objects]
+    times = {}
+    for node in objects:
+        times[node.name] = times.get(node.name, 0) + 1
     groups = {}
     for node in objects:
         words = _lacking(node)
         if words:
-            name = node.name if all_names.count(node.name) == 1 else str(node.path)
+            name = node.name if times[node.name] == 1 else str(node.path)
             groups.setdefault(words, []).append(name)
     parts = []
     for words, names in groups.items():

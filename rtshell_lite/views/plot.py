@@ -48,6 +48,8 @@ class Field:
         return numbers[:MOST]
 
     def _take(self, value, name, index, numbers):
+        if value is None:  # a union that holds another member now
+            return
         if index == len(self._steps):
             _leaves(value, name, numbers, not self._steps)
             return

@@ -95,6 +95,9 @@ The exit status is that of the last command; with -e that of the first that fail
   $ rtsh -c 'exit 300'
   rtsh: exit: not a status: 300
   [2]
+  $ printf 'exit 300\npwd\n' | rtsh
+  rtsh: exit: not a status: 300
+  [2]
   $ rtsh -c 'exit 1 2'
   rtsh: exit: not a status: 1 2
   [2]

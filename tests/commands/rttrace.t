@@ -98,6 +98,9 @@ Where it cannot begin or end:
   $ rttrace Link0.rtc:out -u --to Link3.rtc:in
   rttrace: --to does not go with -u: give the port where the signal starts (see --help)
   [2]
+  $ rttrace --from '' Link0.rtc:out
+  rttrace: argument --from: the name of the file is empty (see --help)
+  [2]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):
 

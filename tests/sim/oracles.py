@@ -51,7 +51,7 @@ QUICK = 2.5  # seconds in which it has mended a robot that is well
 WITHOUT_CONNECTORS = {"rtdel", "rtconf", "rtact", "rtdeact", "rtreset"}
 IN_FLIGHT = 4
 WAITING_FOR_OTHERS = 2  # of them
-BETWEEN = 0.05  # seconds at most between the questions to the ports of a component and the one for its profile
+BETWEEN = 0.02  # seconds between the questions to the ports of a component and the one for its profile
 PROBES = 2  # a second: four of a process that has hung since before it was seen, each time they are given up
 # give questions up as they end, and ask others
 STAYING = {"rtkeep", "rtlog", "rtprint", "rtwatch", "rttop", "rtmount"}
@@ -604,17 +604,25 @@ def _is_same(one, other):
     return one.address[1:] == other.address[1:]
 
 
+def _far_end_died(play, name, when):
+    """Whether the process of one with which a component is connected was killed just before."""
+    far_names = {other for ends in play.scenario.connections if name in ends for other in ends}
+    programs = [life.program for far in far_names for life in play.robot.lives[far]]
+    return any(
+        program.is_over and not program.has_crashed and 0 <= when - program.ended < BETWEEN
+        for program in programs
+    )
+
+
 def nothing_crashes(play):
     """No process ends by what it is asked, and no mock has a bug.
 
     Nobody can help it where a far end dies after the question to a port, and before the one for the profile
     (docs/protocol.md 1.1).
     """
-    programs = [life.program for lives in play.robot.lives.values() for life in lives]
-    deaths = [program.ended for program in programs if program.is_over and not program.has_crashed]
     for name, lives in play.robot.lives.items():
         for program in [life.program for life in lives]:
-            if program.has_crashed and not any(0 <= program.ended - at < BETWEEN for at in deaths):
+            if program.has_crashed and not _far_end_died(play, name, program.ended):
                 return f"the process of {name} ended at {program.ended:.3f} s by what it was asked"
             if program.failure is not None:
                 return f"a mock raises {program.failure!r}"

@@ -66,6 +66,18 @@ class Fields(unittest.TestCase):
         self.assertEqual(plot.Field("colour").numbers(of), [("colour", 1, "RED")])
         self.assertEqual(self.numbers("a.b[0]", {"a": {"b": [7, "x"]}}), [7])
 
+    def test_a_union_may_hold_another_member(self):
+        class Union:
+            _d_to_m = {1: "pose", 2: "code"}
+
+            def __init__(self, case, held):
+                self._d = case
+                self._v = held
+
+        for path in "u.pose.x", "u.pose[0]", "u.pose":
+            self.assertEqual(self.numbers(path, value(u=Union(2, 7))), [], path)
+        self.assertEqual(self.numbers("u.pose.x", value(u=Union(1, value(x=1.5)))), [1.5])
+
     def test_wrong_ones(self):
         for path in ("data[", "[x]", "a b", "data[1:]", "é"):
             with self.assertRaises(errors.BadPath):
