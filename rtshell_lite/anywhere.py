@@ -65,8 +65,8 @@ def _unpack(directory, wheels):
     """Lay the commands and these wheels out under a directory, and print the line that puts them on PATH."""
     from rtshell_lite.shell.unpack import unpack
 
-    if not directory or ":" in directory:
-        raise errors.Usage(f"{directory or repr('')}: cannot be in PATH")
+    if ":" in directory:
+        raise errors.Usage(f"{directory}: cannot be in PATH")
     print(f"export PATH={text.quoted(unpack(directory, wheels))}:$PATH")
 
 

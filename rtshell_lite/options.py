@@ -658,7 +658,7 @@ def _address(value):
 def _file_name(value):
     """An option type: the name of a file. A shell makes an empty one of a variable that is not set."""
     if not value:
-        raise argparse.ArgumentTypeError("the name of the file is empty")
+        raise argparse.ArgumentTypeError("the name is empty")
     return value
 
 

@@ -167,7 +167,7 @@ Files that are no report, wrong usage:
   rtdoctor: --log does not go with --no-values: a log has nothing but values (see --help)
   [2]
   $ rtdoctor --report "$OUT" > now
-  rtdoctor: argument --report: the name of the file is empty (see --help)
+  rtdoctor: argument --report: the name is empty (see --help)
   [2]
   $ rtdoctor --report nowhere/a.html > now
   rtdoctor: nowhere/a.html: No such file or directory

@@ -148,7 +148,7 @@ What is wrong with a Procfile is said before anything is started:
   rtkeep: --log is for --processes (see --help)
   [2]
   $ rtkeep --processes '' --once a.xml
-  rtkeep: argument --processes: the name of the file is empty (see --help)
+  rtkeep: argument --processes: the name is empty (see --help)
   [2]
   $ rtkeep --once --processes p a.xml
   rtkeep: --processes ends with rtkeep: not with --once, nor with --dry-run (see --help)

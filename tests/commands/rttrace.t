@@ -99,7 +99,7 @@ Where it cannot begin or end:
   rttrace: --to does not go with -u: give the port where the signal starts (see --help)
   [2]
   $ rttrace --from '' Link0.rtc:out
-  rttrace: argument --from: the name of the file is empty (see --help)
+  rttrace: argument --from: the name is empty (see --help)
   [2]
 
 What the tests that run all commands have to know of this one (see tests/support/invocations.py):

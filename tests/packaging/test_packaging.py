@@ -141,7 +141,7 @@ class WheelFile(Robot):
             (["rtpw"], "did you mean rtpwd?"),
             (["--nonsense"], "--nonsense"),
             (["--unpack"], "--unpack"),
-            (["--unpack", ""], "PATH"),
+            (["--unpack", ""], "the name is empty"),
             (["--unpack", "/a:b"], "PATH"),
         ]:
             self.check_line("rtshell_lite", 2, self.from_wheel(*words), part)
