@@ -197,7 +197,7 @@ def _flushed(status):
     try:
         sys.stdout.flush()
     except BrokenPipeError:
-        return 141
+        return status if status >= STRUCK else 141
     except OSError as e:
         if _shown(e) in _reported:  # by a command that failed for it
             return status or 1

@@ -190,10 +190,10 @@ class Keeper(follow.Presence):
             kept.looking = kept.changed
             kept.changed = frozenset()
         try:
-            there = [kept for kept in batch if kept.is_there]
-            answers = await session.each(there, self._look)
-            for kept, answer in zip(there, answers):
-                if isinstance(answer, errors.Error):
+            there = [(kept, kept.shown) for kept in batch if kept.is_there]
+            answers = await session.each([kept for kept, _ in there], self._look)
+            for (kept, shown), answer in zip(there, answers):
+                if isinstance(answer, errors.Error) and kept.shown is shown:  # not another one by now
                     await self._not_shown(kept, answer)
             await self._restore([kept for kept in batch if kept.is_usable])
             if not self._is_ending:
@@ -206,7 +206,8 @@ class Keeper(follow.Presence):
     async def _look(self, kept):
         shown = kept.node and kept.shown
         parts = kept.looking
-        if WHOLE in parts or shown.profile is None:
+        was_up = kept.is_up
+        if WHOLE in parts:
             await shown.ask(ports=BRIEF, profile=FULL)
             if self.options.watch and kept.shown is shown:
                 await kept.observe(dict(shown.profile.properties))
@@ -232,11 +233,11 @@ class Keeper(follow.Presence):
             kept.become(component.merged(shown.states))
             if kept.state == "Error":
                 kept.fail("in Error")
+        if kept.is_up and not was_up:
+            self._try_others()
 
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
-        if not kept.is_there:
-            return
         kept.changed = kept.changed | kept.looking
         kept.due = loop.now() + WAIT
         kept.placement.error = error
@@ -403,8 +404,8 @@ class Keeper(follow.Presence):
         if before == BY_HAND and not is_our_work:
             self.happened(kept, "is Active again")
 
-    def try_others(self):
-        """A component has another state: those that were not tried may have waited for that."""
+    def _try_others(self):
+        """A component is up: those that were not tried may have waited for that."""
         for other in self.followed:
             if isinstance(other.life.complaint, errors.NotTried) and other.is_usable:
                 other.change(STATE)
@@ -457,15 +458,13 @@ class Keeper(follow.Presence):
             kept.has_failed = False
 
         def reached(other):
-            if other.state == "Active" or other.is_usable and not other.is_started:
-                return ALREADY
-            return FAILED
+            return ALREADY if other.is_up else FAILED
 
         begun = loop.now()
-        lacking = [other for other in self.followed if other not in todo and reached(other) == FAILED]
+        lacking = [other for other in self.followed if other not in todo and not other.is_up]
         results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
         is_any_left_out = any(isinstance(result.error, errors.NotTried) for result in results)
-        late = [other for other in lacking if other.is_coming or reached(other) == ALREADY]
+        late = [other for other in lacking if other.is_coming or other.is_up]
         early = self._started_after(late) if is_any_left_out else []
         for kept in todo:
             own = [result.error for result in results if result.action.component is kept.placement.component]
@@ -482,7 +481,7 @@ class Keeper(follow.Presence):
 
     @staticmethod
     def _wait_for_turn(kept):
-        """What it comes after has not failed: it had not been looked at yet, or is Active by now."""
+        """What it comes after has not failed: it had not been looked at yet, or is up by now."""
         kept.change(STATE)
         kept.due = loop.now() + WAIT
 
@@ -506,6 +505,7 @@ class Keeper(follow.Presence):
             kept.reach("Active")
             self._is_active(kept, is_our_work=True)
             self.happened(kept, "", "Active", begun)
+            self._try_others()
         elif isinstance(failed[0], errors.NotTried):
             self.complain(kept, kept.life, failed[0])
         else:
@@ -528,6 +528,7 @@ class Keeper(follow.Presence):
             if other.state == "Active":
                 other.life.lose()
                 await self.deactivate(other, f"{kept.where} is given up", "deactivated")
+                other.change(STATE)  # it says what it waits for now
 
 
 def _executed(of_file):

@@ -43,7 +43,8 @@ class KeptComponent(follow.Followed):
     changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by loop.now()
     looking   those that are being looked at
     life      the Matter of its state; `whole` of what hinders all; `of_steps` {key of a step: its Matter}
-    state     its state, absent, or hung; since `since`, seconds since 1970
+    state     its state, absent, hung, or unknown: not looked at yet, or left alone by its policy; since
+              `since`, seconds since 1970
     trial     the policy.Trial of its state, `repairs` that of everything else
     last      the last Happening of it in words, `restarts` how often it has come back
     drives    KeptComponents that it executes, by the file; `drivers` those that execute it
@@ -54,9 +55,10 @@ class KeptComponent(follow.Followed):
     restarts = 0
     last = ""
     is_busy = is_paused = has_exited = has_been_there = False
+    is_refused = False  # it has come back, and its policy leaves it alone
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
     known = None  # the identity of the object that it was before the file was read again, or it refused
-    due = 0.0
+    due = _changed_since = 0.0
 
     def __init__(self, placement, keeper):
         super().__init__(placement.path)
@@ -90,6 +92,11 @@ class KeptComponent(follow.Followed):
         return self.is_there and self.placement.error is None and self.placement.found is not None
 
     @property
+    def is_up(self):
+        """Whether what comes after it may start."""
+        return self.state == "Active" or self.is_usable and not self.is_started
+
+    @property
     def is_given_up(self):
         """Whether something about it was given up."""
         return self.trial.given_up or self.repairs.given_up
@@ -104,8 +111,10 @@ class KeptComponent(follow.Followed):
         """Whether it is about to be looked at, and then to be made Active."""
         if not self.is_there or self.is_hung or self.is_paused or self.state == "Active":
             return False
-        is_well = self.whole.complaint is None and self.life.complaint is None
-        return is_well and (self.is_busy or bool(self.changed) and self.due <= loop.now() + WAIT)
+        is_by_hand = self.life.knowledge == BY_HAND and not self.keeper.options.strict
+        if is_by_hand or self.whole.complaint is not None or self.life.complaint is not None:
+            return False
+        return self.is_busy or bool(self.changed) and self.due <= loop.now() + WAIT
 
     @property
     def takers(self):
@@ -137,7 +146,6 @@ class KeptComponent(follow.Followed):
         if state != self.state:
             self.state = state
             self.since = loop.wall()
-            self.keeper.try_others()
 
     def reach(self, state):
         """Note the state that it was brought to."""
@@ -146,11 +154,13 @@ class KeptComponent(follow.Followed):
             self.seen.expect(state)
 
     def change(self, *parts):
-        """Have parts of it looked at again, if it is there."""
-        if not self.is_there:
+        """Have parts of it looked at again, if it is there, and not to be left alone."""
+        if not self.is_there or self.is_refused:
             return
+        if not self.changed:
+            self._changed_since = loop.now()
         self.changed = self.changed.union(parts)
-        self.due = max(self.due, loop.now() + PAUSE)
+        self.due = max(self.due, min(loop.now() + PAUSE, self._changed_since + WAIT))
         self.keeper.bell.ring()
 
     def as_dict(self):
@@ -183,7 +193,7 @@ class KeptComponent(follow.Followed):
 
     def take_back(self):
         """Let it be kept again, whatever a person has done."""
-        self.is_paused = False
+        self.is_paused = self.is_refused = False
         self.forget_all()
         self.release()
         if self.is_there:
@@ -201,6 +211,7 @@ class KeptComponent(follow.Followed):
         self.state = old.state  # until it is looked for
         self.since = old.since
         self.known = orb.identity(old.shown.node.ref) if old.is_there else old.known
+        self.is_refused = old.is_refused and self._is_to_be_left()
         if self.known is not None:
             self.life = old.life
             self.of_steps = old.of_steps
@@ -225,19 +236,24 @@ class KeptComponent(follow.Followed):
         if is_other:
             self.restarts += self.has_been_there
             self.forget_all()
+            self.is_refused = self.has_been_there and self._is_to_be_left()
         self.has_been_there = True
         self.placement.node = self.shown.node
         self.placement.error = self.placement.found = None
-        restart = self.trial.policy.restart
-        is_to_start = restart == "always" or restart == "on-error" and not self.has_exited
-        if self.restarts == 0 or is_to_start:
+        if not self.is_refused:
             self.has_failed = False
             self.change(WHOLE)
-        else:
-            self.changed = frozenset()
-            self.become("unknown")  # nobody looks at it
-            self.placement.error = errors.Failed(self.where, f"is back; its policy is {restart}")
-            self.keeper.complain(self, self.whole, self.placement.error)
+            return
+        self.changed = frozenset()
+        self.become("unknown")
+        why = f"is back; its policy is {self.trial.policy.restart}"
+        self.placement.error = errors.Failed(self.where, why)
+        self.keeper.complain(self, self.whole, self.placement.error)
+
+    def _is_to_be_left(self):
+        """Whether its policy leaves it alone when it is back."""
+        restart = self.trial.policy.restart
+        return restart == "no" or restart == "on-error" and self.has_exited
 
     def vanished(self, seen):
         self.placement.error = self.error  # tasks that are at work go on with what they have, and fail

@@ -208,17 +208,16 @@ def _optional_before_required(actions):
 
 def dependents(actions, numbers):
     """The actions that are not tried where those with these numbers fail, in the order to expect."""
-    lost = set(numbers)
+    lost = more = set(numbers)
     by_number = {action.number: action for action in actions}
-    while True:
+    while more:
         more = {
             action.number
             for action in actions
-            if action.number not in lost and any(_depends(action, by_number[number]) for number in lost)
+            if action.number not in lost and any(_depends(action, by_number[number]) for number in more)
         }
-        if not more:
-            return [action for action in in_order(actions) if action.number in lost - set(numbers)]
-        lost |= more
+        lost = lost | more
+    return [action for action in in_order(actions) if action.number in lost - set(numbers)]
 
 
 def _depends(action, other):

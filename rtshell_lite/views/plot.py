@@ -70,16 +70,13 @@ class Field:
         if member in members:
             return members[member]
         if "_d" in members and "_v" in members:  # a union, which may hold it at other times
-            return _case(value, member)
+            cases = getattr(type(value), "_d_to_m", {})
+            default = getattr(type(value), "_def_m", None)
+            members = [*cases.values(), *filter(None, [default])]
+            if member in members:
+                return value._v if cases.get(value._d, default) == member else None
         names = ", ".join(sorted(map(printable, members))) or "none"
         raise errors.NoSuch(self.path, "field", f"{member} (there are: {names})")
-
-
-def _case(union, member):
-    cases = getattr(type(union), "_d_to_m", {})
-    if cases.get(union._d, getattr(type(union), "_def_m", None)) == member:
-        return union._v
-    return None
 
 
 def _leaves(value, name, numbers, is_all):

@@ -77,6 +77,8 @@ class Fields(unittest.TestCase):
         for path in "u.pose.x", "u.pose[0]", "u.pose":
             self.assertEqual(self.numbers(path, value(u=Union(2, 7))), [], path)
         self.assertEqual(self.numbers("u.pose.x", value(u=Union(1, value(x=1.5)))), [1.5])
+        with self.assertRaisesRegex(errors.NoSuch, r"pos \(there are: code, pose\)"):
+            self.numbers("u.pos.x", value(u=Union(2, 7)))
 
     def test_wrong_ones(self):
         for path in ("data[", "[x]", "a b", "data[1:]", "é"):

@@ -35,8 +35,8 @@ Err0 goes to Error as soon as it is Active. ConsoleIn0 starts after it, ConsoleO
   [08:00:30] /robot/test.host_cxt/ConsoleIn0.rtc: Inactive
   [08:00:30] /robot/test.host_cxt/ConsoleOut0.rtc: Inactive
   [08:00:30] /robot/test.host_cxt/Err0.rtc: cannot deactivate: it is in Error; reset it first
-  [08:00:30] /robot/test.host_cxt/Motor0.rtc: Inactive
   [08:00:30] /robot/test.host_cxt/Sensor0.rtc: Inactive
+  [08:00:30] /robot/test.host_cxt/Motor0.rtc: Inactive
   [0] after 30.0 s
 
 A required component that is given up takes those with it that were started after it:
