@@ -31,7 +31,7 @@ def main():
     parser.add_argument("words", nargs="*", metavar="WORD")
     args = parser.parse_args()
     wanted = [
-        mutant for mutant in _read() if not args.words or any(word in " ".join(mutant) for word in args.words)
+        mutant for mutant in read() if not args.words or any(word in " ".join(mutant) for word in args.words)
     ]
     noticed = _notice((os.path.join("bin", "rtls"), "", ""), args.worlds)
     if noticed:
@@ -48,7 +48,7 @@ def main():
     sys.exit(1 if missing else 0)
 
 
-def _read():
+def read():
     """[(file, what stands there, what takes its place)] of mutants.txt."""
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutants.txt")) as file:
         blocks = file.read().split("\n\n")

@@ -6,6 +6,8 @@ import subprocess
 import sys
 import unittest
 
+import mutants
+
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 WORLDS = 500
 
@@ -40,6 +42,15 @@ class Worlds(unittest.TestCase):
         (_, one), (_, other) = [simulate("--seed", "77", "--worlds", "20", "-v") for _ in range(2)]
         self.assertGreater(len(one), 1000)
         self.assertEqual(one, other)
+
+
+class Mutants(unittest.TestCase):
+    def test_what_is_to_be_broken_is_there(self):
+        """Else mutants.py would not break it, and say at its end that the worlds notice less."""
+        for name, old, new in mutants.read():
+            with open(os.path.join(mutants.ROOT, name), encoding="utf-8") as file:
+                self.assertIn(old, file.read(), name)
+            self.assertNotEqual(old, new, name)
 
 
 if __name__ == "__main__":
