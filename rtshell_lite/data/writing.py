@@ -304,6 +304,8 @@ class Writer(PortConnection):
             self.unanswered = isinstance(e, errors.Silent)
             if isinstance(e, errors.Gone):
                 raise errors.Unreachable(self.where, self.lost())
+            if isinstance(e, errors.ConnectionRefused):
+                raise self.component_ended(e)
             raise
         self.unanswered = False
         now = loop.now()

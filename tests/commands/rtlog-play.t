@@ -127,7 +127,7 @@ Wrong ports:
   rtlog: End of log reached.
   [5]
 
-Ctrl-C, and a component that dies or hangs meanwhile:
+Ctrl-C, and other signals (a component that dies meanwhile: tests/sim/stories/rtlog-play.t):
 
   $ rtlog -q -i -e 3 -f c.rtlog --property dataport.subscription_type=periodic \
   >     --property dataport.publisher.push_rate=2 --property dataport.publisher.push_policy=new \
@@ -140,7 +140,3 @@ Ctrl-C, and a component that dies or hangs meanwhile:
   > kill -$s $!; wait $!; echo $?; ctl @these connectors ConsoleOut0:in; done
   143
   129
-  $ rtlog -p -f c.rtlog -r 0.3 ConsoleOut0.rtc:in.n & soon '[ -n "$(ctl @these connectors ConsoleOut0:in)" ]'
-  > kill-mock these; wait $!
-  rtlog: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: the component is gone, and its process too
-  [4]
