@@ -184,11 +184,11 @@ def spawn(words):
     """Start a command as a shell would; returns its process number. (subprocess takes longer to import than a
     command to run.)
     """
+    hear_ctrl_c()  # before there is a child that could miss it
     process = os.fork()
     if process:
         return process
     try:
-        hear_ctrl_c()
         for number in signal.SIGPIPE, signal.SIGXFSZ:  # Python ignores them
             signal.signal(number, signal.SIG_DFL)
         os.execvp(words[0], words)
