@@ -457,12 +457,11 @@ class Keeper(follow.Presence):
         for kept in todo:
             kept.has_failed = False
 
-        def reached(other):
-            return ALREADY if other.is_up else FAILED
-
         begun = loop.now()
         lacking = [other for other in self.followed if other not in todo and not other.is_up]
-        results = await self._carry_out(self.actions, transitions.ACTIVATE, todo, reached)
+        results = await self._carry_out(
+            self.actions, transitions.ACTIVATE, todo, lambda other: ALREADY if other.is_up else FAILED
+        )
         is_any_left_out = any(isinstance(result.error, errors.NotTried) for result in results)
         late = [other for other in lacking if other.is_coming or other.is_up]
         early = self._started_after(late) if is_any_left_out else []

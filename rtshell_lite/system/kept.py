@@ -15,7 +15,6 @@ from rtshell_lite.system import policy
 from rtshell_lite.system.matter import BY_HAND, Matter
 
 PAUSE = 0.15  # seconds between a change and the look at it: who disconnects does it port by port
-
 WAIT = 1.0  # seconds until a look that failed is taken again; where nothing was answered, ever more
 
 WHOLE = "whole"  # every part, and whether it is the component that is meant

@@ -617,8 +617,8 @@ def _far_end_died(play, name, when):
 def nothing_crashes(play):
     """No process ends by what it is asked, and no mock has a bug.
 
-    Nobody can help it where a far end dies after the question to a port, and before the one for the profile
-    (docs/protocol.md 1.1).
+    Except where a far end dies after the question to a port, and before the one for the profile: no tool can
+    prevent that (docs/protocol.md 1.1).
     """
     for name, lives in play.robot.lives.items():
         for program in [life.program for life in lives]:

@@ -34,6 +34,7 @@ world began. What else is typed:
     mock these Mock:Late0       one more process
     cat FILE, ls a*.mcap
     insert ONE OTHER            write OTHER: what is in ONE, with the lines after `  > ` before its last one
+    order ONE OTHER A0 B0 …     write OTHER: what is in ONE, and that each of these components starts after the one before
     write FILE                  write a file: the lines after `  > `. In a Procfile, commands are `mock these Motor NAME`,
                                 or programs of processes.py (`brief NAME 0.4 3`); NAME is that of the process
     NAME=VALUE                  in the environment of all that follows
@@ -86,6 +87,14 @@ STAMP = re.compile(r"\b18000[0-9]{5}\.[0-9]+")  # seconds since 1970
 ANYTHING = "…"
 STATUS = re.compile(r"\[-?[0-9]+\]( after [0-9.]+ s)?$")
 ASSIGNMENT = re.compile(r"[A-Z_]+=")
+# of an RtsProfile: a component is started when another one is Active
+AFTER = """\
+<rts:targets rts:sequence="{number}">
+<rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0">
+<rts:PrecedingComponents rts:componentId="{first}" rts:instanceName="{first}" rts:id="0"/>
+</rts:Preceding>
+<rts:TargetComponent rts:componentId="{then}" rts:instanceName="{then}" rts:id="0"/>
+</rts:targets>"""
 
 
 class Failed(Exception):
@@ -331,6 +340,13 @@ class Player:
         with open(other, "w", encoding="utf-8") as file:
             file.writelines(line + "\n" for line in (*before, *lines, last))
         return ()
+
+    def do_order(self, one, other, *names):
+        after = [
+            AFTER.format(number=number, first=first, then=then)
+            for number, (first, then) in enumerate(zip(names, names[1:]), 1)
+        ]
+        return self.do_insert(one, other, "<rts:Activation>", *after, "</rts:Activation>")
 
     def do_write(self, path, *lines):
         with open(path, "w", encoding="utf-8") as file:

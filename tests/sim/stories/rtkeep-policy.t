@@ -6,11 +6,7 @@ world: these Sensor --flavour cpp2
 Err0 goes to Error as soon as it is Active. ConsoleIn0 starts after it, ConsoleOut0 after that; Motor0 and Sensor0 need neither.
 
   $ rtcryo --all -o a.xml
-  $ insert a.xml b.xml
-  > <rts:Activation>
-  > <rts:targets rts:sequence="1"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="Err0" rts:instanceName="Err0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleIn0" rts:instanceName="ConsoleIn0" rts:id="0"/></rts:targets>
-  > <rts:targets rts:sequence="2"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="ConsoleIn0" rts:instanceName="ConsoleIn0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:targets>
-  > </rts:Activation>
+  $ order a.xml b.xml Err0 ConsoleIn0 ConsoleOut0
   $ rtkeep --stop-at-end --burst 3/60 --delay 0.5-1 b.xml &
   $ sleep 30
   $ show rtkeep
@@ -44,11 +40,7 @@ A required component that is given up takes those with it that were started afte
   $ rtexit --wait Err0.rtc
   [0] after 0.7 s
   $ rtcryo --all -o c.xml
-  $ insert c.xml d.xml
-  > <rts:Activation>
-  > <rts:targets rts:sequence="1"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="ConsoleIn0" rts:instanceName="ConsoleIn0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:targets>
-  > <rts:targets rts:sequence="2"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="Motor0" rts:instanceName="Motor0" rts:id="0"/></rts:targets>
-  > </rts:Activation>
+  $ order c.xml d.xml ConsoleIn0 ConsoleOut0 Motor0
   $ rtkeep --burst 2/60 --delay 0.5-1 d.xml &
   $ sleep 5
   $ rtcheck d.xml

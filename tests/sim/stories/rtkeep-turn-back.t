@@ -5,10 +5,7 @@ world: these ConsoleOut
 world: these Slow:S0
 
   $ rtcryo --all -o a.xml
-  $ insert a.xml b.xml
-  > <rts:Activation>
-  > <rts:targets rts:sequence="1"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="S0" rts:instanceName="S0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:targets>
-  > </rts:Activation>
+  $ order a.xml b.xml S0 ConsoleOut0
   $ restart these
   $ restart these2
   $ sleep 0.2

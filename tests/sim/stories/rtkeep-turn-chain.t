@@ -5,11 +5,7 @@ world: these ConsoleOut
 world: these ConsoleIn
 
   $ rtcryo --all -o a.xml
-  $ insert a.xml b.xml
-  > <rts:Activation>
-  > <rts:targets rts:sequence="1"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="Sensor0" rts:instanceName="Sensor0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:targets>
-  > <rts:targets rts:sequence="2"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleIn0" rts:instanceName="ConsoleIn0" rts:id="0"/></rts:targets>
-  > </rts:Activation>
+  $ order a.xml b.xml Sensor0 ConsoleOut0 ConsoleIn0
   $ kill these
   $ rtkeep b.xml &
   $ sleep 5

@@ -4,10 +4,7 @@ world: these ConsoleIn
 world: these ConsoleOut --flavour java
 
   $ rtcryo --all -o a.xml
-  $ insert a.xml b.xml
-  > <rts:Activation>
-  > <rts:targets rts:sequence="1"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="ConsoleIn0" rts:instanceName="ConsoleIn0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:targets>
-  > </rts:Activation>
+  $ order a.xml b.xml ConsoleIn0 ConsoleOut0
   $ rtkeep --burst 1/60 --delay 0.5-1 b.xml &
   $ sleep 5
   $ ctl error ConsoleIn0

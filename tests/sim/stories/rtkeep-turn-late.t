@@ -4,10 +4,7 @@ world: these Slow:A0 ConsoleOut
 world: these Sensor
 
   $ rtcryo --all -o a.xml
-  $ insert a.xml b.xml
-  > <rts:Activation>
-  > <rts:targets rts:sequence="1"><rts:Preceding rts:sendingTiming="SYNC" rts:timeout="0"><rts:PrecedingComponents rts:componentId="Sensor0" rts:instanceName="Sensor0" rts:id="0"/></rts:Preceding><rts:TargetComponent rts:componentId="ConsoleOut0" rts:instanceName="ConsoleOut0" rts:id="0"/></rts:targets>
-  > </rts:Activation>
+  $ order a.xml b.xml Sensor0 ConsoleOut0
   $ restart these2
   $ sleep 0.2
   $ rtkeep b.xml &
