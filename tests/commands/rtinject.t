@@ -186,7 +186,7 @@ Refused, dead, silent:
   $ rtinject -n -1 -r 20 -c '{"data": 1}' ConsoleOut0.rtc:in & pid=$!
   $ soon 'ctl connectors ConsoleOut0:in | grep -q .'
   $ kill-mock two; wait $pid
-  rtinject: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc:in: connection (lost|refused) (re)
+  rtinject: /localhost:\$PORT/test.host_cxt/ConsoleOut0.rtc:in: (connection lost|the component is gone, and its process too) (re)
   [4]
   $ hang these
   $ RTSHELL_TIMEOUT=0.5 within 0.5-2 rtinject -c '{"data": 1}' Far0.rtc:in
