@@ -195,9 +195,9 @@ class Keeper(follow.Presence):
             for (kept, shown), answer in zip(there, answers):
                 if isinstance(answer, errors.Error) and kept.shown is shown:  # not another one by now
                     await self._not_shown(kept, answer)
-            await self._restore([kept for kept in batch if kept.is_usable])
+            await self._restore([kept for kept in batch if kept.is_usable and not kept.is_paused])
             if not self._is_ending:
-                await self._start([kept for kept in batch if kept.is_usable and not kept.is_hung])
+                await self._start([kept for kept in batch if kept.is_startable])
         finally:
             for kept in batch:
                 kept.is_busy = False
@@ -490,9 +490,14 @@ class Keeper(follow.Presence):
         """
         progress = run_plan.Progress()
         run = run_plan.Run(actions, transition, progress)
+
+        def is_wanted(action):
+            is_to_start = transition is transitions.ACTIVATE
+            return not (is_to_start and self._kept_of[id(action.component)].is_paused)
+
         of_actions = [(action, self._kept_of[id(action.component)]) for action in actions]
         ended = {action.number: outcome_of(kept) for action, kept in of_actions if kept not in some}
-        run.take({id(kept.placement.component): kept.node for kept in some}, ended)
+        run.take({id(kept.placement.component): kept.node for kept in some}, ended, is_wanted)
         await run.carry_out()
         return progress.results
 
@@ -520,6 +525,14 @@ class Keeper(follow.Presence):
                 self.happened(kept, seen, done, begun)
         except errors.Error as e:
             self.complain(kept, kept.life, e)
+
+    async def stop_one(self, kept):
+        """Deactivate a component on request; again if it was about to become Active."""
+        await self.deactivate(kept, "", "deactivated on request")
+        while kept.is_busy:
+            await loop.sleep(TICK)
+        if kept.is_paused and kept.state == "Active":
+            await self.deactivate(kept, "", "deactivated on request")
 
     async def _stop_dependents(self, kept):
         """A required component is given up: deactivate what the plan starts after it, the last first."""

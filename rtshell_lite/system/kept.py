@@ -91,6 +91,11 @@ class KeptComponent(follow.Followed):
         return self.is_there and self.placement.error is None and self.placement.found is not None
 
     @property
+    def is_startable(self):
+        """Whether its state may be changed to what the file says."""
+        return self.is_usable and not self.is_hung and not self.is_paused
+
+    @property
     def is_up(self):
         """Whether what comes after it may start."""
         return self.state == "Active" or self.is_usable and not self.is_started

@@ -62,6 +62,7 @@ class Run:
         self._busy = collections.Counter()  # by endpoint: how many are being changed
         self._changed = loop.Bell()  # rings when something may be due
         self._schedule = plan.Schedule(actions, transition.target)
+        self._is_wanted = lambda action: True
 
     # ---- before anything is changed ----
 
@@ -114,10 +115,12 @@ class Run:
         for described, answer in zip(profile.components, await self._look(profile, _unasked)):
             self._found[id(described)] = answer if isinstance(answer, errors.Error) else (answer, None)
 
-    def take(self, nodes, ended):
+    def take(self, nodes, ended, is_wanted):
         """Have only the actions done whose components are in `nodes`, {id of a model.Component: Node};
-        `ended` is {number: status} of all others.
+        `ended` is {number: status} of all others. is_wanted(action) says of one that is about to begin
+        whether it still is to.
         """
+        self._is_wanted = is_wanted
         for number, status in ended.items():
             self._schedule.end(number, status)
         self._found = {key: (node, None) for key, node in nodes.items()}
@@ -180,8 +183,11 @@ class Run:
         waiting = self._waiting[endpoint]
         while waiting:
             action, node, contexts = waiting.popleft()
-            self._begin(action)
-            self._end(await self._change(action, node, contexts))
+            if self._is_wanted(action):
+                self._begin(action)
+                self._end(await self._change(action, node, contexts))
+            else:
+                self._end(Result(action, outcomes.NOT_TRIED, errors.NotTried(action.path, "it is paused")))
         self._busy[endpoint] -= 1
 
     def _begin(self, action):

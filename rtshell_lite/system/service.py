@@ -242,7 +242,7 @@ class Service:
     def _stop(self, kept):
         if isinstance(kept, KeptComponent):
             kept.is_paused = True
-            self.keeper.start(self.keeper.deactivate(kept, "", "deactivated on request"))
+            self.keeper.start(self.keeper.stop_one(kept))
         else:
             self.processes.begin_to_stop(kept)
 
