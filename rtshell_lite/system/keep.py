@@ -474,9 +474,15 @@ class Keeper(follow.Presence):
                 self._started(kept, failed, begun)
 
     def _started_after(self, some):
-        """The KeptComponents that the plan starts after some, in its order."""
-        numbers = {action.number for action in self.actions if self._kept_of[id(action.component)] in some}
-        return [self._kept_of[id(action.component)] for action in plan.dependents(self.actions, numbers)]
+        """The KeptComponents that the plan starts after some, in its order; without those whose state is left
+        alone, and what comes after these alone.
+        """
+        of_actions = [(action, self._kept_of[id(action.component)]) for action in self.actions]
+        numbers = {action.number for action, kept in of_actions if kept in some}
+        actions = [
+            action for action, kept in of_actions if kept in some or kept.is_started and not kept.is_paused
+        ]
+        return [self._kept_of[id(action.component)] for action in plan.dependents(actions, numbers)]
 
     @staticmethod
     def _wait_for_turn(kept):
@@ -539,7 +545,11 @@ class Keeper(follow.Presence):
         for other in reversed(self._started_after([kept])):
             if other.state == "Active":
                 other.life.lose()
-                await self.deactivate(other, f"{kept.where} is given up", "deactivated")
+                other.is_stopping = True
+                try:
+                    await self.deactivate(other, f"{kept.where} is given up", "deactivated")
+                finally:
+                    other.is_stopping = False
                 other.change(STATE)  # it says what it waits for now
 
 

@@ -54,6 +54,7 @@ class KeptComponent(follow.Followed):
     restarts = 0
     last = ""
     is_busy = is_paused = has_exited = has_been_there = False
+    is_stopping = False  # one before it was given up: that it is Active is over in a moment
     is_refused = False  # it has come back, and its policy leaves it alone
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
     known = None  # the identity of the object that it was before the file was read again, or it refused
@@ -93,7 +94,7 @@ class KeptComponent(follow.Followed):
     @property
     def is_startable(self):
         """Whether its state may be changed to what the file says."""
-        return self.is_usable and not self.is_hung and not self.is_paused
+        return self.is_usable and not (self.is_hung or self.is_paused or self.is_stopping)
 
     @property
     def is_up(self):

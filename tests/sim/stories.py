@@ -35,6 +35,8 @@ world began. What else is typed:
     cat FILE, ls a*.mcap
     insert ONE OTHER            write OTHER: what is in ONE, with the lines after `  > ` before its last one
     order ONE OTHER A0 B0 …     write OTHER: what is in ONE, and that each of these components starts after the one before
+    extend ONE OTHER A0 KEY VALUE
+                                write OTHER: what is in ONE, and an extended property of this component
     write FILE                  write a file: the lines after `  > `. In a Procfile, commands are `mock these Motor NAME`,
                                 or programs of processes.py (`brief NAME 0.4 3`); NAME is that of the process
     NAME=VALUE                  in the environment of all that follows
@@ -347,6 +349,13 @@ class Player:
             for number, (first, then) in enumerate(zip(names, names[1:]), 1)
         ]
         return self.do_insert(one, other, "<rts:Activation>", *after, "</rts:Activation>")
+
+    def do_extend(self, one, other, name, key, value):
+        lines = self.do_cat(one)
+        begin = [f'rts:instanceName="{name}" rts:compositeType' in line for line in lines].index(True)
+        end = lines.index("    </rts:Components>", begin)
+        lines.insert(end, f'<rtsExt:Properties rtsExt:name="{key}" rtsExt:value="{value}"/>')
+        return self.do_write(other, *lines)
 
     def do_write(self, path, *lines):
         with open(path, "w", encoding="utf-8") as file:
