@@ -192,6 +192,7 @@ class KeptComponent(follow.Followed):
 
     def forget_all(self):
         """Begin as with a component that was never seen."""
+        self.due = 0.0
         self._know_nothing()
         self.trial.begin_again()
         self.repairs.begin_again()
