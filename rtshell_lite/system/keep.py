@@ -400,7 +400,7 @@ class Keeper(follow.Presence):
 
     def _is_active(self, kept, is_our_work=False):
         before = kept.life.agree()
-        kept.has_failed = False
+        kept.has_failed = kept.has_failed and STATE in kept.changed  # since it was seen so
         if before == BY_HAND and not is_our_work:
             self.happened(kept, "is Active again")
 

@@ -6,7 +6,7 @@ from rtshell_lite import errors
 from rtshell_lite.net import loop
 from rtshell_lite.system import capture
 
-HEALTH = 60.0  # seconds without a failure after which earlier ones are forgotten
+HEALTH = 60.0  # seconds without a failure, after the pause for the last one, until earlier ones are forgotten
 DAY = 86400.0
 RESTARTS = ("always", "on-error", "no")
 PREFIX = "keep."  # of the extended properties of a component that say how it is kept
@@ -76,7 +76,7 @@ class Trial:
         """
         now = loop.now()
         self.why = why
-        if self.failures and now - self.failures[-1] > HEALTH:
+        if self.failures and now - self.until > HEALTH:
             self.failures = []
         self.failures.append(now)
         recent = [when for when in self.failures if now - when < self.policy.within]
