@@ -238,12 +238,15 @@ class Keeper(follow.Presence):
 
     async def _not_shown(self, kept, error):
         """A look has failed: by whose fault?"""
+        shown = kept.shown
         kept.changed = kept.changed | kept.looking
         kept.due = loop.now() + WAIT
         kept.placement.error = error
         session.current().ask_again(kept.endpoint)
         near = {other for _, ends in self._connections.of([kept]) for other in ends}
         await loop.each(near | {kept}, self.ask)
+        if kept.shown is not shown:
+            return
         hung = sorted(other.where for other in near if other.is_hung)
         if hung:
             error = errors.Unreachable(kept.where, "waits for " + ", ".join(hung))
@@ -251,7 +254,7 @@ class Keeper(follow.Presence):
             kept.hold_up(times.FIRST_PAUSE)
         elif isinstance(error, errors.Silent):  # it may wait for one that answers us, but not it
             kept.hold_up(WAIT)
-        if kept.is_there and not kept.is_hung:
+        if not kept.is_hung:
             self.complain(kept, kept.whole, error)
 
     async def _restore(self, batch):
