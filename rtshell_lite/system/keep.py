@@ -230,9 +230,12 @@ class Keeper(follow.Presence):
             return
         kept.whole.complaint = None
         if STATE in parts or "contexts" in parts:  # else it may have changed since its states were asked for
+            before = kept.state
             kept.become(component.merged(shown.states))
             if kept.state == "Error":
                 kept.fail("in Error")
+            elif kept.trial.given_up and kept.state != before:  # somebody has done that
+                kept.trial.begin_again()
         if kept.is_up and not was_up:
             self._try_others()
 
