@@ -219,12 +219,11 @@ class KeptComponent(follow.Followed):
         self.known = orb.identity(old.shown.node.ref) if old.is_there else old.known
         self.is_refused = old.is_refused and self._is_to_be_left()
         if self.known is not None:
-            self.life = old.life
+            if old.is_started and self.is_started:
+                self.life = old.life
             self.of_steps = old.of_steps
         for matter in self.matters:
             matter.complaint = None
-        if not old.is_started:
-            self.life.lose()
 
     def begin_again(self):
         """Something about it has changed: what was given up is tried again."""
