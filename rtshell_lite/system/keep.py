@@ -135,8 +135,10 @@ class Keeper(follow.Presence):
             elif kept.is_there:
                 complaints = [matter.complaint for matter in kept.matters if matter.complaint is not None]
                 yield from complaints
-                if kept.life.knowledge == UNKNOWN and not complaints:
+                if not complaints and (kept.life.knowledge == UNKNOWN or kept.is_hung):
                     yield errors.Late(kept.where, f"it is {kept.state}")
+                elif not complaints and (kept.changed or kept.is_busy):
+                    yield errors.Late(kept.where, "it is looked at again")
 
     def happened(self, kept, seen, done="", begun=None, error=None):
         """Report a Happening of a KeptComponent; `begun` by loop.now()."""

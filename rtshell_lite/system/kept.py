@@ -245,12 +245,13 @@ class KeptComponent(follow.Followed):
         self.has_been_there = True
         self.placement.node = self.shown.node
         self.placement.error = self.placement.found = None
+        if is_other or self.is_refused or self.state == "absent":
+            self.become("unknown")
         if not self.is_refused:
             self.has_failed = False
             self.change(WHOLE)
             return
         self.changed = frozenset()
-        self.become("unknown")
         why = f"is back; its policy is {self.trial.policy.restart}"
         self.placement.error = errors.Failed(self.where, why)
         self.keeper.complain(self, self.whole, self.placement.error)
