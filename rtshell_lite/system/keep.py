@@ -91,18 +91,25 @@ class Keeper(follow.Presence):
         self._is_ending = True
         while any(kept.is_busy for kept in self.followed):
             await loop.sleep(TICK)
-        meant = [kept for kept in self.followed if kept.is_there and is_meant(kept)]
-        unseen = [kept for kept in meant if kept.placement.found is None]
-        for kept in unseen:
-            kept.looking = {WHOLE}
-        await session.each(unseen, self._look)
-        here = [kept for kept in meant if kept.is_usable and kept.is_started]
+        meant = [kept for kept in self.followed if kept.is_there and kept.is_started and is_meant(kept)]
+        await self._look_to_stop(meant)
+        here = [kept for kept in meant if kept.is_usable]
         for result in await self._carry_out(planned.actions, transitions.DEACTIVATE, here, lambda kept: GONE):
             kept = self._kept_of[id(result.action.component)]
             if result.error is None:
                 self.happened(kept, "", "Inactive")
             else:
                 self.complain(kept, kept.life, result.error)
+
+    async def _look_to_stop(self, some):
+        """Look at those of some KeptComponents with which nothing could be done, before they are deactivated.
+        """
+        unseen = [kept for kept in some if kept.is_there and not kept.is_usable]
+        for kept in unseen:
+            kept.looking = {WHOLE}
+        for kept, answer in zip(unseen, await session.each(unseen, self._look)):
+            if isinstance(answer, errors.Error):
+                self.complain(kept, kept.life, errors.Failed(kept.where, f"cannot deactivate: {answer.why}"))
 
     def named(self, name):
         """The KeptComponents of a path, the end of one, or an instance name."""
@@ -541,10 +548,11 @@ class Keeper(follow.Presence):
             self.complain(kept, kept.life, e)
 
     async def stop_one(self, kept):
-        """Deactivate a component on request; again if it was about to become Active."""
+        """Deactivate a component on request; again if it was about to become Active, or to be looked at."""
         await self.deactivate(kept, "", "deactivated on request")
         while kept.is_busy:
             await loop.sleep(TICK)
+        await self._look_to_stop([kept])
         if kept.is_paused and kept.state == "Active":
             await self.deactivate(kept, "", "deactivated on request")
 
