@@ -109,7 +109,7 @@ class KeptComponent(follow.Followed):
     @property
     def is_waiting(self):
         """Whether it is to be looked at."""
-        return self.is_there and bool(self.changed) and not self.is_busy and not self.is_paused
+        return self.is_there and bool(self.changed) and not self.is_busy
 
     @property
     def is_coming(self):
@@ -124,7 +124,7 @@ class KeptComponent(follow.Followed):
     @property
     def takers(self):
         """Those of the composites and contexts that are to take it again, if it is one that is back."""
-        if WHOLE not in self.changed:
+        if WHOLE not in self.changed or self.is_paused:
             return []
         return [other for other in self.drivers if other.is_usable and not other.is_paused]
 

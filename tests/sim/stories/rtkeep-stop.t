@@ -27,6 +27,6 @@ world: these Motor
   $ rtkeep stop
   $ wait rtkeep
   [08:00:15] /robot/test.host_cxt/ConsoleIn0.rtc: cannot deactivate: no answer within 3s
-  [08:00:18] /robot/test.host_cxt/ConsoleOut0.rtc: Inactive
-  [08:00:18] /robot/test.host_cxt/Motor0.rtc: Inactive
-  [0] after 18.1 s
+  [08:00:20] /robot/test.host_cxt/ConsoleOut0.rtc: Inactive
+  [08:00:20] /robot/test.host_cxt/Motor0.rtc: Inactive
+  [0] after 20.4 s
