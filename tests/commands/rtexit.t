@@ -4,7 +4,6 @@ world: two
 world: these Mock:Last0
 world: these Mock:Dead0
 world: these Mock:Hung0
-world: fragile
 world: many 4
 
 --dry-run prints commands that do it, and changes nothing:
@@ -29,9 +28,6 @@ world: many 4
   $ rtls ConsoleOut0.rtc
   rtls: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no such path
   [3]
-  $ within 0.1-1.5 rtexit --wait=0.1 Mock0.rtc
-  rtexit: /localhost:$PORT/test.host_cxt/Mock0.rtc: has exited, but its name is still bound after 0.1s
-  [4]
   $ rtexit Mock1.rtc Mock2.rtc --wait=5 -v
   rtexit: /localhost:$PORT/test.host_cxt/Mock1.rtc: exited
   rtexit: /localhost:$PORT/test.host_cxt/Mock2.rtc: exited
@@ -45,14 +41,11 @@ What it costs:
   1 exit
   1 get_participating_contexts
 
-An exited component is a zombie for as long as its name stays:
+What is not there:
 
   $ rtexit Nope0.rtc
   rtexit: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [3]
-  $ rtexit Fragile0.rtc; rtexit Fragile0.rtc
-  rtexit: /localhost:$PORT/test.host_cxt/Fragile0.rtc: zombie (the name is bound, but its object is gone)
-  [4]
 
 The last component of a process takes the process with it, and the answer may get lost. That is no failure:
 
