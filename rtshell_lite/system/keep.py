@@ -128,7 +128,7 @@ class Keeper(follow.Presence):
 
     def is_settled(self):
         """Whether all is as the file says, as far as is known."""
-        if any(kept.changed or kept.is_busy for kept in self.followed):
+        if any(kept.is_waiting or kept.is_busy for kept in self.followed):
             return False
         return not list(self.unsettled())
 
@@ -144,7 +144,7 @@ class Keeper(follow.Presence):
                 yield from complaints
                 if not complaints and (kept.life.knowledge == UNKNOWN or kept.is_hung):
                     yield errors.Late(kept.where, f"it is {kept.state}")
-                elif not complaints and (kept.changed or kept.is_busy):
+                elif not complaints and (kept.is_waiting or kept.is_busy):
                     yield errors.Late(kept.where, "it is looked at again")
 
     def happened(self, kept, seen, done="", begun=None, error=None):
@@ -172,12 +172,13 @@ class Keeper(follow.Presence):
         while not self._is_ending:
             now = loop.now()
             waiting = [kept for kept in self.followed if kept.is_waiting]
-            batch = self._mendable([kept for kept in waiting if kept.due <= now])
+            batch = self._mendable([kept for kept in waiting if kept.next_look <= now])
             for kept in batch:
                 kept.is_busy = True
             if batch:
                 self.start(self._mend(batch))
-            await self.bell.wait(min([kept.due - now for kept in waiting if kept.due > now], default=None))
+            later = [kept.next_look - now for kept in waiting if kept.next_look > now]
+            await self.bell.wait(min(later, default=None))
 
     def _mendable(self, waiting):
         """Those that can be mended now. One task mends a component that is back, and the composites that have
@@ -196,8 +197,7 @@ class Keeper(follow.Presence):
     async def _mend(self, batch):
         """Look at components again, where they have changed, and bring them to what the file says."""
         for kept in batch:
-            kept.looking = kept.changed
-            kept.changed = frozenset()
+            kept.begin_look()
         try:
             there = [(kept, kept.shown) for kept in batch if kept.is_there]
             answers = await session.each([kept for kept, _ in there], self._look)
@@ -215,7 +215,6 @@ class Keeper(follow.Presence):
     async def _look(self, kept):
         shown = kept.node and kept.shown
         parts = kept.looking
-        was_up = kept.is_up
         if WHOLE in parts:
             await shown.ask(ports=BRIEF, profile=FULL)
             if self.options.watch and kept.shown is shown:
@@ -231,6 +230,7 @@ class Keeper(follow.Presence):
         if kept.seen is None:
             kept.seen = ask.Seen(shown.node, kept.asks_port)
         kept.seen.take(shown, parts)
+        was_up = kept.is_up
         kept.placement.error = None
         kept.placement.found = capture.found_in(shown)
         await restore.presence(kept.placement)
@@ -326,14 +326,12 @@ class Keeper(follow.Presence):
                     other.change(step.part)  # it does not report that
         elif outcome.failed:
             self.complain(kept, matter, outcome.error)
+            was_given_up = kept.repairs.given_up
             kept.repairs.fail(outcome.error.why)
-            self._try_later(kept, kept.repairs, step.part)
-
-    @staticmethod
-    def _try_later(kept, trial, part):
-        if kept.is_there and not trial.given_up:
-            kept.change(part)
-            kept.due = max(kept.due, trial.until)
+            kept.try_later(step.part, kept.repairs)
+            if kept.repairs.given_up and not was_given_up:
+                why = f"{outcome.error.why}; {kept.repairs.why_given_up()}"
+                self.happened(kept, why, "", None, outcome.error)
 
     # ---- parts of components ----
 
@@ -369,7 +367,9 @@ class Keeper(follow.Presence):
         due = []
         for kept in absent:
             is_to_wait = kept.repairs.until > now or kept.repairs.given_up or kept.is_paused or kept.is_busy
-            if not is_to_wait and placements.is_gone(kept.error) and loop.wall() - kept.since > FAREWELL:
+            if is_to_wait or kept.is_left_for_good:
+                continue
+            if placements.is_gone(kept.error) and loop.wall() - kept.since > FAREWELL:
                 due.append(kept)
         for kept in due:
             kept.is_busy = True
@@ -440,7 +440,7 @@ class Keeper(follow.Presence):
             if self.complain(kept, kept.life, error) and kept.placement.required:
                 self.start(self._stop_dependents(kept))
         elif trial.until > loop.now():
-            self._try_later(kept, trial, STATE)
+            kept.try_later(STATE, trial)
         else:
             return True
         return False

@@ -40,6 +40,7 @@ class KeptComponent(follow.Followed):
 
     placement      its placements.Placement; `placement.error` says why nothing can be done with it
     changed   parts that are to be looked at again: of PARTS, or WHOLE; not before `due`, by loop.now()
+    later     {part in which something has failed: loop.now() at which it is tried again}
     looking   those that are being looked at
     life      the Matter of its state; `whole` of what hinders all; `of_steps` {key of a step: its Matter}
     state     its state, absent, hung, or unknown: not looked at yet, or left alone by its policy; since
@@ -71,6 +72,7 @@ class KeptComponent(follow.Followed):
         self._know_nothing()
         self.since = loop.wall()
         self.held_up = times.Patience()  # with looks that fail because it or a neighbour hangs
+        self.later = {}  # type: dict
         self.drives = []
         self.drivers = []
         # False for one whose state is nobody's business here
@@ -109,7 +111,12 @@ class KeptComponent(follow.Followed):
     @property
     def is_waiting(self):
         """Whether it is to be looked at."""
-        return self.is_there and bool(self.changed) and not self.is_busy
+        return self.is_there and bool(self.changed or self.later) and not self.is_busy
+
+    @property
+    def next_look(self):
+        """When it is to be looked at, by loop.now(), if it is."""
+        return self.due if self.changed else max(self.due, min(self.later.values()))
 
     @property
     def is_coming(self):
@@ -119,7 +126,13 @@ class KeptComponent(follow.Followed):
         is_by_hand = self.life.knowledge == BY_HAND and not self.keeper.options.strict
         if is_by_hand or self.whole.complaint is not None or self.life.complaint is not None:
             return False
-        return self.is_busy or bool(self.changed) and self.due <= loop.now() + WAIT
+        soon = loop.now() + WAIT
+        return self.trial.until <= soon and (self.is_busy or self.is_waiting and self.next_look <= soon)
+
+    @property
+    def is_left_for_good(self):
+        """Whether it was there, and its policy leaves it alone when it is back."""
+        return self.has_been_there and self._is_to_be_left()
 
     @property
     def takers(self):
@@ -159,14 +172,29 @@ class KeptComponent(follow.Followed):
             self.seen.expect(state)
 
     def change(self, *parts):
-        """Have parts of it looked at again, if it is there, and not to be left alone."""
-        if not self.is_there or self.is_refused:
+        """Have parts of it looked at again, if it is there, and not to be left alone. A part in which
+        something is tried again later waits for that.
+        """
+        new = {part for part in parts if part not in self.later or part == STATE}
+        if not self.is_there or self.is_refused or not new:
             return
         if not self.changed:
             self._changed_since = loop.now()
-        self.changed = self.changed.union(parts)
+        self.changed = self.changed | new
         self.due = max(self.due, min(loop.now() + PAUSE, self._changed_since + WAIT))
         self.keeper.bell.ring()
+
+    def try_later(self, part, trial):
+        """Have a part looked at again when something in it may be tried again, if it is not given up."""
+        if self.is_there and not trial.given_up:
+            self.later[part] = trial.until
+
+    def begin_look(self):
+        """What is to be looked at now is being looked at."""
+        now = loop.now()
+        self.looking = self.changed.union(part for part, when in self.later.items() if when <= now)
+        self.changed = frozenset()
+        self.later = {part: when for part, when in self.later.items() if when > now}
 
     def as_dict(self):
         """For `rtkeep status`."""
@@ -193,6 +221,7 @@ class KeptComponent(follow.Followed):
     def forget_all(self):
         """Begin as with a component that was never seen."""
         self.due = 0.0
+        self.later.clear()
         self._know_nothing()
         self.trial.begin_again()
         self.repairs.begin_again()
@@ -230,6 +259,7 @@ class KeptComponent(follow.Followed):
         for trial in (self.trial, self.repairs):
             if trial.given_up and not self.is_busy:
                 trial.begin_again()
+                self.later.clear()
                 self.change(*PARTS)
 
     # ---- what is noticed ----
@@ -241,7 +271,7 @@ class KeptComponent(follow.Followed):
         if is_other:
             self.restarts += self.has_been_there
             self.forget_all()
-            self.is_refused = self.has_been_there and self._is_to_be_left()
+            self.is_refused = self.is_left_for_good
         self.has_been_there = True
         self.placement.node = self.shown.node
         self.placement.error = self.placement.found = None
@@ -264,6 +294,7 @@ class KeptComponent(follow.Followed):
     def vanished(self, seen):
         self.placement.error = self.error  # tasks that are at work go on with what they have, and fail
         self.changed = frozenset()
+        self.later.clear()
         self.has_exited = seen == "has exited"
         if isinstance(self.error, errors.MaybeGone):  # it may be the same one that answers again
             self.known = self.dead

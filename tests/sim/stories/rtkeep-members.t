@@ -62,5 +62,6 @@ One that goes to Error meanwhile is reset, and has failed once:
   $ show rtkeep
   [08:00:27] /robot/test.host_cxt/composite0.rtc: configuration set default was changed by hand: left alone
   [08:00:27] /robot/test.host_cxt/composite0.rtc: CORBA.BAD_PARAM
+  [08:00:27] /robot/test.host_cxt/composite0.rtc: CORBA.BAD_PARAM; given up after more than 1 failure in 60s
   [08:00:27] /robot/test.host_cxt/Motor0.rtc: in Error: reset
   [08:00:27] /robot/test.host_cxt/Motor0.rtc: Active
