@@ -72,6 +72,7 @@ class Disk:
         inode = os.stat(path).st_ino
         os.replace(path, target)
         self._paths[inode] = os.path.abspath(target)
+        self._step()  # the new name may be on the disk before the data is
 
     def lose_power(self):
         """Of each file, what was written since it was last synchronised is lost, or a part of it, or is
