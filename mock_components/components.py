@@ -52,7 +52,7 @@ SCANNER = {
 class Sender(Component):
     """Counts, and sends the number, stamped with the time, on all OutPorts."""
 
-    busy = True
+    busy = reads = True
 
     def activated(self, handle):
         self.number = 0
@@ -70,7 +70,7 @@ class Sender(Component):
 class Reader(Component):
     """Fetches on all InPorts."""
 
-    busy = True
+    busy = reads = True
 
     def on_execute(self, handle):
         self.read_ports(handle)
@@ -102,10 +102,10 @@ class Unborn(Component):
 class Slow(Component):
     """Changes its state later than callers wait."""
 
-    DELAY = 0.8
+    takes = 0.8
 
     def activated(self, handle):
-        carrier.sleep(self.DELAY)
+        carrier.sleep(self.takes)
         return RTC.RTC_OK
 
     deactivated = reset = activated
@@ -114,8 +114,10 @@ class Slow(Component):
 class Stuck(Component):
     """Never comes back from a change of state."""
 
+    takes = 3600.0
+
     def activated(self, handle):
-        carrier.sleep(3600)
+        carrier.sleep(self.takes)
         return RTC.RTC_OK
 
     deactivated = reset = activated

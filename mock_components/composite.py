@@ -1,5 +1,7 @@
 """Composite components: one execution context and one face for several components, through an Organization.
 """
+import math
+
 from . import carrier
 from .context import TRANSITION_TIMEOUT
 from .idl import RTC, OpenRTM, SDOPackage
@@ -209,6 +211,14 @@ class Composite(Component):
         return [self.organization.reference]
 
     # life cycle
+
+    @property
+    def takes(self):
+        if self.flavour.composite == "blocks":
+            return math.inf
+        if self.flavour.composite == "late":
+            return min(TRANSITION_TIMEOUT * len(self.organization.members), LATE)
+        return 0.0
 
     def stumble(self):
         """A member that is to leave has died: the thread of the context meets an exception that nobody

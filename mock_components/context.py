@@ -1,6 +1,8 @@
 """Execution contexts: the life cycle of their components, driven by a thread that sleeps when there is no
 work.
 """
+import math
+
 from . import carrier
 from .idl import RTC
 from .properties import nvlist
@@ -10,6 +12,9 @@ QUICKEST = 0.02         # seconds: no component runs more often, whatever rate i
 # 470
 FASTEST = 800.0
 TRANSITION_TIMEOUT = 0.5
+# seconds that a thread of this process is waited for where a real one would have run long before: a busy
+# machine may hold up any
+HELD_UP = 20.0
 ROUNDING = 1e-6         # seconds by which a wait may end too early
 
 
@@ -19,17 +24,28 @@ class Member:
     def __init__(self, reference, servant, handle):
         self.reference = reference
         self.component = servant or reference
+        self.is_local = servant is not None
         self.handle = handle
         self.state = RTC.INACTIVE_STATE
         self.history = [(carrier.now(), self.state)]
         self.left = None                # when
         self.wanted = None
         self.falls = None               # when it goes to Error, by the clock
+        self.waiting = 0                # callers that wait for a change of its state
+        self.is_held = False            # whether its next change waits for them
+        self.is_leaving = False
 
     @property
     def busy(self):
         """Whether it has something to do in each cycle, as far as is known here."""
         return getattr(self.component, "busy", True)
+
+    @property
+    def takes(self):
+        """Seconds that its callbacks take with a change of its state, math.inf where that is not known."""
+        if not self.is_local or self.component.observers.registered:  # other processes have a say in it
+            return math.inf
+        return self.component.takes
 
 
 class Behaviour:
@@ -51,6 +67,8 @@ class Behaviour:
         self.dead = False
         # 2.x, no component Active: what is asked while it is stopped does not wake it
         self.asleep = False
+        self.is_executing = False       # a component, which may take as long as it likes
+        self.due = 0.0                  # when its next cycle is
         self.more = []                  # further properties
 
     # what others see
@@ -123,6 +141,7 @@ class Behaviour:
         member = self._find(comp)
         if not member:
             return RTC.BAD_PARAMETER
+        member.is_leaving = True
         # its profile no longer lists it, though it is executed until the next cycle
         if self.flavour.modern:
             self._unlist(member)
@@ -139,6 +158,14 @@ class Behaviour:
     def cycles(self):
         """How many of its periods an execution represents."""
         return max(1, round(min(self.rate, FASTEST) * QUICKEST))
+
+    def overdue(self, component):
+        """How many cycles a component here should have executed since it did so last."""
+        member = self._find(component.reference)
+        if not self.running or self.dead or member is None or member.state != RTC.ACTIVE_STATE:
+            return 0
+        since = max(component.executed, member.history[-1][0], self.due)
+        return (int((carrier.now() - since) / max(1.0 / self.rate, QUICKEST)) - 1) * self.cycles()
 
     def close(self):
         """The component has ended."""
@@ -203,14 +230,42 @@ class Behaviour:
         return self._wait(member, state, wanted) if self.sync else RTC.RTC_OK
 
     def _wait(self, member, state, wanted):
+        """Wait for a change of state: its return code. It is waited for longer where nothing but a busy
+        machine can keep it from coming.
+        """
+        def has_changed():
+            return member.state != state
+
+        with self.changed:
+            member.waiting += 1
+            if not self.changed.wait_for(has_changed, self._limit()):
+                self.changed.wait_for(lambda: has_changed() or not self._is_late(), HELD_UP)
+            found = member.state
+            member.waiting -= 1
+            if member.is_held:
+                self.changed.notify_all()
+        if found == wanted:
+            return RTC.RTC_OK
+        return RTC.RTC_ERROR if found == state else RTC.PRECONDITION_NOT_MET
+
+    def _is_late(self):
+        """Whether nothing but a busy machine keeps its thread from changing the state of a component."""
+        if not self._may_change() or self.asleep or self.dead:
+            return False
+        if self.is_executing or carrier.now() < self.due:
+            return False
+        return not any(member.takes for member in self.members)
+
+    def _limit(self):
         """How long to wait for a change of state: half a second, and at least a period."""
         period = 1.0 / self.rate
-        limit = TRANSITION_TIMEOUT if TRANSITION_TIMEOUT > period else period * 1.1
-        with self.changed:
-            self.changed.wait_for(lambda: member.state != state, limit)
-        if member.state == wanted:
-            return RTC.RTC_OK
-        return RTC.RTC_ERROR if member.state == state else RTC.PRECONDITION_NOT_MET
+        return TRANSITION_TIMEOUT if TRANSITION_TIMEOUT > period else period * 1.1
+
+    def _let_callers_see(self, member):
+        """Wait until those who wait for a change of its state have seen what it is now, with the lock."""
+        member.is_held = True
+        self.changed.wait_for(lambda: not member.waiting, HELD_UP)
+        member.is_held = False
 
     def poll(self, member):
         """C++ 1.1 looks every ten periods whether the component has stopped, a thousand times."""
@@ -226,6 +281,8 @@ class Behaviour:
         self._add(comp, handle)
 
     def _add(self, comp, handle):
+        with self.changed:              # one that leaves has left before it joins again
+            self.changed.wait_for(lambda: not getattr(self._find(comp), "is_leaving", False), HELD_UP)
         if not self._find(comp):
             self._join(Member(comp, self.process.local_servant(comp), handle))
 
@@ -288,6 +345,7 @@ class Behaviour:
         left = period - (carrier.now() - self.born) % period
         if left < ROUNDING:  # the cycle that begins has just been waited for
             left += period
+        self.due = carrier.now() + left
         with self.changed:
             self.changed.wait_for(lambda: self.dead, left)
 
@@ -297,6 +355,9 @@ class Behaviour:
             RTC.INACTIVE_STATE: "on_deactivated" if member.state == RTC.ACTIVE_STATE else "on_reset",
         }[wanted]
         done = self._tell(member, name)
+        if done == RTC.RTC_OK and self._limit() < member.takes < math.inf:
+            with self.changed:          # callers have given up before, even if they are held up
+                self._let_callers_see(member)
         if done == RTC.RTC_OK:
             self._enter(member, wanted)
         elif wanted == RTC.ACTIVE_STATE and self.flavour.late_error:
@@ -315,12 +376,18 @@ class Behaviour:
         with self.changed:
             if member.falls is None or carrier.now() < member.falls:
                 return
+            self._let_callers_see(member)
+            if member.falls is None:
+                return
             member.falls = None
         if member.state == RTC.ACTIVE_STATE:
             self._enter(member, RTC.ERROR_STATE, "on_aborting")
 
     def _execute(self, member):
-        if self._tell(member, "on_execute") != RTC.RTC_OK:
+        self.is_executing = True
+        done = self._tell(member, "on_execute")
+        self.is_executing = False
+        if done != RTC.RTC_OK:
             self._enter(member, RTC.ERROR_STATE, "on_aborting")
 
     def _enter(self, member, state, callback=None):

@@ -224,7 +224,17 @@ class InPort(DataPort):
         if profile and self.buffer.waiting and self.flavour.busy_put == "die":
             if all(is_alive(port) for port in self._others(profile.ports)):
                 self.process.die()
+        if profile and self.component.reads:
+            self._catch_up()
         return super().notify_disconnect(connector_id)
+
+    def _catch_up(self):
+        """Read what cycles that are overdue should have read: whoever disconnects has waited for them."""
+        for _ in range(self.component.overdue()):
+            value = self.buffer.read()
+            if value is None:
+                break
+            self.take(value)
 
     def put(self, data, little):
         """A payload has come; returns the name of the status for the sender."""

@@ -17,6 +17,8 @@ class Component(carrier.skeleton("OpenRTM.DataFlowComponent")):
     """A component without behaviour; others derive from it."""
 
     busy = False        # whether an active one has work in every cycle
+    reads = False       # whether that is to read its InPorts
+    takes = 0.0         # seconds that it takes with a change of its state
     initialises = True  # whether a manager that makes one gets it
     providers = ()      # interface types of SDO services that it offers
     FIRST_PARTICIPATING = 1000
@@ -205,6 +207,13 @@ class Component(carrier.skeleton("OpenRTM.DataFlowComponent")):
         while self.between < due:
             self.between += 1
             self._read()
+
+    def overdue(self):
+        """How many cycles it would have executed since the last one, were the thread of its context not held
+        up on a busy machine.
+        """
+        contexts = self.owned + [self.process.local_servant(each) for each in self.get_participating_contexts()]
+        return max((cxt.overdue(self) for cxt in contexts if cxt is not None), default=0)
 
     def _read(self):
         for port in self.ports:

@@ -24,13 +24,14 @@ when it becomes Active, the command may see either, without --wait:
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Active
   [5]
-  $ rtdeact --all --wait 5 /localhost:$PORT/test.host_cxt /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
+  $ rtdeact --all --wait 30 /localhost:$PORT/test.host_cxt /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc
   /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Inactive
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Inactive
 
 A reset concerns only those that are in Error:
 
-  $ rtreset --all -q --wait 5 / | head -1
+  $ soon '[ $(rtfind / --state error | wc -l) = 3 ]'
+  $ rtreset --all -q --wait 30 / | head -1
   /localhost:$PORT/arm.host_cxt/Broken0.rtc: Inactive
   $ rtreset --all /
   rtreset: /localhost:$PORT/arm.host_cxt/DeadMock0.rtc: zombie, left out

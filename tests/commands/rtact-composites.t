@@ -8,31 +8,33 @@ world: composite --flavour py2 --context py2.host_cxt/%n.rtc --rate 100
   $ at() { export RTCSH_CWD=/localhost:$PORT/$1.host_cxt; }
   $ states() { rtls -l | awk '{print $1, $6}'; }
 
+  $ all() { soon "[ \$(rtls -l | grep -c ^$1) = 4 ]"; states; }
+
 C++ 2.x and Python say RTC_OK before it is done; --wait waits for it. The states of all components follow:
 
   $ at cpp2
   $ rtact -v --wait composite0.rtc
   rtact: /localhost:$PORT/cpp2.host_cxt/composite0.rtc: Active
-  $ states
+  $ all Active
   Active Controller0.rtc
   Active Motor0.rtc
   Active Sensor0.rtc
   Active composite0.rtc
   $ rtdeact -v --wait composite0.rtc
   rtdeact: /localhost:$PORT/cpp2.host_cxt/composite0.rtc: Inactive
-  $ states
+  $ all Inactive
   Inactive Controller0.rtc
   Inactive Motor0.rtc
   Inactive Sensor0.rtc
   Inactive composite0.rtc
   $ at py2
-  $ rtact -v --wait composite0.rtc; states
+  $ rtact -v --wait composite0.rtc; all Active
   rtact: /localhost:$PORT/py2.host_cxt/composite0.rtc: Active
   Active Controller0.rtc
   Active Motor0.rtc
   Active Sensor0.rtc
   Active composite0.rtc
-  $ rtdeact -v --wait composite0.rtc; states
+  $ rtdeact -v --wait composite0.rtc; all Inactive
   rtdeact: /localhost:$PORT/py2.host_cxt/composite0.rtc: Inactive
   Inactive Controller0.rtc
   Inactive Motor0.rtc
@@ -42,16 +44,16 @@ C++ 2.x and Python say RTC_OK before it is done; --wait waits for it. The states
 C++ 1.2 says RTC_ERROR after half a second, and is active soon after: no failure
 
   $ at cpp12
-  $ within 0.5-3 rtact -v composite0.rtc
+  $ within 0.5-8 rtact -v composite0.rtc
   rtact: /localhost:$PORT/cpp12.host_cxt/composite0.rtc: Active
-  $ states
+  $ all Active
   Active Controller0.rtc
   Active Motor0.rtc
   Active Sensor0.rtc
   Active composite0.rtc
-  $ within 0.5-3 rtdeact -v --wait composite0.rtc
+  $ within 0.5-8 rtdeact -v --wait composite0.rtc
   rtdeact: /localhost:$PORT/cpp12.host_cxt/composite0.rtc: Inactive
-  $ states
+  $ all Inactive
   Inactive Controller0.rtc
   Inactive Motor0.rtc
   Inactive Sensor0.rtc
@@ -61,13 +63,13 @@ C++ 1.1 says RTC_OK at once when it is to become active. To become inactive, it 
 go on for minutes; so they are deactivated before it:
 
   $ at cpp11
-  $ rtact -v --wait composite0.rtc; states
+  $ rtact -v --wait composite0.rtc; all Active
   rtact: /localhost:$PORT/cpp11.host_cxt/composite0.rtc: Active
   Active Controller0.rtc
   Active Motor0.rtc
   Active Sensor0.rtc
   Active composite0.rtc
-  $ within 0-3 rtdeact -v --wait composite0.rtc; states
+  $ within 0-8 rtdeact -v --wait composite0.rtc; all Inactive
   rtdeact: /localhost:$PORT/cpp11.host_cxt/composite0.rtc: Inactive
   Inactive Controller0.rtc
   Inactive Motor0.rtc

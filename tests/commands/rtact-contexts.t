@@ -41,7 +41,7 @@ Inactive is Inactive in every context:
 
   $ rtdeact --dry-run Motor0.rtc
   rtdeact /localhost:$PORT/test.host_cxt/Motor0.rtc
-  $ rtdeact -v --wait 1 Motor0.rtc
+  $ rtdeact -v --wait 30 Motor0.rtc
   rtdeact: /localhost:$PORT/test.host_cxt/Motor0.rtc: Inactive
   $ rtls -l Motor0.rtc
   Inactive  2/0  1/0  1/0  0/0  Motor0.rtc
@@ -116,7 +116,7 @@ The context of a component that hangs: what was done elsewhere is done, but nobo
 
   $ rtact Camera0.rtc
   $ hang these
-  $ within 0.5-3 rtdeact --timeout 0.5 --wait 0.5 Camera0.rtc
+  $ within 4-20 rtdeact --timeout 4 --wait 4 Camera0.rtc
   rtdeact: /localhost:$PORT/test.host_cxt/Camera0.rtc: its execution context 1, of another component, does not answer: it may be Active there
   [4]
   $ ctl @these2 state Camera0

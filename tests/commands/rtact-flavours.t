@@ -47,7 +47,7 @@ A stopped context changes the state all the same in C++ 1.2, Java and RtORB; not
   cpp11:
   $ each rtec ConsoleIn0.rtc stop
   cpp11:
-  $ each rtact --wait=0.5 ConsoleIn0.rtc
+  $ each rtact --wait=30 ConsoleIn0.rtc
   cpp11:
   rtact: /localhost:$PORT/V.host_cxt/ConsoleIn0.rtc: cannot activate: its execution context is stopped; once started, it may still do so
   status 6
@@ -56,6 +56,7 @@ A stopped context changes the state all the same in C++ 1.2, Java and RtORB; not
   rtorb:
   $ each rtec ConsoleIn0.rtc start
   cpp11:
+  $ soon 'ctl state ConsoleIn0 | grep ^ACTIVE'
   $ each rtls -l ConsoleIn0.rtc
   cpp11:
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc

@@ -21,7 +21,7 @@ Several paths, absolute or relative; options may follow them:
 
   $ rtdeact ConsoleIn0.rtc
   $ RTCSH_CWD=/ rtact localhost:$PORT/test.host_cxt/ConsoleIn0.rtc \
-  >     /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc --wait=2 -v
+  >     /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc --wait=30 -v
   rtact: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: Active
   rtact: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: Active
   $ ctl state ConsoleIn0; ctl state ConsoleOut0
@@ -71,9 +71,9 @@ that only --wait knows:
 Those that take longer than OpenRTM waits for are Active all the same; --wait has a limit. (Components that take their time, and
 contexts that are stopped: tests/sim/stories/rtact-late.t.)
 
-  $ within 0.6-2.5 rtact -v Slow0.rtc
+  $ within 0.6-8 rtact -v Slow0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Slow0.rtc: Active
-  $ within 0.9-2.4 rtact --wait 0.8 Stuck0.rtc
+  $ within 0.9-8 rtact --wait 0.8 Stuck0.rtc
   rtact: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not Active within 0.8s, still Inactive
   [4]
 

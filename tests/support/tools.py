@@ -110,6 +110,11 @@ def control(name):
 USUAL = 4.0  # load per processor while tests run alone
 
 
+def slower():
+    """How many times longer something may take, as much other work is done beside the tests."""
+    return max(1.0, os.getloadavg()[0] / (USUAL * os.cpu_count()))
+
+
 def play_within(words):
     """within LEAST-MOST COMMAND...: complain if the command takes less or more seconds; status is the
     command's.
@@ -124,8 +129,7 @@ def play_within(words):
     taken = time.monotonic() - begun
     waited = waited_for_processor(process)
     status = shell_status(os.waitpid(process, 0)[1])
-    slower = max(1.0, os.getloadavg()[0] / (USUAL * os.cpu_count()))
-    if taken < least or taken - waited > most * slower:
+    if taken < least or taken - waited > most * slower():
         sys.stdout.write("took %.2f s (%.2f s of it for a processor), not %s\n" % (taken, waited, words[0]))
         return status or 99
     return status
@@ -133,19 +137,31 @@ def play_within(words):
 
 def play_interrupt(words):
     """interrupt SECONDS[:SIGNAL] COMMAND...: press Ctrl-C after that long, or send SIGNAL; the command must
-    be gone soon, long before the timeout.
+    be gone soon, long before the timeout. interrupt CONDITION COMMAND...: press it as soon as that command
+    line succeeds.
 
     What it was ready to run and was not let does not count: Python would be interrupted while it starts.
     """
     begun = time.monotonic()
     process = spawn(words[1:])
     seconds, _, name = words[0].partition(":")
+    is_time = seconds.replace(".", "").isdigit()
     while state_of(process) != "gone":
-        if time.monotonic() - begun - waited_for_processor(process) >= float(seconds):
-            os.kill(process, signal.Signals["SIG" + (name or "INT")])
-            if not reaches(process, "gone", UNWINDING):
-                sys.stdout.write("still there %g s after it\n" % UNWINDING)
-                os.kill(process, signal.SIGKILL)
+        if is_time:
+            is_due = time.monotonic() - begun - waited_for_processor(process) >= float(seconds)
+        else:
+            is_due = os.system("{ %s; } >/dev/null 2>&1" % words[0]) == 0
+            if not is_due and time.monotonic() - begun > START_LIMIT:
+                sys.stdout.write("never: %s\n" % words[0])
+                is_due = True
+        if is_due:
+            os.kill(process, signal.Signals["SIG" + (name if is_time and name else "INT")])
+            waited = waited_for_processor(process)
+            if not reaches(process, "gone", UNWINDING * slower()):
+                waited = waited_for_processor(process) - waited
+                if not reaches(process, "gone", waited):
+                    sys.stdout.write("still there %g s after it\n" % UNWINDING)
+                    os.kill(process, signal.SIGKILL)
             break
         time.sleep(0.01)
     else:
