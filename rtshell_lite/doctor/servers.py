@@ -6,7 +6,7 @@ import collections
 
 from rtshell_lite import errors, path
 from rtshell_lite.corba import orb, session
-from rtshell_lite.doctor import addresses, local, networks, references, remedies
+from rtshell_lite.doctor import addresses, limits, local, networks, references, remedies
 from rtshell_lite.doctor.finding import fail, listed, ok, reason, warn
 from rtshell_lite.net import loop
 from rtshell_lite.robot import aliases, manager, tree, usual
@@ -163,8 +163,10 @@ class _Stop(Exception):
 
 async def _timed(times, name, step):
     begun = loop.now()
+    starved = limits.starved()
     value = await step
-    times.append((name, loop.now() - begun))
+    # what this host had no time for is not the server's
+    times.append((name, max(0.0, loop.now() - begun - (limits.starved() - starved))))
     return value
 
 

@@ -140,8 +140,8 @@ What is connected is shown even if it does not say what it is, is bound nowhere,
    +Connected to  Unknown (ConsoleOut0.in)
    +Connected to  /localhost:$PORT/away.host_cxt/arm.cxt/ConsoleOut1.rtc:in
    +Connected to  /localhost:$PORT/test.host_cxt/SequenceInComponent0.rtc:Long
-  $ hang these; within 0.5-1 rtcat -l --timeout 0.5 ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
-  rtcat: /localhost:$PORT/many.host_cxt/Mock0.rtc: no answer within 0.5s
+  $ hang these; within 4-8 rtcat -l --timeout 4 ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected
+  rtcat: /localhost:$PORT/many.host_cxt/Mock0.rtc: no answer within 4s
   [1]
   $ wake these
   $ kill-mock these; rtcat -l ../many.host_cxt/Mock0.rtc:out | grep -A 9 Connected

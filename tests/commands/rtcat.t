@@ -298,9 +298,9 @@ Wrong usage:
 
 The common options:
 
-  $ rtcat -v -q --timeout=2.5 ConsoleIn0.rtc:out
+  $ rtcat -v -q --timeout=22.5 ConsoleIn0.rtc:out
   +DataOutPort: out
-  $ rtcat ConsoleIn0.rtc:out --verbose --quiet --timeout 2
+  $ rtcat ConsoleIn0.rtc:out --verbose --quiet --timeout 20
   +DataOutPort: out
   $ rtcat --version
   1.0.0

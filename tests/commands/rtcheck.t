@@ -107,7 +107,7 @@ Components: missing ones, other ones. What is not required is reported, and does
   $ sed 's/instanceName="Motor0"/instanceName="Motor1"/' a.xml | rtcheck
   Component instance names mismatched: Motor0 != Motor1
   [1]
-  $ rtexit --wait=5 ConsoleOut1.rtc; rtcheck a.xml
+  $ rtexit --wait=60 ConsoleOut1.rtc; rtcheck a.xml
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [1]
   $ sed 's/isRequired="true"/isRequired="false"/' a.xml > optional.xml; rtcheck optional.xml
@@ -198,14 +198,15 @@ Composites and their members:
 
 The context of the composite counts, not those of its members, which are stopped:
 
-  $ rtcryo --all -q localhost:$PORT2 -o c.xml; rtact --wait=5 /localhost:$PORT2/test.host_cxt/composite0.rtc
+  $ rtcryo --all -q localhost:$PORT2 -o c.xml; rtact --wait=30 /localhost:$PORT2/test.host_cxt/composite0.rtc
+  $ soon '[ $(rtfind /localhost:$PORT2 --state active -t c | wc -l) = 4 ]'
   $ rtcheck c.xml
 
 What cannot be asked is reported once, and is no difference:
 
-  $ hang linked; within 0.4-2 rtcheck --timeout 0.5 a.xml
-  rtcheck: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
-  rtcheck: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
+  $ hang linked; within 4-12 rtcheck --timeout 4 a.xml
+  rtcheck: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 4s
+  rtcheck: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 4s
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [5]
   $ wake linked; kill-mock linked
@@ -214,7 +215,7 @@ What cannot be asked is reported once, and is no difference:
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
   Required component missing: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
   [1]
-  $ RTCTREE_NAMESERVERS=localhost:1; sed "s/localhost:$PORT/localhost:1/" a.xml | rtcheck --timeout 1
+  $ RTCTREE_NAMESERVERS=localhost:1; sed "s/localhost:$PORT/localhost:1/" a.xml | rtcheck --timeout 10
   rtcheck: /localhost:1: connection refused; is the name server running?
   [4]
 
@@ -251,12 +252,12 @@ What the components have beyond the file is reported with --extra:
   Connection not in the file: less between /localhost:$PORT/test.host_cxt/Sensor0.rtc:out and /localhost:$PORT/test.host_cxt/Motor0.rtc:in
   Configuration parameter not in the file: motor_id in set default on component /localhost:$PORT/test.host_cxt/Motor0.rtc
   [1]
-  $ rtexit --wait=5 MyServiceConsumer0.rtc; rtcryo --all -q -o all.xml /localhost:$PORT
+  $ rtexit --wait=60 MyServiceConsumer0.rtc; rtcryo --all -q -o all.xml /localhost:$PORT
   $ rtcheck --extra -s Inactive all.xml
   $ sed '/pathUri="[^"]*MyServiceProvider0.rtc"/,/<.rts:Components>/d' all.xml > one.xml
   $ mock hung 1 --context hung.host_cxt/%n.rtc; rtcheck -s Inactive one.xml
-  $ rtcheck --extra --timeout 0.5 -s Inactive one.xml
-  rtcheck: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
+  $ rtcheck --extra --timeout 4 -s Inactive one.xml
+  rtcheck: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 4s
   Component not in the file: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc
   [5]
   $ rtcheck --extra --json -s Inactive less.xml 2> said | tail -2

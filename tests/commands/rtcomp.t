@@ -75,7 +75,7 @@ The context of a member stops; it takes part in the composite's, and is activate
   $ rtec Motor0.rtc
   0  0     Periodic  1000  Stopped  Inactive  Motor0  -
   1  1000  Periodic  1000  Running  Inactive  Arm     Sensor0,Controller0,Motor0
-  $ rtact --wait Arm.rtc
+  $ rtact --wait Arm.rtc; soon 'rtls -l Motor0.rtc | grep ^Active'
   $ rtls -l Arm.rtc Motor0.rtc
   Active  3/0  2/0  1/0  0/0  Arm.rtc
   Active  2/0  1/0  1/0  0/0  Motor0.rtc
@@ -126,7 +126,7 @@ process; -v reports what was done, and what was already done:
     Member  /localhost:$PORT/test.host_cxt/Sensor0.rtc
     Member  /localhost:$PORT/test.host_cxt/Controller0.rtc
     Member  /localhost:$PORT/other.host_cxt/ConsoleOut0.rtc
-  $ rtec Motor0.rtc
+  $ soon '! rtec Motor0.rtc | grep Arm'; rtec Motor0.rtc
   0  0  Periodic  1000  Running  Inactive  Motor0  -
   $ rtcomp -v -r Motor0.rtc:in Arm.rtc
   rtcomp: port Motor0.in is hidden already

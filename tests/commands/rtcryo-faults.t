@@ -25,8 +25,8 @@ Components whose peer has died forget the connection when they are asked for the
 
 Hostile names and values come through both forms:
 
-  $ rtcryo -q --timeout 0.5 localhost:$PORT/test.host_cxt -o h.xml
-  $ rtcryo -q --timeout 0.5 -y localhost:$PORT/test.host_cxt -o h.yaml
+  $ rtcryo -q --timeout 10 localhost:$PORT/test.host_cxt -o h.xml
+  $ rtcryo -q --timeout 10 -y localhost:$PORT/test.host_cxt -o h.yaml
   $ grep -o 'pathUri="[^"]*"' h.xml
   pathUri="localhost:$PORT/test.host_cxt/Hostile0.rtc"
   $ rtcheck -s inactive h.xml

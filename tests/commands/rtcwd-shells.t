@@ -54,7 +54,7 @@ Options and questions go to the program:
   Change the working directory in the RTC Tree.
   $ rtcwd --shell sh | head -n 1
   rtcwd() {
-  $ rtcwd --timeout 2 ..; rtpwd
+  $ rtcwd --timeout 20 ..; rtpwd
   /localhost:$PORT/test.host_cxt
   $ rtcwd -q a.cxt
   $ rtcwd

@@ -52,8 +52,8 @@ Zombies: with -z, only those; each is looked at twice before it goes.
 A component that does not answer is no zombie, nor is one that says that it has died but does answer the second time:
 
   $ hang these2
-  $ within 0.4-1.4 rtdel --timeout 0.5 -z Hung0.rtc
-  rtdel: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
+  $ within 4-8 rtdel --timeout 4 -z Hung0.rtc
+  rtdel: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 4s
   [4]
   $ wake these2
   $ ctl @fragile fail _non_existent 1 TRANSIENT; rtdel -z Fragile0.rtc 2>&1 | cat

@@ -213,8 +213,8 @@ What is not there, or not a component:
 
 A component that is hung, and one that is dead:
 
-  $ hang these; rtdoc --timeout 0.5 Motor0.rtc
-  rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: no answer within 0.5s
+  $ hang these; rtdoc --timeout 4 Motor0.rtc
+  rtdoc: /localhost:$PORT/test.host_cxt/Motor0.rtc: no answer within 4s
   [4]
   $ wake these
   $ kill-mock these; rtdoc Motor0.rtc

@@ -35,7 +35,8 @@ In Error; the others are fine:
 
 Members of a composite have stopped contexts of their own, and are driven by the composite's:
 
-  $ rtact ../robot.host_cxt/composite0.rtc; doctor ../robot.host_cxt
+  $ rtact ../robot.host_cxt/composite0.rtc
+  $ soon '[ $(rtfind ../robot.host_cxt --state active -t c | wc -l) = 4 ]'; doctor ../robot.host_cxt
   ok    /localhost:$PORT/robot.host_cxt/Controller0.rtc: Active, claims 1000 Hz, 2 ports, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/robot.host_cxt/Motor0.rtc: Active, claims 1000 Hz, 2 ports, 0 connections, at 127.0.0.1:* (glob)
   ok    /localhost:$PORT/robot.host_cxt/Sensor0.rtc: Active, claims 1000 Hz, 2 ports, 0 connections, at 127.0.0.1:* (glob)
@@ -81,8 +82,8 @@ Managers: what they list must be there:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (CORBA.NO_PERMISSION); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ ctl @managers fail get_components 1 TRANSIENT; doctor -q ../mgr.host_cxt | grep mgr:
   fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: one of its slaves has died, and its components with it; try: restart that slave
-  $ ctl @managers slave 1 hang manager 30; doctor -q --timeout 1 ../mgr.host_cxt | grep mgr:
-  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (no answer within 1s); try: restart it, or a slave that it waits for; netstat -ltnp | grep :* there names its process (glob)
+  $ ctl @managers slave 1 hang manager 120; doctor -q --timeout 4 ../mgr.host_cxt | grep mgr:
+  fail  /localhost:$PORT/mgr.host_cxt/manager.mgr: does not report what it has (no answer within 4s); try: restart it, or a slave that it waits for; netstat -ltnp | grep :* there names its process (glob)
 
 A composite with a dead member, whether that exports a port or not:
 
@@ -94,5 +95,5 @@ A composite with a dead member, whether that exports a port or not:
 The times in values:
 
   $ MOCK_CLOCK=-864000 mock senders 20 --context clock.host_cxt/%n.rtc
-  $ rtdoctor -q --measure ../clock.host_cxt | grep days
+  $ rtdoctor -q --measure=5 ../clock.host_cxt | grep days
   warn  /localhost:$PORT/clock.host_cxt/Source0.rtc: the times in its values are 10.0 days behind this host's clock; try: compare the clocks (date, here and there) and set the wrong one: timedatectl

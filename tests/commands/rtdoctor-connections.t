@@ -30,6 +30,6 @@ waits for the one that its process calls:
   $ rtcon -n c ../near.host_cxt/Near0.rtc:out ../far.host_cxt/Far0.rtc:in
   $ rtact ../far.host_cxt/Far0.rtc ../near.host_cxt/Near0.rtc
   $ mock these Mock:Alien0 --context alien.host_cxt/%n.rtc; hang these2 these3
-  $ within 2-7 rtdoctor -q --timeout 2 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near
+  $ within 4-14 rtdoctor -q --timeout 4 ../near.host_cxt ../far.host_cxt ../alien.host_cxt | grep Near
   fail  /localhost:$PORT/near.host_cxt/Near0.rtc: hangs when asked for the profile of its port 1, waiting for a far end that does not answer; try: mend /localhost:$PORT/far.host_cxt/Far0.rtc first
   $ wake these2 these3

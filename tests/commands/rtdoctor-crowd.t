@@ -7,21 +7,21 @@ world: many 25
   $ near=/localhost:$PORT/near.host_cxt; far=/localhost:$PORT/far.host_cxt
   $ well=/localhost:$PORT/test.host_cxt
   $ for n in 0 1 2 3; do rtcon $far/Out$n.rtc:out $near/In$n.rtc:in; done
-  $ rtact $near/In9.rtc 2> or-in-error; rtfind --wait 10 --state Error $near
+  $ rtact $near/In9.rtc 2> or-in-error; rtfind --wait 60 --state Error $near
   /localhost:$PORT/near.host_cxt/In9.rtc
   $ rtec $near/In8.rtc stop
   $ rtact $(for n in 0 1 2 3 4 5 6 7; do echo $near/In$n.rtc; done) $(rtfind $well -t c); hang these2
 
 One line for each of the three, and none besides:
 
-  $ rtdoctor -q --timeout 2 $near $far $well > out; grep /localhost out | grep -v '^warn.*Out4.rtc: not asked'
-  fail  /localhost:$PORT/far.host_cxt/Out0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 2s; this explains * more findings (-v shows them); try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  $ rtdoctor -q --timeout 4 $near $far $well > out; grep /localhost out | grep -v '^warn.*Out4.rtc: not asked'
+  fail  /localhost:$PORT/far.host_cxt/Out0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 4s; this explains * more findings (-v shows them); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/In8.rtc: its execution context is stopped: nothing executes it; try: rtec /localhost:$PORT/near.host_cxt/In8.rtc start
   fail  /localhost:$PORT/near.host_cxt/In9.rtc: in Error; try: rtreset /localhost:$PORT/near.host_cxt/In9.rtc
 
 What it explains has its cause; of the components that wait, two are asked, and nobody is told to restart one that is well:
 
-  $ rtdoctor --json --timeout 2 $near $far $well > out; python3 -c 'import collections, json, re
+  $ rtdoctor --json --timeout 4 $near $far $well > out; python3 -c 'import collections, json, re
   > told = collections.Counter()
   > for one in map(json.loads, open("out")):
   >     name = re.search(r"/([A-Z]\w*)\.rtc", one["path"])

@@ -61,7 +61,7 @@ Each component is asked once:
 With --measure, clocks are compared where values have times:
 
   $ mock senders 50 8 --context s.host_cxt/%n.rtc
-  $ rtdoctor -q --measure --report a.html ../s.host_cxt > now
+  $ rtdoctor -q --measure=5 --report a.html ../s.host_cxt > now
   $ grep -o 'Source0.rtc  at 127.0.0.1:[0-9]*: a value of number was stamped [0-9.]* s before it came here' \
   >     a.html |
   > sed 's/1:[0-9]*/1:PORT/; s/[0-9.]* s /N s /'
@@ -95,8 +95,10 @@ The component that a finding is about comes first, with its values and its event
   [1]
   $ grep -o '"plots":.."[^"]*"' a.html
   "plots":[["/localhost:$PORT/test.host_cxt/Sensor0.rtc: in Error: the last 30 s of its out ports"
-  $ rtlog -q -i --events -t 2 -f events.mcap . & recording=$!
-  $ soon '[ -e events.mcap ]'; rtreset Sensor0.rtc; ctl error Sensor0; wait $recording
+  $ rtlog -q --events -f events.mcap . & recording=$!
+  $ watched Sensor0; rtreset Sensor0.rtc; ctl error Sensor0
+  $ soon 'rtlog --json -f events.mcap | grep ERROR'; kill $recording; wait $recording
+  [143]
   $ rtdoctor -q --report a.html --log events.mcap > now
   [1]
   $ grep -o '"[^"]*: its last events in events.mcap"' a.html
@@ -112,6 +114,8 @@ As what a trigger of a recording starts, which adds the name of its file:
   $ rtlog -q --ring 4 --after 0.5 --then 'rtdoctor -q --report b.html --log' \
   >     -f c.mcap Sensor0.rtc:out > told 2>&1 &
   >     pid=$!
+  $ soon 'ctl connectors Sensor0:out | grep rtlog'; sent=$(ctl sent Sensor0:out)
+  $ soon '[ $(ctl sent Sensor0:out) -gt $((sent + 2)) ]'
   $ until rtlog --trigger-now c.mcap 2>/dev/null; do :; done; soon '[ -e b.html ]'
   $ kill $pid; wait $pid
   [143]

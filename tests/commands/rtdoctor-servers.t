@@ -3,7 +3,7 @@ Then it looks at every name in it.
 
 world: astray
 world: these Mock:Hung0 Mock:Hung1 --context hung.host_cxt/%n.rtc
-world: these Mock:Dead0 --context dead.host_cxt/%n.rtc
+server: another, whose port is then used by others
 faulty: refused dead-host silent drip reset close garbage late-silent late-reset hostile loop
 
   $ doctor() { rtdoctor "$@" > out; code=$?; grep -v -e "this host's name" -e ": slow (" out; return $code; }
@@ -29,10 +29,10 @@ faulty: refused dead-host silent drip reset close garbage late-silent late-reset
   $ doctor -q localhost:$(ctl port)
   fail  /localhost:*: a CORBA process, but not a name server: perhaps a component or manager; try: correct the port; netstat -ltnp | grep omniNames there shows it (glob)
   [1]
-  $ within 0.5-1.5 rtdoctor -q --timeout 0.5 localhost:$DEAD_HOST > out; grep -v "this host's name" out
-  fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 0.5s); try: look at what is between here and localhost: firewall (port $DEAD_HOST), route (ip route get localhost), MTU and loss (ping localhost)
-  $ doctor -q --timeout 0.5 localhost:$SILENT
-  fail  /localhost:$SILENT: hung: accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :$SILENT there names its process
+  $ within 1-4 rtdoctor -q --timeout 1 localhost:$DEAD_HOST > out; grep -v "this host's name" out
+  fail  /localhost:$DEAD_HOST: no TCP connection to 127.0.0.1 port $DEAD_HOST (no answer within 1s); try: look at what is between here and localhost: firewall (port $DEAD_HOST), route (ip route get localhost), MTU and loss (ping localhost)
+  $ doctor -q --timeout 1 localhost:$SILENT
+  fail  /localhost:$SILENT: hung: accepts TCP, but no answer within 1s; try: restart it; netstat -ltnp | grep :$SILENT there names its process
   [1]
   $ doctor -q --timeout 2 localhost:$LATE_SILENT
   fail  /localhost:$LATE_SILENT: its names cannot be listed (no answer within 2s); try: restart the name server that has it
@@ -74,18 +74,18 @@ Names that lead nowhere, to the same, to somebody else:
 
 A process that has ended, one that hangs, and one that took over the port of another:
 
-  $ hang these
-  $ kill-mock these2; within 0.5-2 rtdoctor -q --timeout 0.5 ../hung.host_cxt > out
+  $ hang these; kill-mock names2; mock these Mock:Dead0 --port $PORT2 --context dead.host_cxt/%n.rtc
+  $ kill-mock these2
+  $ within 4-12 rtdoctor -q --timeout 4 ../hung.host_cxt > out
   [1]
   $ grep fail out
-  fail  /localhost:$PORT/hung.host_cxt/Hung0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
-  fail  /localhost:$PORT/hung.host_cxt/Hung1.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 0.5s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/hung.host_cxt/Hung0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 4s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
+  fail  /localhost:$PORT/hung.host_cxt/Hung1.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 4s; try: restart it; netstat -ltnp | grep :* there names its process (glob)
   $ doctor -q ../dead.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): nothing listens at 127.0.0.1:*; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
   warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt
   [1]
-  $ TAKEN=$(doctor -q ../dead.host_cxt | sed -n 's/.*nothing listens at [^:]*:\([0-9]*\);.*/\1/p')
-  $ mock these Mock:Other0 --port $TAKEN --context other.host_cxt/%n.rtc
+  $ mock these Mock:Other0 --port $PORT2 --context other.host_cxt/%n.rtc
   $ doctor -q ../dead.host_cxt ../other.host_cxt
   fail  /localhost:$PORT/dead.host_cxt/Dead0.rtc: dead (zombie): what listens at 127.0.0.1:* now does not have it; try: rtdel -z /localhost:$PORT/dead.host_cxt/Dead0.rtc (glob)
   warn  /localhost:$PORT/dead.host_cxt: stale: only dead names are in it; try: when the dead names in it are deleted it is empty; then: rtdel /localhost:$PORT/dead.host_cxt

@@ -7,7 +7,7 @@ world: error --flavour java --context java.host_cxt/%n.rtc
 world: error --flavour rtorb --context rtorb.host_cxt/%n.rtc
 
   $ for f in cpp11 cpp12 cpp2 java rtorb; do
-  >     rtexit -v --wait ../$f.host_cxt/Broken0.rtc
+  >     rtexit -v --wait=60 ../$f.host_cxt/Broken0.rtc
   >     rtls ../$f.host_cxt/Broken0.rtc
   > done
   rtexit: /localhost:$PORT/cpp11.host_cxt/Broken0.rtc: exited

@@ -8,12 +8,12 @@ world: contexts --flavour cpp2 --rate 2 --context slow.host_cxt/%n.rtc
   $ rtcomp -o exec_cxt.periodic.rate=2 -a Sensor0.rtc -a ../other.host_cxt/ConsoleOut0.rtc \
   >     -a ../other.host_cxt/ConsoleIn0.rtc manager.mgr:Arm
   $ rtact --wait Arm.rtc
-  $ within 0-3 rtexit -v --wait ../other.host_cxt/ConsoleOut0.rtc
+  $ within 0-9 rtexit -v --wait ../other.host_cxt/ConsoleOut0.rtc
   rtexit: /localhost:$PORT/other.host_cxt/ConsoleOut0.rtc: exited
   $ rtec Arm.rtc
   0  0  Periodic  2  Running  Active  Arm  Sensor0,ConsoleIn0
   $ rtact ../slow.host_cxt/Driver0.rtc
-  $ within 0-3 rtexit -v --wait ../slow.host_cxt/Multi0.rtc
+  $ within 0-9 rtexit -v --wait ../slow.host_cxt/Multi0.rtc
   rtexit: /localhost:$PORT/slow.host_cxt/Multi0.rtc: exited
   $ rtec ../slow.host_cxt/Driver0.rtc
   0  0  Periodic  2  Running  Active  Driver0  -

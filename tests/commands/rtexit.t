@@ -23,12 +23,12 @@ world: many 4
 
 --wait waits until the name is gone, too:
 
-  $ rtexit -v --wait ConsoleOut0.rtc
+  $ rtexit -v --wait=60 ConsoleOut0.rtc
   rtexit: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: exited
   $ rtls ConsoleOut0.rtc
   rtls: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no such path
   [3]
-  $ rtexit Mock1.rtc Mock2.rtc --wait=5 -v
+  $ rtexit Mock1.rtc Mock2.rtc --wait=60 -v
   rtexit: /localhost:$PORT/test.host_cxt/Mock1.rtc: exited
   rtexit: /localhost:$PORT/test.host_cxt/Mock2.rtc: exited
 
@@ -74,12 +74,12 @@ Refused, dead, silent:
   $ rtexit Dead0.rtc
   rtexit: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
   [4]
-  $ within 0.4-1.4 rtexit --timeout 0.5 Hung0.rtc
-  rtexit: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
+  $ within 4-8 rtexit --timeout 4 Hung0.rtc
+  rtexit: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 4s
   [4]
-  $ rtexit --timeout 0.5 Dead0.rtc Hung0.rtc ../more.host_cxt/ConsoleOut1.rtc Nope0.rtc
+  $ rtexit --timeout 4 Dead0.rtc Hung0.rtc ../more.host_cxt/ConsoleOut1.rtc Nope0.rtc
   rtexit: /localhost:$PORT/test.host_cxt/Dead0.rtc: connection refused; its process is gone (zombie)
-  rtexit: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 0.5s
+  rtexit: /localhost:$PORT/test.host_cxt/Hung0.rtc: no answer within 4s
   rtexit: /localhost:$PORT/test.host_cxt/Nope0.rtc: no such path
   [5]
   $ interrupt 0.5 rtexit Hung0.rtc

@@ -17,7 +17,7 @@ One whose reference does not say what it is, and which does not answer, is a com
 
 The fragile one survives:
 
-  $ rtfind . --state active -t c --timeout 0.3 -n 'F*'; ctl @fragile components
+  $ rtfind . --state active -t c --timeout 30 -n 'F*'; ctl @fragile components
   Fragile0
 
 Names are matched, and printed, in the spelling that rtls shows; what is printed can be typed.
@@ -81,8 +81,8 @@ Zombies, wrong objects, loops:
 
 Name servers:
 
-  $ rtfind --timeout 0.3 /localhost:$SILENT
-  rtfind: /localhost:$SILENT: no answer within 0.3s
+  $ rtfind --timeout 1 /localhost:$SILENT
+  rtfind: /localhost:$SILENT: no answer within 1s
   [4]
   $ rtfind /localhost:$HOSTILE -m 1 | LC_ALL=C grep -c '[[:cntrl:]]'; ls
   0

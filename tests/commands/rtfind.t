@@ -201,15 +201,15 @@ Whether there is anything is a matter of --quiet: 1 when not. Without it, to fin
 
   $ rtfind --wait . -n ConsoleOut1.rtc
   /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc
-  $ within 0.3-1 rtfind --wait=0.3 . -n nothing
+  $ within 0.3-6 rtfind --wait=0.3 . -n nothing
   rtfind: found nothing within 0.3s
   [1]
-  $ within 0.3-1 rtfind -q --wait 0.3 . -n nothing
+  $ within 0.3-6 rtfind -q --wait 0.3 . -n nothing
   [1]
-  $ { rtfind --wait 20 / -n Late0.rtc && rtfind --wait 20 -q / -n Late0.rtc; } & mock these ConsoleIn:Late0
+  $ { rtfind --wait 120 / -n Late0.rtc && rtfind --wait 120 -q / -n Late0.rtc; } & mock these ConsoleIn:Late0
   > wait
   /localhost:$PORT/test.host_cxt/Late0.rtc
-  $ (rtfind --wait 20 . --state active -n ConsoleOut0.rtc) & rtact ConsoleOut0.rtc; wait
+  $ (rtfind --wait 120 . --state active -n ConsoleOut0.rtc) & rtact ConsoleOut0.rtc; wait
   /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc
 
 What cannot be:
@@ -271,7 +271,7 @@ What cannot be:
 
 The common options:
 
-  $ rtfind -v --timeout 2 . -n ErrStart0.rtc
+  $ rtfind -v --timeout 20 . -n ErrStart0.rtc
   /localhost:$PORT/test.host_cxt/arm.cxt/ErrStart0.rtc
   $ rtfind --version
   1.0.0

@@ -95,8 +95,8 @@ A component without the service, or none, or none that answers:
   $ rtfsm Mock0.rtc getstructure
   rtfsm: /localhost:$PORT/test.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)
   [4]
-  $ rtfsm --timeout 0.3 ../hung.host_cxt/Mock0.rtc seteventprofiles a:TimedLong
-  rtfsm: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
+  $ rtfsm --timeout 4 ../hung.host_cxt/Mock0.rtc seteventprofiles a:TimedLong
+  rtfsm: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 4s
   [4]
   $ rtfsm Microwave0.rtc:event getstate
   rtfsm: /localhost:$PORT/test.host_cxt/Microwave0.rtc:event: not a component (it is a port)

@@ -49,7 +49,7 @@ Of these names components are kept, whatever their ids; those that the file does
 
   $ sed "s,localhost:$PORT/,&test.host_cxt/," still.rtsys > still.here
   $ sed "s,localhost:$PORT/,&test.host_cxt/," walking.rtsys > walking.here
-  $ rtkeep --once --within 20 still.here | bare | sort; rtls -l | awk '{print $1, $2, $6}'
+  $ rtkeep --once --within 60 still.here | bare | sort; rtls -l | awk '{print $1, $2, $6}'
   test.host_cxt/ConsoleIn0.rtc: Active
   test.host_cxt/ConsoleIn0.rtc: restored connection ConsoleIn0.out_ConsoleOut0.in
   test.host_cxt/ConsoleOut0.rtc: Active
@@ -61,7 +61,7 @@ Of these names components are kept, whatever their ids; those that the file does
   Inactive 1/0 MyServiceConsumer0.rtc
   Inactive 1/0 MyServiceProvider0.rtc
   Active 2/0 Sensor0.rtc
-  $ rtkeep --once --within 20 walking.here | bare | sort
+  $ rtkeep --once --within 60 walking.here | bare | sort
   test.host_cxt/Controller0.rtc: restored connection Controller0.out_Motor0.in
   test.host_cxt/Motor0.rtc: Active
   $ rtcat -ll Controller0.rtc:out | grep -e rate -e buffer.length -e policy
