@@ -139,20 +139,21 @@ Again and again, with statistics:
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm move_to: OutOfReach(nearest=(x=10.0, y=4.0), by=20.0)
   2 calls, 2 failed, in \d+\.\d{3} s (re)
   [6]
-  $ rtcall Robot0.rtc:svc rest 5 --limit 0.2 -n 3
+  $ ctl reset; rtcall Robot0.rtc:svc rest 20 --limit 0.2 -n 3
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm: ended after 1 of 3 calls
   1 call, 1 failed, in \d+\.\d{3} s (re)
   [4]
-  $ interrupt 2 rtcall Robot0.rtc:svc speed -r 20 2>/dev/null | sed 's/^[0-9]* calls, 0 failed, in .*/ok/'
+  $ interrupt 'ctl calls Robot0 | grep "[4-9] _get_speed"' rtcall Robot0.rtc:svc speed -r 20 2>/dev/null |
+  >     sed 's/^[0-9]* calls, 0 failed, in .*/ok/'
   ok
 
 A call that does not end; an operation whose provider dies of it:
 
-  $ rtcall Robot0.rtc:svc rest 5 --limit 0.2
+  $ rtcall Robot0.rtc:svc rest 20 --limit 0.2
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on
   [4]
-  $ interrupt 1 rtcall Robot0.rtc:svc rest 5
+  $ ctl reset; interrupt 'ctl calls Robot0 | grep rest' rtcall Robot0.rtc:svc rest 60 --limit 60
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: interrupted; it may have been done, or be going on
   [130]
   $ rtcall Robot0.rtc:svc lose

@@ -42,7 +42,7 @@ What fails:
   $ rtcall Robot0.rtc:svc fail
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm fail: it raised what $MOCKS/robot.idl does not declare; it may have been done
   [6]
-  $ rtcall Robot0.rtc:svc rest 5 --limit 0.5
+  $ rtcall Robot0.rtc:svc rest 20 --limit 0.5
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.5s; it may have been done, or be going on
   [4]
   $ ctl fail rest 1 NO_PERMISSION; rtcall Robot0.rtc:svc rest 0

@@ -185,7 +185,7 @@ oneway is sent, and nobody reports what becomes of it:
 
 Several in one process:
 
-  $ printf 'call Robot0.rtc:svc say one %s\ncall Robot0.rtc:svc rest 5 --limit 0.2 %s\ncall Robot0.rtc:svc say two %s\n' "$IDL" "$IDL" "$IDL" |
+  $ printf 'call Robot0.rtc:svc say one %s\ncall Robot0.rtc:svc rest 20 --limit 0.2 %s\ncall Robot0.rtc:svc say two %s\n' "$IDL" "$IDL" "$IDL" |
   >     rtsh
   one
   rtcall: /localhost:$PORT/test.host_cxt/Robot0.rtc:svc.arm rest: no answer within 0.2s; it may have been done, or be going on

@@ -46,21 +46,18 @@ Error is left by rtreset, not by rtdeact:
 A component of OpenRTM 1.1 answers only after ten periods of its context:
 
   $ rtact --wait ../old.host_cxt/ConsoleIn0.rtc
-  $ within 0.1-2.5 rtdeact -v ../old.host_cxt/ConsoleIn0.rtc
+  $ within 0.1-8 rtdeact -v ../old.host_cxt/ConsoleIn0.rtc
   rtdeact: /localhost:$PORT/old.host_cxt/ConsoleIn0.rtc: accepted
 
---wait waits for the state; a slow component is not reported as failed without it either:
+--wait waits for the state; a slow component is not reported as failed without it either. (What takes longer than that:
+tests/sim/stories/rtact-late.t.)
 
   $ rtact Slow0.rtc
-  $ within 0.6-2.5 rtdeact -v Slow0.rtc
+  $ within 0.6-8 rtdeact -v Slow0.rtc
   rtdeact: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
   $ rtact Slow0.rtc
-  $ within 0.6-2.5 rtdeact --wait=2 Slow0.rtc -v
+  $ within 0.6-8 rtdeact --wait=30 Slow0.rtc -v
   rtdeact: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
-  $ rtact Slow0.rtc
-  $ rtdeact Slow0.rtc --wait 0.1
-  rtdeact: /localhost:$PORT/test.host_cxt/Slow0.rtc: not Inactive within 0.1s, still Active
-  [4]
 
 -e, another execution context:
 

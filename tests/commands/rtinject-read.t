@@ -3,7 +3,7 @@ rtinject stays until what comes from stdin can have been read. (More of it is in
 world: these ConsoleOut ConsoleIn
 
   $ rtact ConsoleOut0.rtc ConsoleIn0.rtc; rtec ConsoleOut0.rtc rate 20
-  $ yes 5 | head -n 30 | within 1.3-9 rtinject -r 0 ConsoleOut0.rtc:in
+  $ yes 5 | head -n 30 | within 1.3-30 rtinject -r 0 ConsoleOut0.rtc:in
   $ ctl received ConsoleOut0:in
   30 5
   $ ctl waiting ConsoleOut0:in
@@ -26,10 +26,10 @@ Values from stdin that come all at once wait as well, and what a buffer refuses 
 Who stops reading is not waited for any longer:
 
   $ rtec ConsoleOut0.rtc rate 1
-  $ seq 1 40 | within 0.1-15 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!
+  $ seq 1 40 | within 0.1-60 rtinject -q -r 0 ConsoleOut0.rtc:in & pid=$!
   $ soon 'ctl waiting ConsoleOut0:in | grep -q 4'
   $ rtdeact ConsoleOut0.rtc; wait $pid
-  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about ? of ? values; the rest is dropped (glob)
+  rtinject: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: it is Inactive now; it has read about * of * values; the rest is dropped (glob)
   [5]
   $ ctl waiting ConsoleOut0:in; rtact ConsoleOut0.rtc
   0

@@ -6,7 +6,7 @@ world: composite
   $ export XDG_RUNTIME_DIR=$PWD; rtcon -i one ConsoleIn0.rtc:out ConsoleOut0.rtc:in
   $ rtcryo --all -o a.xml localhost:$PORT
   $ rtkeep --create --look 0.2 a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'
+  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
 
 A component that is deleted is created, and all is as it was:
 
@@ -22,6 +22,7 @@ A component that is deleted is created, and all is as it was:
 
 Its manager lists it late, when it has been seen already:
 
+  $ soon 'rtkeep status | grep ";.all.is"'
   $ ctl @manager delay get_components 1
   $ rtmgr -d ConsoleIn0 manager.mgr
   $ soon 'grep -c ConsoleIn0.*created out | grep 2'
@@ -31,13 +32,14 @@ Its manager lists it late, when it has been seen already:
 
 A member that a composite has lost:
 
-  $ rtcomp -r Motor0.rtc composite0.rtc; soon 'grep restored.members out'
-  $ rtkeep resume
+  $ soon 'rtkeep status | grep ";.all.is"'; rtcomp -r Motor0.rtc composite0.rtc
+  $ soon 'grep restored.members out'; soon 'grep composite0.*by.hand out'
+  $ rtkeep resume; soon 'grep composite0.*restored.configuration out'
   $ soon 'rtcheck a.xml'
-  $ said out | grep -e members -e composite0.*set
+  $ said out | grep -e members -e composite0.*set | sort
   composite0.rtc: configuration set default was changed by hand: left alone
-  composite0.rtc: restored members Controller0, Motor0, Sensor0
   composite0.rtc: restored configuration set default
+  composite0.rtc: restored members Controller0, Motor0, Sensor0
   $ rtcat -l composite0.rtc | grep -A3 -i member
     Member  /localhost:$PORT/test.host_cxt/Sensor0.rtc
     Member  /localhost:$PORT/test.host_cxt/Controller0.rtc
@@ -49,6 +51,7 @@ A member that a composite has lost:
 
 Without a manager nothing is created.
 
-  $ rtmgr -d ConsoleIn0 manager.mgr; rtkeep --once --within 1 a.xml > nul
+  $ rtmgr -d ConsoleIn0 manager.mgr; soon '! rtls ConsoleIn0.rtc'
+  $ rtkeep --once --within 5 a.xml > nul
   rtkeep: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no such path; did you mean ConsoleOut0.rtc?
   [3]

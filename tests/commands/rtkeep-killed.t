@@ -11,7 +11,7 @@ An observer of its ports would, in C++ 2.1, see docs/protocol.md 5.4.
   $ rtcryo --all -o a.xml localhost:$PORT
   $ rtkeep a.xml > out 2>&1 & keep=$!
   > soon 'rtkeep status | grep ";.all.is"'
-  > ctl observers Source0
+  > watched Source0; ctl observers Source0
   > kill -9 $keep; wait $keep 2> nul
   IDL:OpenRTM/ComponentObserver:1.0
   [137]

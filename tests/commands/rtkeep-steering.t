@@ -21,7 +21,7 @@ To systemd it says when all is as the file says, what happens, that it lives, an
   > EOF
   $ python3 manager.py > told & manager=$!
   $ soon '[ -S notify ]'
-  $ NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=400000 rtkeep --events log.json a.xml >> out 2>&1 & keep=$!
+  $ NOTIFY_SOCKET=$PWD/notify WATCHDOG_USEC=1000000 rtkeep --events log.json a.xml >> out 2>&1 & keep=$!
   $ soon 'grep READY=1 told'; soon '[ $(grep -c WATCHDOG=1 told) -ge 3 ]'
   $ grep STATUS told | said | sed 's/\[.*\] //' | sort
   STATUS=ConfigSample0.rtc: Active
@@ -48,14 +48,15 @@ What is paused is not mended, until it is resumed; that takes back what a person
   ERROR
   $ rtls -l | grep ConsoleIn0
   Active  1/0  0/0  1/0  0/0  ConsoleIn0.rtc
-  $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0; soon 'rtcheck a.xml'
+  $ rtkeep resume Motor0 /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc ConsoleOut0
+  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
   $ rtdeact Motor0.rtc; soon 'grep Motor0.*by.hand out'
   $ rtkeep status | said | head -n 1
   a.xml: pid N, since T; all is as the file says, but for what is left alone
   $ rtkeep status --json | grep -o '"by_hand": .".*hand"'
   "by_hand": ["was made Inactive by hand"
-  $ rtkeep resume; soon 'rtcheck a.xml'
-  $ rtkeep stop Motor0; soon '! rtcheck a.xml'
+  $ rtkeep resume; soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep stop Motor0; soon 'rtkeep status | grep Motor0.*on.request'
   $ rtkeep status | grep Motor0 | said
     Motor0.rtc         paused  Inactive  T    deactivated on request
   $ rtkeep resume
@@ -79,7 +80,7 @@ What a person has done stays when the file is read again, and so does a pause; w
   $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = 8 ]'
   $ soon 'grep ConfigSample0.*restored out'; cp before a.xml
   $ rtkeep reload
-  $ soon '[ "$(rtconf ConfigSample0.rtc -s mode1 get int_param0)" = -999 ]'
+  $ soon '[ $(grep -c ConfigSample0.*restored out) = 2 ]'; soon 'rtkeep status | grep ";.all.is"'
   $ soon 'rtkeep status | grep Motor0.*Inactive'
   $ rtkeep status --json | grep -o '"by_hand": .".*hand"\|"ConsoleOut0.*"\|"wanted": "paused"'
   "by_hand": ["rate of execution context 0 was changed by hand"
@@ -92,7 +93,7 @@ What a person has done stays when the file is read again, and so does a pause; w
   INACTIVE
   $ rtec ConfigSample0.rtc | head -3
   0  0  Periodic  250  Running  Active  ConfigSample0  -
-  $ rtkeep resume; soon 'rtcheck a.xml'
+  $ rtkeep resume; soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
 
 Its file can be read again; one that is wrong changes nothing.
 
@@ -110,7 +111,7 @@ Its file can be read again; one that is wrong changes nothing.
   [1]
   $ kill -0 $keep
   $ kill -HUP $keep; cp c.xml a.xml
-  $ soon 'rtcheck a.xml'
+  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
 
 What a person has done can be made the file's.
 
@@ -133,10 +134,10 @@ What a person has done can be made the file's.
 
 Every action is in the log; with --teardown all is deactivated, and disconnected.
 
-  $ sed -n '1p' log.json | sed 's/[0-9]*\.[0-9]*/N/g'
+  $ grep -m 1 ConfigSample0 log.json | sed 's/[0-9]*\.[0-9]*/N/g'
   {"done": "Active", "error": null, "object": "/localhost:$PORT/testNhost_cxt/ConfigSampleNrtc", "seconds": N, "seen": "", "time": N}
   $ kill $keep; wait $keep
-  $ grep -o STOPPING=1 told
+  $ soon 'grep STOPPING=1 told'; grep -o STOPPING=1 told
   STOPPING=1
   $ kill $manager
   $ rtkeep --teardown a.xml > out 2>&1 & keep=$!
@@ -160,7 +161,7 @@ It goes on when nobody reads what it prints, when its log cannot be written, and
 
   $ rtkeep --leave --events /dev/full a.xml 2> err | true & soon 'rtkeep status a.xml'
   > rtdis ConsoleIn0.rtc
-  > soon 'rtcheck a.xml'
+  > soon 'rtcheck a.xml'; soon 'grep log err'
   > cat err
   rtkeep: nothing more goes to the log of events: No space left on device
   $ python3 - <<'EOF'

@@ -40,12 +40,15 @@ Slow components: OpenRTM waits half a second, answers RTC_ERROR, and changes the
   [0] after 0.8 s
   $ ctl @slow state Slow0
   ACTIVE
+  $ rtdeact --wait 0.1 Slow0.rtc
+  ! rtdeact: /robot/test.host_cxt/Slow0.rtc: not Inactive within 0.1s, still Active
+  [4] after 0.5 s
 
 A context of 1 Hz takes up to a second:
 
   $ rtact -v Lazy0.rtc
   ! rtact: /robot/test.host_cxt/Lazy0.rtc: accepted
-  [0] after 0.1 s
+  [0] after 0.6 s
   $ ctl @slow state Lazy0
   ACTIVE
 
