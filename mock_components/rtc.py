@@ -212,8 +212,8 @@ class Component(carrier.skeleton("OpenRTM.DataFlowComponent")):
         """How many cycles it would have executed since the last one, were the thread of its context not held
         up on a busy machine.
         """
-        contexts = self.owned + [self.process.local_servant(each) for each in self.get_participating_contexts()]
-        return max((cxt.overdue(self) for cxt in contexts if cxt is not None), default=0)
+        others = map(self.process.local_servant, self.get_participating_contexts())
+        return max((cxt.overdue(self) for cxt in [*self.owned, *filter(None, others)]), default=0)
 
     def _read(self):
         for port in self.ports:

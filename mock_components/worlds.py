@@ -193,12 +193,14 @@ def chain_of(stage, count=5, *faults):
 def hung(stage, count=1):
     """N components Mock0, …, then the process stops (SIGSTOP): kill it with SIGKILL"""
     many(stage, count)
+    stage.ready.append("stops")
     stage.after_ready = lambda: os.kill(os.getpid(), signal.SIGSTOP)
 
 
 def zombie(stage, count=1):
     """N components Mock0, …, then the process ends and leaves the names bound"""
     many(stage, count)
+    stage.ready.append("ends")
     stage.after_ready = stage.process.die
 
 

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 import unittest
 
 import processes
@@ -18,6 +19,8 @@ ONCE = "mocks are used by the transcripts on every Python"
 try:
     import CosNaming
     import omniORB
+    from mock_components import context
+    from mock_components.flavour import Flavour
     from mock_components.idl import RTC, OpenRTM
 except ImportError:
     pass        # then setUpModule skips all
@@ -29,6 +32,59 @@ def setUpModule():
 
 def tearDownModule():
     worlds.Server.stop()
+
+
+class Part:
+    """A component, its reference and its process; its context has a thread when `begin` is called."""
+
+    busy = False
+    takes = 0.0
+    executed = 0.0
+    observers = types.SimpleNamespace(registered={})
+
+    def __init__(self):
+        self.reference = self
+        self.begin = None
+
+    def thread(self, target, *args):
+        self.begin = threading.Thread(target=target, args=args, daemon=True).start
+
+    def _is_equivalent(self, other):
+        return other is self
+
+    def on_activated(self, handle):
+        return RTC.RTC_OK
+
+
+class HeldUp(unittest.TestCase):
+    """On a busy machine a thread of a mock may be held up for seconds: what others see is the same."""
+
+    def setUp(self):
+        self.part = Part()
+        self.context = context.Behaviour(self.part, Flavour("cpp2"), 10.0)
+        self.context.own(self.part, self.part, 0)
+        self.addCleanup(self.context.close)
+
+    def test_transition(self):
+        codes = []
+        caller = threading.Thread(
+            target=lambda: codes.append(self.context.activate_component(self.part)), daemon=True
+        )
+        caller.start()
+        caller.join(0.8)  # a component that takes so long gets RTC_ERROR
+        self.assertEqual(codes, [])
+        self.part.begin()
+        caller.join(60)
+        self.assertEqual(codes, [RTC.RTC_OK])
+
+    def test_cycles(self):
+        member = self.context.members[0]
+        self.assertEqual(self.context.overdue(self.part), 0)
+        member.state = RTC.ACTIVE_STATE
+        member.history = [(time.monotonic() - 3.05, member.state)]
+        self.assertGreater(self.context.overdue(self.part), 20)
+        self.part.executed = time.monotonic()
+        self.assertLessEqual(self.context.overdue(self.part), 0)
 
 
 class Worlds(unittest.TestCase):

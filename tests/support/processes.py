@@ -15,12 +15,14 @@ import time
 
 import mounts
 
-from tools import Failed, control, session_file
+from tools import Failed, control, reaches, session_file
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.append(ROOT)  # behind what is installed
 from mock_components import asking, nameserver  # noqa: E402
 START_LIMIT = 90.0  # seconds until a peer must have said that it is ready, at load 50
+# what a world says as its last word that does not go on when it is ready, and its state then
+FATES = {"stops": "stopped", "ends": "gone"}
 
 
 _started = {}  # processes by where they keep their files
@@ -134,6 +136,9 @@ def ready(name):
     found = wait_until(lambda: re.search('^(ready.*|{".*)\n', said(name), re.MULTILINE), name)
     if not found:
         raise Failed("%s is not ready: %s" % (name, said(name)))
+    state = FATES.get(found.group().split()[-1])
+    if state and not reaches(find(name).pid, state, START_LIMIT):
+        raise Failed("%s is not %s" % (name, state))
     return found.group()
 
 
