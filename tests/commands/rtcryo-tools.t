@@ -24,7 +24,7 @@ rtcat shows them, no other command does:
   $ rtcryo -q --all -o all.rtsys; grep -c rts:connectorId all.rtsys
   1
   $ rtcheck --extra all.rtsys -s Inactive
-  $ rtdoctor -q . | grep -v -e '^warn  here' -e 'examined are Inactive'
+  $ rtdoctor -q . | grep -v -e '^warn  here' -e 'examined are Inactive' -e ': slow ('
   [1]
   $ rtstodot --text --live
   ┌───────────────────────┐

@@ -11,7 +11,8 @@ world: linked --nameserver localhost:$PORT2
 A robot that works: a line for each object, a summary, status 0. With -q, nothing is left to say (a busy machine may not keep
 a rate for a moment):
 
-  $ soon 'rtdoctor > out; ! grep -e "warn.* keeps" -e ": slow (" out'; grep -v -e "this host's name" -e failed out
+  $ soon 'rtdoctor > out; ! grep -e "warn.* keeps" -e ": slow (" out'
+  $ grep -v -e "this host's name" -e failed out
   ok    here: Python [0-9.]*, (omniORBpy .*|builtin ORB) (re)
   ok    here: RTCTREE_NAMESERVERS: localhost:$PORT
   ok    /localhost:$PORT: answers (name * ms, TCP * ms, CORBA * ms, naming * ms) (glob)

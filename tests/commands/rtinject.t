@@ -65,7 +65,8 @@ Several ports, all types of the standard:
 -t ends it, -n too; -1 is for ever, which Ctrl-C and SIGTERM end:
 
   $ within 0.3-8 rtinject -c '{"data": 1}' -r 20 -t 0.3 ConsoleOut0.rtc:in
-  $ interrupt 'ctl connectors ConsoleOut0:in | grep .' rtinject -c '{"data": 1}' -r 20 -n -1 ConsoleOut0.rtc:in
+  $ interrupt 'ctl connectors ConsoleOut0:in | grep .' \
+  >     rtinject -c '{"data": 1}' -r 20 -n -1 ConsoleOut0.rtc:in
   [130]
   $ timeout 1 rtinject -c '{"data": 1}' -r 20 -n -1 ConsoleOut0.rtc:in </dev/null
   [124]
