@@ -15,6 +15,7 @@ world: many 25
 One line for each of the three, and none besides:
 
   $ rtdoctor -q --timeout 4 $near $far $well > out
+  [1]
   $ grep /localhost out | grep -v -e '^warn.*Out4.rtc: not asked' -e ': slow ('
   fail  /localhost:$PORT/far.host_cxt/Out0.rtc: hung: 127.0.0.1:* accepts TCP, but no answer within 4s; this explains * more findings (-v shows them); try: restart it; netstat -ltnp | grep :* there names its process (glob)
   fail  /localhost:$PORT/near.host_cxt/In8.rtc: its execution context is stopped: nothing executes it; try: rtec /localhost:$PORT/near.host_cxt/In8.rtc start

@@ -150,7 +150,7 @@ def play_interrupt(words):
         if is_time:
             is_due = time.monotonic() - begun - waited_for_processor(process) >= float(seconds)
         else:
-            is_due = os.system("{ %s; } >/dev/null 2>&1" % words[0]) == 0
+            is_due = os.waitpid(spawn(["sh", "-c", "{ %s; } >/dev/null 2>&1" % words[0]]), 0)[1] == 0
             if not is_due and time.monotonic() - begun > START_LIMIT:
                 sys.stdout.write("never: %s\n" % words[0])
                 is_due = True
