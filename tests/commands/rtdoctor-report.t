@@ -96,8 +96,10 @@ The component that a finding is about comes first, with its values and its event
   $ grep -o '"plots":.."[^"]*"' a.html
   "plots":[["/localhost:$PORT/test.host_cxt/Sensor0.rtc: in Error: the last 30 s of its out ports"
   $ rtlog -q --events -f events.mcap . & recording=$!
-  $ watched Sensor0; rtreset Sensor0.rtc; ctl error Sensor0
-  $ soon 'rtlog --json -f events.mcap | grep ERROR'; kill $recording; wait $recording
+  $ watched Sensor0; rtreset Sensor0.rtc
+  $ ctl error Sensor0
+  $ soon 'rtlog --json -f events.mcap | grep ERROR'
+  $ kill $recording; wait $recording
   [143]
   $ rtdoctor -q --report a.html --log events.mcap > now
   [1]

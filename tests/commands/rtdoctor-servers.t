@@ -74,7 +74,8 @@ Names that lead nowhere, to the same, to somebody else:
 
 A process that has ended, one that hangs, and one that took over the port of another:
 
-  $ hang these; kill-mock names2; mock these Mock:Dead0 --port $PORT2 --context dead.host_cxt/%n.rtc
+  $ hang these; kill-mock names2
+  $ mock these Mock:Dead0 --port $PORT2 --context dead.host_cxt/%n.rtc
   $ kill-mock these2
   $ within 4-12 rtdoctor -q --timeout 4 ../hung.host_cxt > out
   [1]

@@ -28,7 +28,8 @@ world: these ConsoleIn
 Each is started when those before it are ready; what they print is kept, and shown with -v.
 
   $ mkdir logs; rtkeep -v --log logs --processes Procfile > out 2> err & keep=$!
-  $ soon 'grep more logs/talk.log'; soon 'grep missing.*given out'; soon 'grep brief.*not.started out'
+  $ soon 'grep more logs/talk.log'; soon 'grep missing.*given out'
+  $ soon 'grep brief.*not.started out'
   $ said out | grep -v -e brief -e missing -e 'ready 1'
   motor: started, pid N
   motor: Motor0.rtc answers: ready
@@ -61,7 +62,8 @@ One that is killed comes back; the system is kept, too, where there is a file.
   $ ls | grep control; rtls
   ConsoleIn0.rtc
   $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep out.*ready'; soon 'grep ConsoleOut0.rtc:.Active out'
+  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep out.*ready'
+  $ soon 'grep ConsoleOut0.rtc:.Active out'
   $ kill -9 $(rtkeep status --json | sed -n 's/.*"object": "out", "pid": \([0-9]*\),.*/\1/p')
   $ soon 'grep out:.ended.by.SIGKILL out'; soon 'rtcheck a.xml'
   $ soon 'test $(grep -c ConsoleOut0.rtc:.Active out) = 2'
@@ -91,7 +93,8 @@ At the end the components of these processes are deactivated, then the processes
   $ ctl @these state ConsoleIn0
   ACTIVE
   $ rtkeep --processes Procfile a.xml > out 2>&1 & keep=$!
-  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep talk.*ready'; soon 'grep brief.*not.started out'
+  $ soon 'rtcheck a.xml'; soon 'rtkeep status | grep talk.*ready'
+  $ soon 'grep brief.*not.started out'
   $ pids=$(rtkeep status --json | grep process | sed -n 's/.*"pid": \([0-9]*\),.*/\1/p')
   $ echo $pids | wc -w
   3

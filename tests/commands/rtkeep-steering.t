@@ -55,7 +55,8 @@ What is paused is not mended, until it is resumed; that takes back what a person
   a.xml: pid N, since T; all is as the file says, but for what is left alone
   $ rtkeep status --json | grep -o '"by_hand": .".*hand"'
   "by_hand": ["was made Inactive by hand"
-  $ rtkeep resume; soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep resume; soon 'rtcheck a.xml'
+  $ soon 'rtkeep status | grep ";.all.is"'
   $ rtkeep stop Motor0; soon 'rtkeep status | grep Motor0.*on.request'
   $ rtkeep status | grep Motor0 | said
     Motor0.rtc         paused  Inactive  T    deactivated on request
@@ -93,7 +94,8 @@ What a person has done stays when the file is read again, and so does a pause; w
   INACTIVE
   $ rtec ConfigSample0.rtc | head -3
   0  0  Periodic  250  Running  Active  ConfigSample0  -
-  $ rtkeep resume; soon 'rtcheck a.xml'; soon 'rtkeep status | grep ";.all.is"'
+  $ rtkeep resume; soon 'rtcheck a.xml'
+  $ soon 'rtkeep status | grep ";.all.is"'
 
 Its file can be read again; one that is wrong changes nothing.
 

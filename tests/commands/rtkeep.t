@@ -44,7 +44,8 @@ At boot: the commands that would do it; then it is done once. What is not so in 
 It stays, and mends: a connection, an Error, a component that was killed and is there again; one that hangs is left alone.
 
   $ rtkeep a.xml >> out 2>&1 & keep=$!
-  $ soon 'rtkeep status | grep ";.all.is"'; watched Motor0; watched ConsoleIn0
+  $ soon 'rtkeep status | grep ";.all.is"'; watched Motor0
+  $ watched ConsoleIn0
   $ rtdis -i one ConsoleIn0.rtc:out; soon 'grep "connection one" out'
   $ ctl error Motor0; soon 'grep Motor0.*Active out'
   $ kill-mock these2; soon 'grep gone out'
@@ -66,7 +67,8 @@ It stays, and mends: a connection, an Error, a component that was killed and is 
 
 What a person does is reported, and left alone.
 
-  $ soon 'rtkeep status | grep ";.all.is"'; : > out; rtdeact Motor0.rtc
+  $ soon 'rtkeep status | grep ";.all.is"'
+  $ : > out; rtdeact Motor0.rtc
   $ rtconf ConfigSample0.rtc set int_param0 9; rtec Motor0.rtc rate 500
   $ soon '[ $(grep -c "by hand" out) = 3 ]'; ctl state Motor0
   INACTIVE
