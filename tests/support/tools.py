@@ -13,6 +13,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 START_LIMIT = 90.0  # seconds until a peer must be in the state that was asked for
 # seconds that a command may take to tidy up after Ctrl-C, on a busy machine; the timeout is 3
 UNWINDING = 2.0
+THREADS = 17  # of the fields of /proc/PID/stat behind the name: how many threads there are
 
 
 class Failed(Exception):
@@ -91,10 +92,12 @@ def reaches(process, state, seconds):
 def state_of(process):
     try:
         with open("/proc/%d/stat" % process) as file:
-            letter = file.read().rpartition(") ")[2][0]
+            fields = file.read().rpartition(") ")[2].split()
     except OSError:
         return "gone"
-    return {"Z": "gone", "X": "gone", "T": "stopped"}.get(letter, "running")
+    if fields[0] in "ZX" and int(fields[THREADS]) > 1:  # they still have its files, and listen
+        return "running"
+    return {"Z": "gone", "X": "gone", "T": "stopped"}.get(fields[0], "running")
 
 
 def session_file(name):
@@ -119,15 +122,17 @@ def play_within(words):
     """within LEAST-MOST COMMAND...: complain if the command takes less or more seconds; status is the
     command's.
 
-    What it was ready to run and was not let, as other tests had the processors, does not count as MOST; its
-    peers wait for them, too, so that MOST grows with the load where other work is done beside the tests.
+    What it was ready to run and was not let, as other tests had the processors, does not count as MOST, nor
+    that this process was not let see its end; its peers wait for them, too, so that MOST grows with the load
+    where other work is done beside the tests.
     """
     least, most = [float(number) for number in words[0].split("-")]
+    before = waited_for_processor("self")
     begun = time.monotonic()
     process = spawn(words[1:])
     os.waitid(os.P_PID, process, os.WEXITED | os.WNOWAIT)
     taken = time.monotonic() - begun
-    waited = waited_for_processor(process)
+    waited = waited_for_processor(process) + waited_for_processor("self") - before
     status = shell_status(os.waitpid(process, 0)[1])
     if taken < least or taken - waited > most * slower():
         sys.stdout.write("took %.2f s (%.2f s of it for a processor), not %s\n" % (taken, waited, words[0]))
@@ -140,7 +145,8 @@ def play_interrupt(words):
     be gone soon, long before the timeout. interrupt CONDITION COMMAND...: press it as soon as that command
     line succeeds.
 
-    What it was ready to run and was not let does not count: Python would be interrupted while it starts.
+    What it was ready to run and was not let does not count: Python would be interrupted while it starts; nor
+    does it count for what the command may take to end.
     """
     begun = time.monotonic()
     process = spawn(words[1:])
@@ -156,17 +162,24 @@ def play_interrupt(words):
                 is_due = True
         if is_due:
             os.kill(process, signal.Signals["SIG" + (name if is_time and name else "INT")])
-            waited = waited_for_processor(process)
-            if not reaches(process, "gone", UNWINDING * slower()):
-                waited = waited_for_processor(process) - waited
-                if not reaches(process, "gone", waited):
-                    sys.stdout.write("still there %g s after it\n" % UNWINDING)
-                    os.kill(process, signal.SIGKILL)
+            if not unwinds(process, UNWINDING * slower()):
+                sys.stdout.write("still there %g s after it\n" % UNWINDING)
+                os.kill(process, signal.SIGKILL)
             break
         time.sleep(0.01)
     else:
         sys.stdout.write("ended before it\n")
     return shell_status(os.waitpid(process, 0)[1])
+
+
+def unwinds(process, seconds):
+    """Wait until a process is gone, or has been let run for that long without; returns whether it is gone."""
+    begun = time.monotonic()
+    before = waited_for_processor(process)
+    while not reaches(process, "gone", 0.1):
+        if time.monotonic() - begun - (waited_for_processor(process) - before) > seconds:
+            return reaches(process, "gone", 0)
+    return True
 
 
 def play_terminal(words):
