@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import uuid
 
 import mounts
@@ -74,6 +75,31 @@ def _end(process, limit):
             os.killpg(process.pid, signal.SIGKILL)
         process.wait()
         process.stdin.close()
+        _wait_for_group(process.pid)
+
+
+def _wait_for_group(group):
+    """Wait until the processes of a group, which have been killed, have ended: a busy machine lets each do
+    that when it is its turn.
+    """
+    end = time.monotonic() + TURN
+    while any(map(functools.partial(_belongs, group), _processes())) and time.monotonic() < end:
+        time.sleep(0.01)
+
+
+def _belongs(group, number):
+    """Whether a process is of a group, and has not ended."""
+    try:
+        with open("/proc/%d/stat" % number, "rb") as file:
+            state, _, of = file.read().rpartition(b") ")[2].split()[:3]
+    except OSError:
+        return False
+    return int(of) == group and state not in (b"Z", b"X")
+
+
+def _processes():
+    """The numbers of all processes."""
+    return map(int, filter(str.isdigit, os.listdir("/proc")))
 
 
 def _remove(directory):
@@ -111,7 +137,7 @@ def mark():
 def left_behind(marker):
     """Kill the processes that have the mark, except this one; returns their command lines."""
     found = []
-    for number in map(int, filter(str.isdigit, os.listdir("/proc"))):
+    for number in _processes():
         with contextlib.suppress(OSError):
             with open("/proc/%d/environ" % number, "rb") as file:
                 if number == os.getpid() or marker not in file.read():
