@@ -12,7 +12,7 @@ alone: kills
   $ rtlog -q --events -f a.mcap . 2> nul & pid=$!
   $ soon 'rtlog -d -f a.mcap | grep system-1'
   $ kill-mock these2; soon 'events | grep DIED'
-  $ rtcon -q Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _CONNECT.Fine0'
+  $ rtcon -q Fine0.rtc:out Sink0.rtc:in; soon '[ $(events | grep -c _CONNECT) = 2 ]'
   $ rtdis Fine0.rtc:out Sink0.rtc:in; soon 'events | grep _DISCONNECT.Fine0'
   $ soon 'events | grep _DISCONNECT.Sink0'
   $ asked() { ctl calls | grep get_connector_profiles; }; before=$(asked)

@@ -44,7 +44,8 @@ It leaves nothing that can hang a component when it drops these connections. (An
   $ soon '[ "$(observed)" = 1 ] && rtlog --json -q -f o.mcap | grep -q :number'
   $ kill -KILL $pid; wait $pid 2>/dev/null
   [137]
-  $ soon '[ -z "$(ctl @sources connectors Source0:number)$(ctl @sources connectors Source0:block)" ]'
+  $ left() { for n in 0 1; do for p in number block; do ctl @sources connectors Source$n:$p; done; done; }
+  $ soon '[ -z "$(left)" ]'
   $ rtls -l
   Active  2/0  0/0  2/0  0/0  Source0.rtc
   Active  2/0  0/0  2/0  0/0  Source1.rtc
@@ -61,12 +62,12 @@ Files that cannot be written:
   $ rtlog -t 1 -f /none/x Source0.rtc:number
   rtlog: /none/x: No such file or directory
   [1]
-  $ rtlog -t 1 -l text -f /dev/full Source0.rtc:number
-  rtlog: Recording for 1.0s.
+  $ rtlog -t 99 -l text -f /dev/full Source0.rtc:number
+  rtlog: Recording for 99.0s.
   rtlog: /dev/full: No space left on device
   [1]
-  $ (ulimit -f 100; rtlog -t 9 -f full.rtlog Source0.rtc:block)
-  rtlog: Recording for 9.0s.
+  $ (ulimit -f 100; rtlog -t 99 -f full.rtlog Source0.rtc:block)
+  rtlog: Recording for 99.0s.
   rtlog: full.rtlog: File too large
   [1]
   $ rtlog -d --json -f full.rtlog | grep -o '"closed.*damaged": 0\|"torn.*'

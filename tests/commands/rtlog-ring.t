@@ -47,8 +47,8 @@ A file of the user's that has the name of ours is left alone; what a killed rtlo
 
 A disk that is nearly full:
 
-  $ rtlog -t 5 --leave 900000G -f l.mcap Source0.rtc:number
-  rtlog: Recording for 5.0s.
+  $ rtlog -t 99 --leave 900000G -f l.mcap Source0.rtc:number
+  rtlog: Recording for 99.0s.
   rtlog: l.mcap: stopped, as the disk is nearly full (--leave)
   [1]
   $ rtlog -d --json -f l.mcap | grep -o '"closed": true'
