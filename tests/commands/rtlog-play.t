@@ -132,7 +132,7 @@ Ctrl-C, and other signals (a component that dies meanwhile: tests/sim/stories/rt
   $ rtlog -q -i -e 3 -f c.rtlog --property dataport.subscription_type=periodic \
   >     --property dataport.publisher.push_rate=2 --property dataport.publisher.push_policy=new \
   >     Source0.rtc:number.n
-  $ interrupt 0.7 rtlog -p -f c.rtlog ConsoleOut0.rtc:in.n
+  $ interrupt 0.7 rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n
   [130]
   $ ctl @these connectors ConsoleOut0:in
   $ for s in TERM HUP; do rtlog -p -f c.rtlog -r 0.05 ConsoleOut0.rtc:in.n & \

@@ -289,7 +289,7 @@ Wrong usage contacts nobody.
   [2]
   $ RTSHELL_TIMEOUT= rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
-  $ RTSHELL_TIMEOUT=0.5 rtls ConsoleIn0.rtc
+  $ RTSHELL_TIMEOUT=9.5 rtls ConsoleIn0.rtc
   ConsoleIn0.rtc
 
 -v and -q change nothing while all goes well.

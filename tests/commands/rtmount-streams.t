@@ -48,8 +48,10 @@ An out port: value is its next value, values are all, one a line:
 
 All readers of a port share a connection, which ends with the last of them:
 
+  $ opened() { soon "ls -l /proc/$1/fd | grep values"; }
   $ cat Source0.rtc/ports/number/values >/dev/null & one=$!
   $ cat Source0.rtc/ports/number/values >/dev/null & two=$!
+  $ opened $one; opened $two
   $ head -n 1 Source0.rtc/ports/number/values >/dev/null
   $ PATH=$tools ctl connectors Source0:number | wc -l
   1
@@ -101,6 +103,7 @@ Events and logs:
 Unmounting disconnects:
 
   $ cd ../test.host_cxt; cat Source0.rtc/ports/number/values >/dev/null & one=$!
+  $ opened $one
   $ head -n 1 Source0.rtc/ports/number/values >/dev/null
   $ PATH=$tools ctl connectors Source0:number | wc -l; cd $TMP
   1

@@ -157,7 +157,7 @@ What is not there:
   $ rtlog -q -f empty.mcap -t 0.3 ConsoleIn0.rtc:out; rtplot -f empty.mcap
   no values
   [1]
-  $ rtlog -q -f one.mcap -t 1 ConsoleIn0.rtc:out.none Source0.rtc:number.some
+  $ rtlog -q -f one.mcap -i -e 50 ConsoleIn0.rtc:out.none Source0.rtc:number.some
   $ rtplot -f one.mcap --ascii | grep '^none\|^some'
   some
 

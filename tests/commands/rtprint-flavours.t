@@ -13,7 +13,7 @@ world: senders 4 10000000 --flavour cpp2 --context big.host_cxt/%n.rtc
 
   $ each() { for v in cpp11 cpp12 cpp2 py2 java rtorb; do rtprint -n 3 ../$v.host_cxt/Source0.rtc:number \
   >     "$@" 2>&1 |
-  >   awk -v v=$v '/^\[/ { if ($2 > 0 && $2 < 9999) n++; next } { print } END { print v, n }'; done; }
+  >   awk -v v=$v '/^\[/ { if ($2 > 0 && $2 < 65536) n++; next } { print } END { print v, n }'; done; }
   $ each
   cpp11 3
   cpp12 3

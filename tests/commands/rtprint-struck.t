@@ -5,7 +5,7 @@ world: senders 500 12
 
 While the reader of the output takes nothing:
 
-  $ mkfifo pipe; sleep 30 < pipe & reader=$!
+  $ mkfifo pipe; sleep 600 < pipe & reader=$!
   $ rtprint --json Source0.rtc:number > pipe & pid=$!
   $ soon '[ -n "$(ctl connectors Source0:number)" ]'; n=$(ctl sent Source0:number)
   $ soon '[ $(ctl sent Source0:number) -gt $((n + 999)) ]'

@@ -45,14 +45,14 @@ An argument that is no component does not keep the others from being reset:
 --wait waits for the state; a slow component is not reported as failed without it either:
 
   $ ctl @slow error Slow0
-  $ within 0.6-2.5 rtreset -v Slow0.rtc
+  $ within 0.6-9 rtreset -v Slow0.rtc
   rtreset: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
   $ ctl @slow error Slow0
-  $ within 0.6-2.5 rtreset --wait=2 -v Slow0.rtc
+  $ within 0.6-9 rtreset --wait=9 -v Slow0.rtc
   rtreset: /localhost:$PORT/test.host_cxt/Slow0.rtc: Inactive
-  $ ctl @slow error Slow0
-  $ rtreset --wait 0.1 Slow0.rtc
-  rtreset: /localhost:$PORT/test.host_cxt/Slow0.rtc: not Inactive within 0.1s, still Error
+  $ ctl @slow error Stuck0
+  $ rtreset --wait 0.1 Stuck0.rtc
+  rtreset: /localhost:$PORT/test.host_cxt/Stuck0.rtc: not Inactive within 0.1s, still Error
   [4]
 
 -e, another execution context:

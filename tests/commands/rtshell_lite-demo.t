@@ -15,6 +15,7 @@ orb: builtin
     rttop                                             all of it, live; q ends it
     rtdoctor                                          what is wrong: nothing, until the hand is too hot
     rtstodot --html robot.html .                      a page with the whole robot, for a browser
+  $ rtconf arm.host_cxt/Gripper0.rtc set limit 1000  # else it is hot after 50 s
   $ rtls -lR
   .:
   -  -  -  -  -  arm.host_cxt

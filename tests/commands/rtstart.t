@@ -75,7 +75,7 @@ Conditions: Motor0 comes first; 0.3 s after the others comes Clusterer0, when it
   {1} [Order 3/Wait 300ms] Activate /localhost:$PORT/test.host_cxt/Clusterer0.rtc in execution context 0 (Required)
   {3} [Order 4/Sync to Clusterer0] Activate /localhost:$PORT/test.host_cxt/Hokuyo_AIST0.rtc in execution context 0 (Required)
   {2} [Order 5/After Clusterer0's action] Activate /localhost:$PORT/test.host_cxt/Controller0.rtc in execution context 0 (Required)
-  $ within 0.3-3 rtstart -v b.xml 2> said; grep -v Check said | head -4
+  $ within 0.3-9 rtstart -v b.xml 2> said; grep -v Check said | head -4
   Executing {4} Activate /localhost:$PORT/test.host_cxt/Motor0.rtc in execution context 0 (Required)
   rtstart: /localhost:$PORT/test.host_cxt/Motor0.rtc: Active
   Executing {5} Activate /localhost:$PORT/test.host_cxt/Sensor0.rtc in execution context 0 (Required)

@@ -77,7 +77,7 @@ On a recording, with the connections that it had:
 
 What stops it; rtdoctor has the last word. (More of it: tests/sim/stories/rttrace-stops.t.)
 
-  $ rtdeact --wait 2 Link2.rtc; trace Link0.rtc:out
+  $ rtdeact --wait 20 Link2.rtc; trace Link0.rtc:out
   Active Link0.rtc:out
   Active Link1.rtc:out
   /localhost:$PORT/test.host_cxt/Link2.rtc: it is Inactive (certain)
