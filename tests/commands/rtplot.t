@@ -161,22 +161,33 @@ What is not there:
   $ rtplot -f one.mcap --ascii | grep '^none\|^some'
   some
 
-Live; not on a terminal, the plot is printed at the end:
+Live, until a signal or for some time; not on a terminal, the plot is printed at the end:
 
-  $ rtplot -t 1 --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
+  $ plotted() {
+  >     rtplot "$@" > out & pid=$!
+  >     soon '[ -n "$(ctl connectors Source0:number)" ]'; sent=$(ctl sent Source0:number)
+  >     soon '[ $(ctl sent Source0:number) -gt $((sent + 200)) ]'
+  >     kill $pid; wait $pid
+  >     echo $?
+  >     sed 's/[0-9.]\{1,\}/N/g' out | head -n 2
+  > }
+  $ plotted --ascii Source0.rtc:number
+  143
   /localhost:N/testNhost_cxt/SourceNrtc:number
   * data  min N  max N  last N
-  $ rtplot -t 1 --svg live.svg Source0.rtc:number.data Source0.rtc:block.data[0]
+  $ plotted --svg live.svg Source0.rtc:number.data Source0.rtc:block.data[0]
+  143
   $ grep -c '<path class="series' live.svg
   4
-  $ COLUMNS=100 rtplot -t 3 --rate --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
+  $ COLUMNS=100; plotted --rate --ascii Source0.rtc:number; COLUMNS=60
+  143
   /localhost:N/testNhost_cxt/SourceNrtc:number, values per second
   * rate  min N  max N  last N
-  $ interrupt 1.5 rtplot --ascii Source0.rtc:number | sed 's/[0-9.]\{1,\}/N/g' | head -n 2
-  /localhost:N/testNhost_cxt/SourceNrtc:number
-  * data  min N  max N  last N
-  $ terminal 60 rtplot -t 1 Source0.rtc:number >page; [ $(grep -c 'data  min' page) -gt 3 ]
-  $ ctl connectors Source0:number
+  $ within 0.3-9 rtplot -t 0.3 ConsoleIn0.rtc:out
+  no values
+  $ terminal 60 rtplot Source0.rtc:number >page & pid=$!
+  $ soon '[ $(grep -c "data  min" page) -gt 3 ]'; kill $pid
+  $ soon '[ -z "$(ctl connectors Source0:number)" ]'
   $ rtplot -t 0.5 Source0.rtc:nothing
   rtplot: /localhost:$PORT/test.host_cxt/Source0.rtc: no such port: nothing (its ports: number, block)
   [3]

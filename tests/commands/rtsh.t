@@ -153,11 +153,11 @@ What it does not understand, or leaves to a real shell; in a file the line is re
 
 Each command has its own options and starts with a clean slate; --timeout of rtsh is the default for all:
 
-  $ within 0.6-3 rtsh --timeout 0.3 -c 'ls -l ../hung.host_cxt; cat ../hung.host_cxt/Mock0.rtc; cat --timeout 0.5 ../hung.host_cxt/Mock0.rtc; pwd'
+  $ within 3-9 rtsh --timeout 1 -c 'ls -l ../hung.host_cxt; cat ../hung.host_cxt/Mock0.rtc; cat --timeout 1.5 ../hung.host_cxt/Mock0.rtc; pwd'
   ?  -  -  -  -  ?Mock0.rtc
   rtls: 1 of 1 did not answer (Mock0.rtc)
-  rtcat: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
-  rtcat: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
+  rtcat: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 1s
+  rtcat: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 1.5s
   /localhost:$PORT/test.host_cxt
   $ RTSHELL_TIMEOUT=never rtsh -c pwd
   rtsh: RTSHELL_TIMEOUT: not a number of seconds above 0: never (see --help)

@@ -58,9 +58,13 @@ Each is written at once, and what ends the command leaves nothing behind:
 
 One of C++ takes a logger, and never writes to it; rtvlog says why nothing comes:
 
-  $ rtvlog -t 1 ../cpp.host_cxt/Motor0.rtc & soon "ctl @observed2 observers Motor0 | grep Logger"
+  $ rtvlog ../cpp.host_cxt/Motor0.rtc > out 2> said & log=$!
+  $ soon "ctl @observed2 observers Motor0 | grep Logger"; soon 'grep Motor0 said'
+  $ ctl @observed2 log Motor0 ERROR motor hot
+  $ kill $log; wait $log
+  [143]
+  $ cat out said
   rtvlog: /localhost:$PORT/cpp.host_cxt/Motor0.rtc: takes a logger, but components of C++ (up to 2.1) write nothing to it
-  $ ctl @observed2 log Motor0 ERROR motor hot; wait
 
 A component that takes no loggers, as most do not; one beside it is not disturbed:
 
@@ -73,8 +77,8 @@ A component that takes no loggers, as most do not; one beside it is not disturbe
   [5]
   $ ctl calls ConsoleIn0 | grep service
   [1]
-  $ rtvlog --timeout 0.3 ../hung.host_cxt/Mock0.rtc
-  rtvlog: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
+  $ rtvlog --timeout 2 ../hung.host_cxt/Mock0.rtc
+  rtvlog: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 2s
   [4]
   $ rtvlog .
   rtvlog: /localhost:$PORT/test.host_cxt: not a component (it is a directory; rtfind /localhost:$PORT/test.host_cxt -t c prints the components in it)

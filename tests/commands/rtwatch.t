@@ -80,7 +80,8 @@ A component that takes no observer is polled. It is asked for nothing that would
 than once, and never offered what it does not know:
 
   $ ctl @these reset
-  $ rtwatch -n 7 -f ALL Plain0.rtc > out 2>&1 & soon 'ctl @these calls | grep get_active_configuration_set'
+  $ rtwatch -f ALL Plain0.rtc > out 2>&1 & watch=$!
+  $ soon 'ctl @these calls | grep get_active_configuration_set'
   $ rtact --wait 20 Plain0.rtc; soon 'grep ACTIVE out'
   $ rtec Plain0.rtc rate 500; soon 'grep RATE out'
   $ rtec Plain0.rtc stop
@@ -88,7 +89,9 @@ than once, and never offered what it does not know:
   $ soon 'grep STARTUP out'; rtec Motor0.rtc attach Plain0.rtc
   $ soon 'grep ATT out'; rtec Motor0.rtc detach Plain0.rtc
   $ soon 'grep DET out'; rtdeact Plain0.rtc
-  $ wait; plain out | grep -v 1000.*INACTIVE
+  $ soon 'grep " 0 INACTIVE" out'; kill $watch; wait $watch
+  [143]
+  $ plain out | grep -v 1000.*INACTIVE
   rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
   [T] 0 ACTIVE
   [T] 0 EC_RATE_CHANGED
@@ -116,13 +119,13 @@ When polling cannot show what is wanted, that is said:
 
 One that is gone, silent, missing or no component costs its own line:
 
-  $ rtwatch -n 1 -f HEARTBEAT --timeout 0.3 ConsoleIn0.rtc ../hung.host_cxt/Mock0.rtc \
+  $ rtwatch -n 1 -f HEARTBEAT --timeout 2 ConsoleIn0.rtc ../hung.host_cxt/Mock0.rtc \
   >     ../gone.host_cxt/Mock0.rtc ConsolIn0.rtc .. > out 2> err
   [5]
   $ plain out; sort err
   [ConsoleIn0.rtc T] HEARTBEAT
   rtwatch: /localhost:$PORT/gone.host_cxt/Mock0.rtc: connection refused; its process is gone (zombie)
-  rtwatch: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.3s
+  rtwatch: /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 2s
   rtwatch: /localhost:$PORT/test.host_cxt/ConsolIn0.rtc: no such path; did you mean ConsoleIn0.rtc?
   rtwatch: /localhost:$PORT: not a component (it is a name server; rtfind /localhost:$PORT -t c prints the components in it)
   $ rtwatch ConsolIn0.rtc
