@@ -12,7 +12,7 @@ alone: it measures time
 
 All of them together cost one timeout:
 
-  $ within 0.5-1 rtls -l --timeout 0.5
+  $ within 2-3.8 rtls -l --timeout 2
   Inactive  2/0  1/0  1/0  0/0  A.rtc
   Inactive  2/0  1/0  1/0  0/0  B.rtc
   Inactive  2/0  1/0  1/0  0/0  C.rtc
@@ -22,16 +22,16 @@ All of them together cost one timeout:
   Inactive  2/0  1/0  1/0  0/0  F.rtc
   rtls: 1 of 7 did not answer (Driver0.rtc)
   [5]
-  $ within 0.5-1 rtfind --timeout 0.5 . --state inactive
+  $ within 2-3.8 rtfind --timeout 2 . --state inactive
   /localhost:$PORT/test.host_cxt/A.rtc
   /localhost:$PORT/test.host_cxt/B.rtc
   /localhost:$PORT/test.host_cxt/C.rtc
   /localhost:$PORT/test.host_cxt/D.rtc
   /localhost:$PORT/test.host_cxt/E.rtc
   /localhost:$PORT/test.host_cxt/F.rtc
-  rtfind: /localhost:$PORT/test.host_cxt/Driver0.rtc: no answer within 0.5s
+  rtfind: /localhost:$PORT/test.host_cxt/Driver0.rtc: no answer within 2s
   [5]
-  $ within 0.5-1 rtcat --timeout 0.5 A.rtc
+  $ within 2-3.8 rtcat --timeout 2 A.rtc
   A.rtc  Inactive
     Category       test
     Description    Does nothing
@@ -46,10 +46,10 @@ All of them together cost one timeout:
   +Execution Context of another component, which does not answer  Unknown
   +DataInPort: in
   +DataOutPort: out
-  $ within 0.5-1 rtec --timeout 0.5 A.rtc
+  $ within 2-3.8 rtec --timeout 2 A.rtc
   0  0  Periodic  1000  Running  Inactive  A  -
   1  ?  ?         ?     ?        Unknown   ?  ?
-  $ within 0.5-1 rtec --timeout 0.5 --json A.rtc | tail -1
+  $ within 2-3.8 rtec --timeout 2 --json A.rtc | tail -1
   {"index": 1, "path": "/localhost:$PORT/test.host_cxt/A.rtc", "state": "Unknown"}
-  $ within 0-1 rtact --timeout 0.5 A.rtc && rtls -l A.rtc --timeout 0.5
+  $ within 0-3.8 rtact --timeout 2 A.rtc && rtls -l A.rtc --timeout 2
   Active  2/0  1/0  1/0  0/0  A.rtc

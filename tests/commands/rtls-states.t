@@ -72,7 +72,7 @@ A component that fails to answer with one of the figures:
   rtls: /localhost:$PORT/test.host_cxt/Slow0.rtc: CORBA.UNKNOWN
   rtls: 1 of 1 did not answer (Slow0.rtc)
   [6]
-  $ ctl @these fail get_port_profile 1 DIE; rtls -lv --timeout 1 Slow0.rtc MyServiceProvider0.rtc
+  $ ctl @these fail get_port_profile 1 DIE; rtls -lv Slow0.rtc MyServiceProvider0.rtc
   Inactive  ?    ?    ?    ?    Slow0.rtc
   Inactive  1/0  0/0  0/0  1/0  MyServiceProvider0.rtc
   rtls: /localhost:\$PORT/test.host_cxt/Slow0.rtc: (does not report its ports or states \(connection refused\)|connection lost) (re)

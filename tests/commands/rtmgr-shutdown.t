@@ -42,11 +42,11 @@ Some slaves ended, one did not:
   $ cd() { export RTCSH_CWD=$1; }
   $ cd /localhost:$PORT/hung.host_cxt
   $ H=$(ctl @managers3 slave 1 pid); kill -STOP $H
-  $ rtmgr -v --timeout 0.5 --shutdown manager.mgr 2>&1 | sed "s/_[0-9][0-9]*/_PID/g"
-  rtmgr: /localhost:$PORT/hung.host_cxt/manager.mgr/slave0: no answer within 0.5s
+  $ rtmgr -v --timeout 2 --shutdown manager.mgr 2>&1 | sed "s/_[0-9][0-9]*/_PID/g"
+  rtmgr: /localhost:$PORT/hung.host_cxt/manager.mgr/slave0: no answer within 2s
   rtmgr: shut down /localhost:$PORT/hung.host_cxt/manager.mgr/manager
   rtmgr: /localhost:$PORT/hung.host_cxt/manager.mgr: not tried: its slave /localhost:$PORT/hung.host_cxt/manager.mgr/slave0 still runs, and cannot be found without it
-  $ rtls --timeout 0.5 -R
+  $ rtls --timeout 2 -R
   .:
   ?ConsoleIn0.rtc
   manager.mgr/
@@ -54,7 +54,7 @@ Some slaves ended, one did not:
   ./manager.mgr:
   ?slave0
 
-  rtls: /localhost:$PORT/hung.host_cxt/manager.mgr: no answer within 0.5s
+  rtls: /localhost:$PORT/hung.host_cxt/manager.mgr: no answer within 2s
   rtls: 2 of 3 did not answer (ConsoleIn0.rtc, slave0)
   [4]
   $ kill -CONT $H; rtmgr -v --shutdown manager.mgr

@@ -51,7 +51,7 @@ Wrong usage and what cannot be mounted; each is reported before rtmount returns,
 
 A name server that is not there, and one that goes and comes back:
 
-  $ rtmount --ttl 0.1 --timeout 0.5 $PWD/m; root=$PWD/m errors=$PWD/m/errors
+  $ rtmount --ttl 0.1 --timeout 2 $PWD/m; root=$PWD/m errors=$PWD/m/errors
   $ why() { tail -n 1 $errors; }
   $ ls m/nosuchhost.invalid || why
   ls: cannot access 'm/nosuchhost.invalid': No route to host
@@ -86,12 +86,12 @@ A component that hangs delays only those who ask it; it is listed, and others an
   $ ctl @many stop
   $ cat Mock0.rtc/state || why
   cat: Mock0.rtc/state: Connection timed out
-  /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 0.5s
+  /localhost:$PORT/hung.host_cxt/Mock0.rtc: no answer within 2s
   $ ls
   Mock0.rtc
   $ time=$(date +%s); grep -r . . >/dev/null 2>&1
   [2]
-  $ test $(($(date +%s) - time)) -le 10
+  $ test $(($(date +%s) - time)) -le 60
 
 A component that dies is out of reach, its connection lost or refused. When it is started again, even those whose working
 directory it was find it:

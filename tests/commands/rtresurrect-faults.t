@@ -4,8 +4,8 @@ world: hostile --context hostile.host_cxt/%n.rtc
 
 Hostile names and values are restored, or told, and do nothing to the terminal:
 
-  $ rtcryo -q --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.xml
-  $ rtcryo -q -y --timeout 0.5 localhost:$PORT/hostile.host_cxt -o h.yaml
+  $ rtcryo -q localhost:$PORT/hostile.host_cxt -o h.xml
+  $ rtcryo -q -y localhost:$PORT/hostile.host_cxt -o h.yaml
   $ rtresurrect -v h.xml 2>&1 | tail -1
   rtresurrect: 9 already done
   $ rtteardown -v h.yaml 2>&1 | tail -1

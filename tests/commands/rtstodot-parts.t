@@ -201,7 +201,7 @@ is, its process is drawn.
   >     ctl @these4 fail get_owned_contexts 1 HANG
   >     ctl @these4 fail get_owned_contexts 2 HANG
   > }
-  $ hung; rtstodot --live --timeout 1 --text ../far.host_cxt 2> said | sed 's/1:[0-9]*  /1:PORT  /'
+  $ hung; rtstodot --live --timeout 2 --text ../far.host_cxt 2> said | sed 's/1:[0-9]*  /1:PORT  /'
   ┌──────────────────────────┐
   │ Near0  Inactive          │
   │                      out ├─┐
@@ -217,11 +217,11 @@ is, its process is drawn.
   │ Hung2  Unknown           │
   └──────────────────────────┘
   $ cat said
-  rtstodot: /localhost:$PORT/far.host_cxt/Hung0.rtc: no answer within 1s
-  rtstodot: /localhost:$PORT/far.host_cxt/Hung1.rtc: no answer within 1s
-  rtstodot: /localhost:$PORT/far.host_cxt/Hung2.rtc: no answer within 1s
-  $ hung; rtstodot --live --timeout 1 --dot ../far.host_cxt 2>/dev/null | grep -c 'not.* known'
+  rtstodot: /localhost:$PORT/far.host_cxt/Hung0.rtc: no answer within 2s
+  rtstodot: /localhost:$PORT/far.host_cxt/Hung1.rtc: no answer within 2s
+  rtstodot: /localhost:$PORT/far.host_cxt/Hung2.rtc: no answer within 2s
+  $ hung; rtstodot --live --timeout 2 --dot ../far.host_cxt 2>/dev/null | grep -c 'not.* known'
   2
-  $ hung; rtstodot --live --timeout 1 --svg ../far.host_cxt 2>/dev/null | grep -c 'not known'
+  $ hung; rtstodot --live --timeout 2 --svg ../far.host_cxt 2>/dev/null | grep -c 'not known'
   4
   $ ctl @these3 reset; ctl @these4 reset

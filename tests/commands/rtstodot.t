@@ -202,9 +202,9 @@ Without a file, and with a terminal for stdin, what is running is drawn, too:
 Not there any more, or not answering: grey, and told.
 
   $ rtexit --wait=5 MyServiceProvider0.rtc; hang linked
-  $ within 0.4-1.5 rtstodot --live --timeout 0.5 b.xml | grep -v ' -> '
-  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
-  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
+  $ within 1.9-6 rtstodot --live --timeout 2 b.xml | grep -v ' -> '
+  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 2s
+  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 2s
   rtstodot: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   digraph rtsprofile {
     rankdir=LR;
@@ -217,9 +217,9 @@ Not there any more, or not answering: grey, and told.
     MyServiceConsumer0 [label="{{}|MyServiceConsumer0|{<MyService>MyService}}", style=filled, fillcolor=lightblue];
     MyServiceProvider0 [label="{{<MyService>MyService}|MyServiceProvider0|{}}", style=filled, fillcolor=lightgrey];
   }
-  $ within 0.4-1.5 rtstodot --live --timeout 0.5 b.xml >/dev/null
-  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
-  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
+  $ within 1.9-6 rtstodot --live --timeout 2 b.xml >/dev/null
+  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 2s
+  rtstodot: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 2s
   rtstodot: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no such path; did you mean MyServiceConsumer0.rtc?
   [5]
   $ wake linked

@@ -148,11 +148,11 @@ A process that hangs keeps the others waiting no longer than the timeout:
 
   $ rtcryo --all -o all.xml; rtstart -q all.xml
   $ hang these
-  $ within 0.4-2 rtstop -q --timeout 0.5 all.xml 2> said
+  $ within 1.9-7 rtstop -q --timeout 2 all.xml 2> said
   [5]
   $ sort said; states 2> said
-  rtstop: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 0.5s
-  rtstop: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 0.5s
+  rtstop: /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc: no answer within 2s
+  rtstop: /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc: no answer within 2s
   Inactive Clusterer0.rtc
   Inactive Controller0.rtc
   Inactive Driver0.rtc

@@ -116,10 +116,10 @@ What is silent cannot be freed:
 
   $ rtresurrect -q a.xml 2>/dev/null
   [5]
-  $ hang services; within 0.4-3 rtteardown --timeout 0.5 -v a.xml
+  $ hang services; within 1.9-9 rtteardown --timeout 2 -v a.xml
   rtteardown: /localhost:$PORT/test.host_cxt/ConsoleOut1.rtc: no such path; did you mean ConsoleOut2.rtc?
-  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc: no answer within 0.5s
-  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no answer within 0.5s
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc: no answer within 2s
+  rtteardown: /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc: no answer within 2s
   rtteardown: connection one of /localhost:$PORT/test.host_cxt/ConsoleIn0.rtc:out to /localhost:$PORT/test.host_cxt/ConsoleOut0.rtc:in: done
   rtteardown: connection service of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc:MyService to /localhost:$PORT/test.host_cxt/MyServiceProvider0.rtc:MyService: not tried because of /localhost:$PORT/test.host_cxt/MyServiceConsumer0.rtc
   rtteardown: 1 done, 1 already done, 2 failed, 1 not tried
