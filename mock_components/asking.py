@@ -7,7 +7,7 @@ HELP = """\
 calls [COMPONENT]          one `count operation` line per operation received from outside
 highwater                  most calls from outside that were in flight at a time
 reset                      forget calls, high-water mark, faults, delays and hangs
-received COMPONENT:PORT [N]  how many values a component has read from an InPort and the last one; waits up to 10 s for N
+received COMPONENT:PORT [N]  how many values a component has read from an InPort and the last one; waits up to 60 s for N
 waiting COMPONENT:PORT     how many values lie in the buffer of an InPort that nobody has read
 blocked COMPONENT:PORT     how many writers wait for room in it
 buffer COMPONENT:PORT      the length of that buffer, and what it does when it is full
@@ -41,6 +41,8 @@ pid                        process id
 stop                       SIGSTOP itself
 die                        end at once, names left bound
 exit                       end in good order, names unbound"""  # noqa: E501
+
+PATIENCE = 60  # s for which a mock waits until values have come: on a busy machine it may be held up
 
 
 def request(path, words):

@@ -29,7 +29,7 @@ class Commands:
     def received(self, port, count=0):
         port = self.stage.port(port)
         with port.process.arrived:
-            if not port.process.arrived.wait_for(lambda: port.received >= int(count), 10):
+            if not port.process.arrived.wait_for(lambda: port.received >= int(count), asking.PATIENCE):
                 raise ValueError("only %d values received" % port.received)
         return ["%d %s" % (port.received, shown(port.last))]
 
