@@ -60,12 +60,12 @@ class Tasks(Case):
 
     def test_a_bug_cancels_the_others(self):
         async def ask(name):
-            await (fail(0.01, KeyError("x")) if name == "bug" else self.mourn(10, name))
+            await (fail(0.01, KeyError("x")) if name == "bug" else self.mourn(100, name))
         begun = time.monotonic()
         with self.assertRaises(KeyError):
             loop.run(gather(["a", "bug"], ask))
         self.assertEqual(self.heard, ["no a"])
-        self.assertLess(time.monotonic() - begun, 5)
+        self.assertLess(time.monotonic() - begun, 50)
 
     def test_few_of_one_key_run_at_a_time(self):
         now = {"a": 0, "b": 0}
@@ -140,11 +140,11 @@ class Tasks(Case):
 
     def test_a_stream_yields_before_the_last_has_come(self):
         async def first():
-            async for value in loop.each([0, 10], lambda seconds: after(seconds, seconds)):
+            async for value in loop.each([0, 100], lambda seconds: after(seconds, seconds)):
                 return value
         begun = time.monotonic()
         self.assertEqual(loop.run(first()), 0)
-        self.assertLess(time.monotonic() - begun, 5)
+        self.assertLess(time.monotonic() - begun, 50)
 
     def test_a_bug_ends_a_stream(self):
         async def main():
@@ -214,8 +214,7 @@ class Waiting(Case):
             time.sleep(0.5)  # as a stop of the process does
             await loop.sleep(0.01)
         loop.run(main())
-        self.assertEqual(len(away), 1)
-        self.assertGreaterEqual(away[0], 0.5)
+        self.assertGreaterEqual(max(away), 0.5)  # a busy machine may have stopped it, too
 
     def test_timers_that_are_cancelled_are_not_kept(self):
         """What waits for ever is woken again and again for days."""
@@ -242,7 +241,7 @@ class Struck(Exception):
 CHILD = """
 import ctypes, os, signal, sys, time, weakref
 from rtshell_lite.net import loop
-loop.PATIENCE = %s
+loop.PATIENCE, loop.BOUNCE = %s
 class Struck(Exception):
     pass
 async def main():
@@ -261,8 +260,8 @@ print(signal.getsignal(signal.SIGINT) is signal.default_int_handler, flush=True)
 
 
 class Signals(Case):
-    def child(self, body, cleaning=0.0, patience=0.2):
-        program = CHILD % (patience, body, cleaning)
+    def child(self, body, cleaning=0.0, patience=0.2, bounce=loop.BOUNCE):
+        program = CHILD % ((patience, bounce), body, cleaning)
         child = subprocess.Popen(
             [sys.executable, "-c", program],
             stdout=subprocess.PIPE,
@@ -320,7 +319,7 @@ class Signals(Case):
         self.assertEqual(child.communicate()[0], "cleaned up\nstruck\nTrue\n")
 
     def test_the_same_key_press_twice(self):
-        child = self.child("await loop.sleep(60)", 1)
+        child = self.child("await loop.sleep(60)", 1, bounce=60)  # a busy machine may hold up this process
         child.send_signal(signal.SIGINT)
         child.send_signal(signal.SIGINT)
         self.assertEqual(child.communicate()[0], "cleaned up\nstruck\nTrue\n")

@@ -54,6 +54,11 @@ def is_there(pid):
     return True
 
 
+def only(found):
+    """A list of the one thing that there is, or None."""
+    return list(found) if len(found) == 1 else None
+
+
 class Processes(unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.mkdtemp()
@@ -106,11 +111,14 @@ class Processes(unittest.TestCase):
         """Then another one does: rtkeep goes on, and nothing outlives it."""
         self.keep("a: sh -c 'sleep 1000 & wait'\nb: sleep 0.3\nb.delay: 0.1-0.1\nb.burst: 1000/60\n")
         self.until("started, pid", 2)
-        (watching,) = set(children(self.process.pid)) - set(self.pids("a") + self.pids("b"))
+        (watching,) = worlds.eventually(  # a b that has just begun is not told yet
+            lambda: only(set(children(self.process.pid)) - set(self.pids("a") + self.pids("b"))),
+            "what watches over them is known"
+        )
         (a,) = self.pids("a")
         os.kill(watching, signal.SIGKILL)
         worlds.eventually(lambda: len(self.pids("b")) > 3, "processes are started again")
-        (sleeping,) = children(a)
+        (sleeping,) = worlds.eventually(lambda: only(children(a)), "it has begun to sleep")
         self.process.kill()
         worlds.eventually(lambda: not is_there(a) and not is_there(sleeping), "the whole group ends")
 
