@@ -19,8 +19,8 @@ both: each ORB receives and sends values in its own way
 
 Where a fetch is not answered, the connector stays; the command that is printed removes it later:
 
-  $ ctl delay get 2
-  $ RTSHELL_TIMEOUT=0.5 within 0.5-3 rtprint --pull -t 0.5 Source0.rtc:number > /dev/null 2>said
+  $ ctl delay get 6
+  $ RTSHELL_TIMEOUT=2 within 0.5-9 rtprint --pull -t 0.5 Source0.rtc:number > /dev/null 2>said
   [4]
   $ ctl reset
   $ until [ "$(ctl highwater)" = 0 ]; do ctl reset; done
