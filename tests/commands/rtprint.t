@@ -134,7 +134,8 @@ Figures, each second and at the end. The sender is a Python process beside other
   rtprint: /localhost:$PORT/ahead.host_cxt/Source0.rtc:number: the times in its values are 5 minutes ahead of this host's clock
   $ rtprint -q -n 5 --stats ../ahead.host_cxt/Source0.rtc:number > out
   $ rtprint -n 5 ../ahead.host_cxt/Source0.rtc:number > out
-  $ terminal 30 rtprint -n 300 --stats Source0.rtc:number | sed 's/\(no\|[0-9.]*\) [vHg].*/…/' | sed -n '1p; $p'
+  $ terminal 30 rtprint -n 300 --stats Source0.rtc:number | sed 's/\(no\|[0-9.]*\) [vHg].*/…/' |
+  > sed -n '1p; $p'
   \x1b[2K… (esc)
   \x1b[1A\x1b[2Kall in all: … (esc)
   $ rtprint --raw -n 30 --stats Source0.rtc:number | tail -n 1 | sed 's/.*values/values/'
