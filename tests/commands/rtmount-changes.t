@@ -170,7 +170,8 @@ Managers make components:
 
 A zombie's name can be taken away, that of what lives cannot:
 
-  $ soon '[ -L Mock0.rtc ]'; rm Mock0.rtc; ls Mock0.rtc
+  $ soon '[ -L Mock0.rtc ]'
+  $ rm Mock0.rtc; ls Mock0.rtc
   ls: Mock0.rtc: No such file or directory
   [1]
   $ PATH=$tools rtls | grep Mock

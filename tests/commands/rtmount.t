@@ -227,7 +227,8 @@ The modules that could be loaded are in no listing: to find them, a manager runs
 
 A zombie is a link that leads nowhere:
 
-  $ cd $root/test.host_cxt; soon '[ -L Mock0.rtc ]'; readlink Mock0.rtc
+  $ cd $root/test.host_cxt; soon '[ -L Mock0.rtc ]'
+  $ readlink Mock0.rtc
   zombie: its object is gone
   $ cat Mock0.rtc
   cat: can't open 'Mock0.rtc': No such file or directory

@@ -179,11 +179,11 @@ Live, until a signal or for some time; not on a terminal, the plot is printed at
   143
   $ grep -c '<path class="series' live.svg
   4
-  $ COLUMNS=100; plotted --rate --ascii Source0.rtc:number; COLUMNS=60
+  $ COLUMNS=100; plotted --rate --ascii Source0.rtc:number
   143
   /localhost:N/testNhost_cxt/SourceNrtc:number, values per second
   * rate  min N  max N  last N
-  $ within 0.3-9 rtplot -t 0.3 ConsoleIn0.rtc:out
+  $ COLUMNS=60; within 0.3-9 rtplot -t 0.3 ConsoleIn0.rtc:out
   no values
   $ terminal 60 rtplot Source0.rtc:number >page & pid=$!
   $ soon '[ $(grep -c "data  min" page) -gt 3 ]'; kill $pid

@@ -120,7 +120,8 @@ For programs:
 
 Figures, each second and at the end. The sender is a Python process beside others, so its gaps vary:
 
-  $ rtprint -n 300 --stats Source0.rtc:number > out || echo $?; grep -m 1 '^[0-9].*gap' out; tail -n 1 out
+  $ rtprint -n 300 --stats Source0.rtc:number > out || echo $?
+  $ grep -m 1 '^[0-9].*gap' out; tail -n 1 out
   [0-9]+ values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ k?B/s, age [0-9.e+]+ ms.* (re)
   all in all: [0-9]+ values, [0-9]+\.[0-9] Hz, gap [0-9.e+]+/[0-9.e+]+/[0-9.e+]+ ms, jitter [0-9.e+]+ ms, [0-9.]+ k?B/s, age [0-9.e+]+ ms.* (re)
   $ rtprint -n 50 --stats Source0.rtc:number.n ConsoleIn0.rtc:out.silent > out || echo $?; tail -n 2 out

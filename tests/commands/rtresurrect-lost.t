@@ -15,7 +15,8 @@ The file has the address of each component, when it was saved:
 
 A slave is killed: the names of its components are still bound, which does not matter. The manager makes them again:
 
-  $ kill -9 $(ctl slave 1 pid); soon '[ $(rtls | grep -c "^[*]") = 2 ]'; rtls
+  $ kill -9 $(ctl slave 1 pid); soon '[ $(rtls | grep -c "^[*]") = 2 ]'
+  $ rtls
   ConsoleOut0.rtc
   *Motor0.rtc
   *Sensor0.rtc

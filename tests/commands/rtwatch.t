@@ -89,7 +89,8 @@ than once, and never offered what it does not know:
   $ soon 'grep STARTUP out'; rtec Motor0.rtc attach Plain0.rtc
   $ soon 'grep ATT out'; rtec Motor0.rtc detach Plain0.rtc
   $ soon 'grep DET out'; rtdeact Plain0.rtc
-  $ soon 'grep " 0 INACTIVE" out'; kill $watch; wait $watch
+  $ soon 'grep " 0 INACTIVE" out'
+  $ kill $watch; wait $watch
   [143]
   $ plain out | grep -v 1000.*INACTIVE
   rtwatch: /localhost:$PORT/test.host_cxt/Plain0.rtc: offers no observer; it is polled (5 Hz), which shows no connections
