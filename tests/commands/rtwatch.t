@@ -60,7 +60,11 @@ Heartbeats, and everything, which is the default:
 
   $ rtwatch -n 1 -f HEARTBEAT ConsoleIn0.rtc | plain
   [T] HEARTBEAT
-  $ rtwatch -n 2 -f HEARTBEAT Microwave0.rtc | plain | sort
+  $ rtwatch -f HEARTBEAT Microwave0.rtc > out & watch=$!
+  $ soon 'grep -q EC_ out && grep -q RTC_ out'
+  $ kill $watch; wait $watch
+  [143]
+  $ plain out | sort -u
   [T] EC_HEARTBEAT
   [T] RTC_HEARTBEAT
   $ rtdeact --wait 20 ConsoleIn0.rtc; rtwatch -n 1 ConsoleIn0.rtc | plain
