@@ -17,7 +17,7 @@ class Component(carrier.skeleton("OpenRTM.DataFlowComponent")):
     """A component without behaviour; others derive from it."""
 
     busy = False        # whether an active one has work in every cycle
-    reads = False       # whether that is to read its InPorts
+    reads = False       # whether this work is to read its InPorts
     takes = 0.0         # seconds that it takes with a change of its state
     initialises = True  # whether a manager that makes one gets it
     providers = ()      # interface types of SDO services that it offers

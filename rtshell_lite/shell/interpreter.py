@@ -141,7 +141,7 @@ class Interpreter:
         return self._run(name, words[1:])
 
     def _asked_status(self, words):
-        """The exit status that `exit WORDS` asks for, 2 where that is none; rtsh ends in either case."""
+        """The exit status that `exit WORDS` asks for; 2 if WORDS are no exit status. rtsh ends anyway."""
         if not words:
             return self.status
         if len(words) > 1 or not re.match(r"\d{1,3}$", words[0]) or int(words[0]) > 255:

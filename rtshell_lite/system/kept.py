@@ -55,7 +55,7 @@ class KeptComponent(follow.Followed):
     restarts = 0
     last = ""
     is_busy = is_paused = has_exited = has_been_there = False
-    is_stopping = False  # one before it was given up: that it is Active is over in a moment
+    is_stopping = False  # being deactivated, as one that the plan starts before it was given up
     is_refused = False  # it has come back, and its policy leaves it alone
     has_failed = False  # since the last attempt to activate it; among the failures of `trial`
     known = None  # the identity of the object that it was before the file was read again, or it refused
@@ -190,7 +190,7 @@ class KeptComponent(follow.Followed):
             self.later[part] = trial.until
 
     def begin_look(self):
-        """What is to be looked at now is being looked at."""
+        """Note that what is to be looked at by now is being looked at."""
         now = loop.now()
         self.looking = self.changed.union(part for part, when in self.later.items() if when <= now)
         self.changed = frozenset()
